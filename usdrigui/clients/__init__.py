@@ -1,0 +1,1 @@
+"""Doors to other programs: publish frameworks, DCCs, batch runs."""

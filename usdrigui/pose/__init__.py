@@ -1,0 +1,1 @@
+"""Posing a laid-out character: direct manipulation and drags; numpy only."""

@@ -1,0 +1,363 @@
+"""Every setting, one frozen part per stage; where the paper's symbols are translated, once.
+
+Precedence, weakest first: defaults, preset, environment (``USDRIGUI_<PART>_<NAME>``), configuration
+file, command line.  Parts are plain dataclasses; `load` builds them from TOML and refuses unknown keys.
+"""
+
+from __future__ import annotations
+
+import os
+import tomllib
+import types
+import typing
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+from usdrigui.errors import refuse
+
+
+@dataclass(frozen=True, slots=True)
+class ControlSettings:
+    """``[controls."name"]``: what the rigger says about one control."""
+
+    exclude: bool = False
+    rename: str = ""
+    label: str = ""
+    minimum: float | None = None
+    maximum: float | None = None
+    default: float | None = None
+    twin: str = ""
+    """Name of the mirror control; ``none`` unpairs; ``self`` says symmetric about the plane."""
+    orbit: tuple[str, ...] = ()
+    """Names of the controls of an n-fold symmetry, this one first."""
+    place: Literal["", "face", "beside", "proxy"] = ""
+    """Where to lay it out; empty leaves the choice to the optimiser. ``proxy`` is the nearest visible point."""
+    near: str = ""
+    """Prim path, ``joint:NAME`` or ``MESH.point[i]`` near which to stay (locality)."""
+    within: float = 0.0
+    """Radius for `near`, as a share of the face size; 0 takes the default."""
+    anchor: str = ""
+    """``MESH_PATH#POINT``: fixed anchor of a partial layout."""
+    glyph: str = ""
+    """Path of a curve or mesh prim that replaces the drawn shape."""
+    adapt: Literal["", "deform", "static"] = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PoseSettings:
+    """``[poses."name"]``: a pose control from a frame, a clip or a set of weights."""
+
+    frame: float | None = None
+    clip: tuple[float, ...] = ()
+    """First and last time code of a clip."""
+    animation: str = ""
+    """Prim path of the SkelAnimation; empty takes the bound one."""
+    weights: Mapping[str, float] = field(default_factory=dict)
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class JointSettings:
+    """``[joints."PATH"]``: a joint's degrees of freedom as controls."""
+
+    axes: tuple[Literal["x", "y", "z"], ...] = ()
+    """Rotation axes in the joint's own frame; empty makes no control of it."""
+    minimum: float = -30.0
+    """Degrees."""
+    maximum: float = 30.0
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ReadSettings:
+    """What becomes a control, and which pose is the base pose."""
+
+    skel_root: str = ""
+    """Prim path; empty reads every SkelRoot that has controls."""
+    joints: Literal["auto", "animated", "all", "none"] = "auto"
+    """Which joints become controls: ``auto`` those that the animation rotates by more than `joint_min_degrees`,
+    unless its frames are named poses; ``animated`` the same without exception."""
+    joint_min_degrees: float = 0.5
+    pose_names: str = "framemapping"
+    """Key in the root layer's customLayerData that lists one pose name per frame; the first is rest."""
+    time: float | None = None
+    """Time code whose pose is the base pose; none takes the rest transforms and zero weights."""
+
+
+@dataclass(frozen=True, slots=True)
+class TrajectorySettings:
+    """How finely trajectories are sampled."""
+
+    tolerance: float = 1e-3
+    """Largest deviation of a sampled curve from the true one, as a share of its arc length."""
+    max_samples: int = 33
+    tiny: float = 0.01
+    """A control whose largest arc length is below this share of the face size is called tiny."""
+
+
+@dataclass(frozen=True, slots=True)
+class SymmetrySettings:
+    """Mirror plane, twins and what is held to the plane."""
+
+    enabled: bool = True
+    tolerance: float = 0.01
+    """Largest distance of a mirror partner, as a share of the face size."""
+    twin_similarity: float = 0.6
+    """Least agreement of two controls' mirrored trajectories to be called twins."""
+    fold: bool = True
+    """Optimise one of each pair of twins only (paper section 3.3)."""
+    plane_price: float = 0.3
+    """Cost per handle width of distance from the plane for self-symmetric controls."""
+    double_middle: bool = False
+    """Give a self-symmetric control two mirrored elements instead of one on the plane."""
+
+
+@dataclass(frozen=True, slots=True)
+class CandidateSettings:
+    """Where a control may be anchored."""
+
+    prune_at: float = 1.0
+    """Drop points whose arc length is below this multiple of the mean over the points that move (paper
+    section 4.2)."""
+    peak_share: float = 0.5
+    """Drop points whose arc length is below this share of the control's peak; 0 turns it off."""
+    occlusion: bool = True
+    """Drop points whose trajectory is largely inside or behind the model from every view."""
+    occlusion_price: float = 0.15
+    """Cost of a trajectory that runs straight into the surface (paper section 3.3, element-model occlusion)."""
+    view: str = ""
+    """``front``, ``side``, ``AZ,EL`` in degrees or a camera's prim path; empty means front and two three-quarter views."""
+    space: Literal["object", "view"] = "object"
+    """``view`` projects elements to the view plane before spacing them (paper fig. 7)."""
+    global_coverage: float = 0.6
+    """A control that moves more than this share of the visible face is global."""
+    hidden_share: float = 0.02
+    """A control is hidden when less than this share of its moving places is visible anywhere."""
+    beside_global: bool = True
+    beside_hidden: bool = True
+    beside_composite: bool = True
+    near_radius: float = 0.15
+    """Default radius of locality, as a share of the face size."""
+
+
+@dataclass(frozen=True, slots=True)
+class GroupSettings:
+    """Which controls share an element."""
+
+    opposed: bool = True
+    """Merge opposed controls into bipolar sliders and joysticks."""
+    opposed_cosine: float = -0.8
+    """Two controls are opposed when the displacement-weighted cosine of their directions is below this."""
+    patches: bool = False
+    """Group controls by the Jaccard index of their candidates (paper section 4.2)."""
+    fan_size: int = 2
+    """Paper: k."""
+    jaccard_min: float = 0.85
+    """Paper: epsilon."""
+    groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """``[groups.named]``: element name to control names, in order."""
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectiveSettings:
+    """What a good layout is (paper eq. 1 and 2)."""
+
+    displacement_weight: float = 0.85
+    """Paper: lambda."""
+    overlap_max: float = 5.0
+    """Paper: a."""
+    overlap_radius: float = 1.0
+    """Paper: tau, in handle widths; the preset ``paper`` uses the mean edge length instead."""
+    overlap_sharpness: float = 4.0
+    """Paper: s, in units of one over the radius."""
+    overlap_reach: float = 3.0
+    """Elements further apart than this many radii do not interact; 0 for no cut."""
+    samples: int = 5
+    """Paper: u, points per track."""
+    handle_size: float = 0.02
+    """Width at which a handle is drawn and kept apart, as a share of the face size."""
+    separation: bool = True
+    """No two handles nearer than a handle's width, as a hard constraint."""
+    beside_price: float = 0.3
+    """Cost of sending a control beside the face, per copy; 0 or less than 0 is allowed."""
+    beside_allowed: bool = True
+    scene_units: bool = False
+    """Use the paper's constants literally: tau is the mean edge length, s and displacement in scene units."""
+
+
+@dataclass(frozen=True, slots=True)
+class SolveSettings:
+    """How the layout problem is solved, and for how long."""
+
+    method: Literal["highs", "paper", "enumerate", "toulbar2"] = "highs"
+    gap: float = 1e-4
+    """Relative gap at which a solution is called optimal."""
+    threads: int = 0
+    """0 takes the number of processors; the result does not depend on it."""
+    work_limit: int = 20_000_000
+    """Search nodes and pair evaluations after which the solver stops with what it has; reproducible."""
+    time_limit: float = 0.0
+    """Seconds; 0 for none. The result may then depend on the machine."""
+    memory_limit: int = 1024
+    """MiB that the solver may plan to use."""
+    clusters: int = 1
+    """Paper: o. Only for the method ``paper``."""
+    sample: float = 1.0
+    """Share of the candidates kept by weighted random sampling (paper section 4.2). Only for ``paper``."""
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class OutputSettings:
+    """How elements are drawn and written."""
+
+    bare: bool = False
+    """Leave the source out of the written layer's sublayers."""
+    adapt: Literal["deform", "static"] = "deform"
+    min_track: float = 1.5
+    """Least drawn length of a track, in handle widths; shorter ones are drawn enlarged, with the gain recorded."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Everything that a run can be told."""
+
+    read: ReadSettings = field(default_factory=ReadSettings)
+    trajectories: TrajectorySettings = field(default_factory=TrajectorySettings)
+    symmetry: SymmetrySettings = field(default_factory=SymmetrySettings)
+    candidates: CandidateSettings = field(default_factory=CandidateSettings)
+    groups: GroupSettings = field(default_factory=GroupSettings)
+    objective: ObjectiveSettings = field(default_factory=ObjectiveSettings)
+    solve: SolveSettings = field(default_factory=SolveSettings)
+    output: OutputSettings = field(default_factory=OutputSettings)
+    controls: Mapping[str, ControlSettings] = field(default_factory=dict)
+    poses: Mapping[str, PoseSettings] = field(default_factory=dict)
+    joints: Mapping[str, JointSettings] = field(default_factory=dict)
+
+
+PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
+    {
+        "default": {},
+        "paper": {
+            "candidates": {
+                "peak_share": 0.0,
+                "occlusion_price": 0.0,
+                "beside_hidden": False,
+                "beside_composite": False,
+            },
+            "groups": {"opposed": False, "patches": True},
+            "objective": {
+                "scene_units": True,
+                "overlap_sharpness": 2.0,
+                "overlap_reach": 0.0,
+                "separation": False,
+                "beside_allowed": False,
+            },
+            "solve": {"method": "paper", "clusters": 2, "sample": 0.2},
+        },
+    }
+)
+
+
+def load(
+    *sources: Mapping[str, Any], preset: str = "default", environment: Mapping[str, str] | None = None
+) -> Settings:
+    """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
+
+    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key.
+    """
+    if preset not in PRESETS:
+        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {sorted(PRESETS)}")
+    settings = Settings()
+    for source in (PRESETS[preset], _from_environment(environment or {}), *sources):
+        settings = _merged(settings, source, "")
+    return settings
+
+
+def read_toml(path: Path) -> dict[str, Any]:
+    """Parse a configuration file; raises FILE_NOT_FOUND or CONFIG_SYNTAX."""
+    try:
+        with path.open("rb") as stream:
+            return tomllib.load(stream)
+    except OSError as error:
+        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror}") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise refuse("CONFIG_SYNTAX", str(path), str(error)) from error
+
+
+def environment_settings() -> dict[str, str]:
+    """The environment variables that `load` understands."""
+    return {name: value for name, value in sorted(os.environ.items()) if name.startswith("USDRIGUI_")}
+
+
+def _from_environment(environment: Mapping[str, str]) -> dict[str, Any]:
+    """``USDRIGUI_SOLVE_GAP=1e-3`` as ``{"solve": {"gap": 0.001}}``; values are TOML literals or plain words."""
+    found: dict[str, Any] = {}
+    parts = {each.name for each in fields(Settings)}
+    for name, text in environment.items():
+        part, _, key = name.removeprefix("USDRIGUI_").lower().partition("_")
+        if part not in parts or not key:
+            raise refuse("CONFIG_UNKNOWN_KEY", name, "no setting has this name")
+        try:
+            value = tomllib.loads(f"value = {text}")["value"]
+        except tomllib.TOMLDecodeError:
+            value = text
+        found.setdefault(part, {})[key] = value
+    return found
+
+
+def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
+    """`base` (a settings dataclass) with the keys of `source` replaced, checked against the annotations."""
+    hints = typing.get_type_hints(type(base))
+    changed: dict[str, Any] = {}
+    for key, value in source.items():
+        path = f"{where}.{key}" if where else key
+        if key not in hints:
+            raise refuse("CONFIG_UNKNOWN_KEY", path, f"known here: {', '.join(hints)}")
+        changed[key] = _converted(getattr(base, key), hints[key], value, path)
+    return replace(base, **changed)
+
+
+def _converted(current: Any, hint: Any, value: Any, path: str) -> Any:
+    if is_dataclass(hint):
+        return _merged(current, _table(value, path), path)
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is Mapping:
+        return _mapping(current, arguments[1], _table(value, path), path)
+    if origin is tuple:
+        if not isinstance(value, (list, tuple)):
+            raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
+        return tuple(_converted(None, arguments[0], item, f"{path}[{i}]") for i, item in enumerate(value))
+    if origin is Literal:
+        if value not in arguments:
+            raise refuse("CONFIG_VALUE", path, f"expected one of {', '.join(map(repr, arguments))}, got {value!r}")
+        return value
+    if origin in (types.UnionType, typing.Union):
+        hint = next(each for each in arguments if each is not type(None))
+    return _scalar(hint, value, path)
+
+
+def _mapping(current: Mapping[str, Any], hint: Any, table: Mapping[str, Any], path: str) -> Mapping[str, Any]:
+    merged = dict(current)
+    for name, value in table.items():
+        base = merged.get(name, hint() if isinstance(hint, type) and is_dataclass(hint) else None)
+        merged[name] = _converted(base, hint, value, f'{path}."{name}"')
+    return types.MappingProxyType(merged)
+
+
+def _table(value: Any, path: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise refuse("CONFIG_VALUE", path, f"expected a table, got {value!r}")
+    return value
+
+
+def _scalar(hint: Any, value: Any, path: str) -> Any:
+    if hint is float and isinstance(value, int) and not isinstance(value, bool):
+        value = float(value)
+    if not isinstance(value, hint) or (hint is not bool and isinstance(value, bool)):
+        raise refuse("CONFIG_VALUE", path, f"expected {hint.__name__}, got {value!r}")
+    if hint is float and value != value:
+        raise refuse("CONFIG_VALUE", path, "expected a number, got nan")
+    return value

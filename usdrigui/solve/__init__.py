@@ -1,0 +1,1 @@
+"""Solvers of `usdrigui.model.LayoutProblem`; knows nothing of rigs or USD."""

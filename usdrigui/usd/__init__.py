@@ -1,0 +1,1 @@
+"""Reading and writing USD: the two ends of the line, and the only code that imports pxr."""

@@ -1,0 +1,1 @@
+"""Pictures and the web viewer, made from a written layer."""
