@@ -128,7 +128,8 @@ class CandidateSettings:
     occlusion_price: float = 0.15
     """Cost of a trajectory that runs straight into the surface (paper section 3.3, element-model occlusion)."""
     view: str = ""
-    """``front``, ``side``, ``AZ,EL`` in degrees or a camera's prim path; empty means front and two three-quarter views."""
+    """``front``, ``side``, ``AZ,EL`` in degrees or a camera's prim path; empty means front and two
+    three-quarter views."""
     space: Literal["object", "view"] = "object"
     """``view`` projects elements to the view plane before spacing them (paper fig. 7)."""
     global_coverage: float = 0.6
