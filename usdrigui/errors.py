@@ -104,6 +104,9 @@ _CODES: dict[str, Code] = {
         "Use a name listed by `usdrigui inspect`.",
         Exit.USAGE,
     ),
+    "INTERRUPTED": Code(
+        "error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT
+    ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),
 }

@@ -84,6 +84,8 @@ class ReadSettings:
     """Key in the root layer's customLayerData that lists one pose name per frame; the first is rest."""
     time: float | None = None
     """Time code whose pose is the base pose; none takes the rest transforms and zero weights."""
+    pose: Mapping[str, float] = field(default_factory=dict)
+    """Base pose as control values by name, on top of `time`; paper: P."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,310 @@
+"""The command line: the only place that prints or chooses an exit code.
+
+`main` parses, calls one function per command and turns every outcome into one closing verdict line.
+Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+import tomllib
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from usdrigui import __version__
+from usdrigui.errors import Exit, RigUIError, refuse
+
+if TYPE_CHECKING:
+    from usdrigui import terminal
+    from usdrigui.settings import Settings
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns its exit code (see `usdrigui.errors.Exit`)."""
+    arguments = _parser().parse_args(argv)
+    try:
+        return int(arguments.run(arguments))
+    except RigUIError as error:
+        _refused(error, arguments)
+        return int(error.exit_code)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return int(Exit.FILE)
+    except KeyboardInterrupt:
+        error = refuse("INTERRUPTED", "", "stopped by the user before there was a result")
+        _refused(error, arguments)
+        return int(error.exit_code)
+    except Exception as error:
+        return _bug(error, arguments)
+
+
+# --- the commands ------------------------------------------------------------------------------------
+
+
+def _process(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+
+    settings = _settings(arguments)
+    screen = _screen(arguments)
+    with _Interruption() as interruption, screen.progress() as shown:
+
+        def watch(event: pipeline.Event) -> None:
+            interruption.patient = event.can_stop
+            shown(event)
+
+        result = pipeline.process(
+            arguments.asset,
+            settings,
+            output=arguments.output,
+            dry_run=arguments.dry_run,
+            progress=watch,
+            stop=interruption.requested,
+        )
+        written = pipeline.write_extras(result, report_path=arguments.report, picture_path=arguments.preview)
+    if arguments.json:
+        sys.stdout.write(report.to_json(result))
+    else:
+        screen.report(result, written)
+    return _strict(result.issues, arguments)
+
+
+def _inspect(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import inspection, pipeline
+
+    settings = _settings(arguments)
+    screen = _screen(arguments)
+    with screen.progress() as shown:
+        found = pipeline.inspect(arguments.asset, settings, progress=shown)
+    if arguments.json:
+        sys.stdout.write(inspection.to_json(found))
+    else:
+        screen.inspection(found)
+    return _strict(found.issues, arguments)
+
+
+def _view(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.view import page, serve
+
+    loaded = pipeline.load_layer(arguments.layer, _settings(arguments))
+    html = page.page_html(loaded.characters, title=Path(arguments.layer).name)
+    if arguments.html:
+        state = pipeline.write_file(html.encode(), arguments.html)
+        _say(f"usdrigui: {state} {arguments.html}", arguments)
+        return Exit.OK
+    serve.serve(html, open_browser=not arguments.no_browser)
+    return Exit.OK
+
+
+def _schema_path(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.schema_folder import schema_folder
+
+    del arguments
+    print(schema_folder())
+    return Exit.OK
+
+
+# --- arguments ---------------------------------------------------------------------------------------
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="usdrigui",
+        description="Automatic in-situ rig UI layouts for USD characters.",
+        epilog="Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a bug of ours.",
+    )
+    parser.add_argument("--version", action="version", version=f"usdrigui {__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    _add_process(commands)
+    _add_inspect(commands)
+    _add_view(commands)
+    schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
+    schema.set_defaults(run=_schema_path)
+    return parser
+
+
+def _add_process(commands: Any) -> None:
+    parser = _command(commands, "process", _process, "lay out a character and write the layer beside it")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
+    parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
+    parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
+    parser.add_argument("--bare", action="store_true", help="leave CHAR out of the layer's sublayers")
+    _add_settings(parser)
+
+
+def _add_inspect(commands: Any) -> None:
+    parser = _command(commands, "inspect", _inspect, "list the controls without solving")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    _add_settings(parser)
+
+
+def _add_view(commands: Any) -> None:
+    parser = _command(commands, "view", _view, "pose the character in a browser by its layout")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
+    parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+
+
+def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
+    parser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
+    parser.set_defaults(run=run)
+    parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print the verdict line only")
+    parser.add_argument("--strict", action="store_true", help="exit 1 if there are warnings")
+    return parser
+
+
+def _add_settings(parser: Any) -> None:
+    group = parser.add_argument_group("settings", "docs/settings.md lists all that a configuration can say")
+    group.add_argument("--config", type=Path, metavar="TOML", help="default: CHAR.rigui.toml beside CHAR, if there")
+    group.add_argument("--preset", default="default", metavar="NAME", help="default, or paper: the paper's constants")
+    group.add_argument("--set", action="append", default=[], metavar="PART.KEY=VALUE", help="any one setting")
+    group.add_argument("--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a camera prim")
+    group.add_argument("--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view")
+    group.add_argument("--pose", type=Path, metavar="TOML", help="base pose: a file of control = value lines")
+    group.add_argument("--time", type=float, metavar="CODE", help="base pose: the animation at this time code")
+    group.add_argument("--gap", type=float, metavar="SHARE", help="relative gap at which to stop")
+    group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
+    group.add_argument("--threads", type=int, metavar="N", help="0 takes all processors; the result is the same")
+    group.add_argument("--time-limit", type=float, metavar="SECONDS", help="stop solving with the best layout so far")
+    group.add_argument("--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use")
+
+
+_OPTIONS: Mapping[str, tuple[str, str]] = {
+    "view": ("candidates", "view"),
+    "space": ("candidates", "space"),
+    "time": ("read", "time"),
+    "gap": ("solve", "gap"),
+    "method": ("solve", "method"),
+    "threads": ("solve", "threads"),
+    "time_limit": ("solve", "time_limit"),
+    "memory_limit": ("solve", "memory_limit"),
+    "bare": ("output", "bare"),
+}
+
+
+def _settings(arguments: argparse.Namespace) -> Settings:
+    """Settings of a command, from the weakest to the strongest source."""
+    from usdrigui import settings
+
+    sources: list[Mapping[str, Any]] = []
+    configuration = _configuration(arguments)
+    if configuration is not None:
+        sources.append(settings.read_toml(configuration))
+    sources += [_assignment(text) for text in getattr(arguments, "set", [])]
+    if getattr(arguments, "pose", None):
+        sources.append({"read": {"pose": settings.read_toml(arguments.pose)}})
+    for option, (part, key) in _OPTIONS.items():
+        value = getattr(arguments, option, None)
+        if value is not None and value is not False:
+            sources.append({part: {key: value}})
+    return settings.load(
+        *sources,
+        preset=getattr(arguments, "preset", "default"),
+        environment=settings.environment_settings(),
+    )
+
+
+def _configuration(arguments: argparse.Namespace) -> Path | None:
+    given: Path | None = getattr(arguments, "config", None)
+    if given is not None:
+        return given
+    asset: Path | None = getattr(arguments, "asset", None)
+    beside = asset.with_suffix(".rigui.toml") if asset is not None else None
+    return beside if beside is not None and beside.is_file() else None
+
+
+def _assignment(text: str) -> Mapping[str, Any]:
+    """``solve.gap=1e-3`` as nested tables; the value is TOML, or else a plain word."""
+    key, equals, value = text.partition("=")
+    part, dot, name = key.partition(".")
+    if not (equals and dot):
+        raise refuse("CONFIG_VALUE", "--set", f"expected PART.KEY=VALUE, got {text!r}")
+    try:
+        return {part: {name: tomllib.loads(f"value = {value}")["value"]}}
+    except tomllib.TOMLDecodeError:
+        return {part: {name: value}}
+
+
+# --- outcomes ----------------------------------------------------------------------------------------
+
+
+class _Interruption:
+    """Ctrl-C and SIGTERM: during the search they ask for the best so far; otherwise, or twice, they end the run."""
+
+    def __init__(self) -> None:
+        self.patient = False
+        self._asked = False
+        self._previous: dict[int, Any] = {}
+
+    def requested(self) -> bool:
+        return self._asked
+
+    def __enter__(self) -> _Interruption:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._previous[number] = signal.signal(number, self._on_signal)
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        for number, handler in self._previous.items():
+            signal.signal(number, handler)
+
+    def _on_signal(self, number: int, frame: object) -> None:
+        del number, frame
+        if self._asked:
+            os._exit(int(Exit.LIMIT))
+        self._asked = True
+        if not self.patient:
+            raise refuse("INTERRUPTED", "", "stopped before there was a result")
+
+
+def _screen(arguments: argparse.Namespace) -> terminal.Screen:
+    from usdrigui import terminal
+
+    return terminal.Screen(quiet=arguments.quiet, machine=arguments.json)
+
+
+def _strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
+    warned = any(found.severity != "info" for found in issues)
+    return Exit.REFUSED if arguments.strict and warned else Exit.OK
+
+
+def _refused(error: RigUIError, arguments: argparse.Namespace) -> None:
+    from usdrigui import report
+
+    asset = str(getattr(arguments, "asset", getattr(arguments, "layer", "")))
+    if getattr(arguments, "json", False):
+        sys.stdout.write(report.failure_json(asset, error.issue, error.exit_code))
+    found = error.issue
+    where = f" {found.path}:" if found.path else ""
+    print(f"usdrigui: {found.code}{where} {found.message}", file=sys.stderr)
+    print(f"  repair: {found.repair}", file=sys.stderr)
+    print(f"usdrigui: refused {asset}; nothing was written", file=sys.stderr)
+
+
+def _bug(error: Exception, arguments: argparse.Namespace) -> int:
+    """An exception that nobody expected is ours: say so in one line, with the place, without a traceback."""
+    if os.environ.get("USDRIGUI_TRACEBACK"):
+        raise error
+    place = error.__traceback__
+    while place is not None and place.tb_next is not None:
+        place = place.tb_next
+    where = f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})" if place is not None else ""
+    _refused(refuse("BUG", "", f"{type(error).__name__}: {error}{where}"), arguments)
+    return int(Exit.BUG)
+
+
+def _say(line: str, arguments: argparse.Namespace) -> None:
+    if not arguments.json:
+        print(line)
+
+
+def run() -> NoReturn:
+    """Console-script entry."""
+    sys.exit(main())

@@ -1,0 +1,75 @@
+"""What `usdrigui inspect` tells: each control's kind, range, coverage, twin and flags, without solving."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from usdrigui.errors import Issue
+from usdrigui.report import issue_document
+
+FORMAT = "usdrigui.inspection"
+VERSION = 1
+
+
+@dataclass(frozen=True, slots=True)
+class ControlFacts:
+    """One control as the layout stages see it."""
+
+    control: str
+    kind: str
+    source: str
+    minimum: float
+    default: float
+    maximum: float
+    range_source: str
+    points: int
+    """Points that it moves."""
+    coverage: float
+    """Share of the visible face that it moves."""
+    peak: float
+    """Largest arc length, in units of the typical control's."""
+    twin: str
+    twin_source: str
+    flags: tuple[str, ...]
+    """``global``, ``hidden``, ``composite``, ``tiny``, ``duplicate of X``, ``opposite of X``, ``left off: why``."""
+
+
+@dataclass(frozen=True, slots=True)
+class CharacterFacts:
+    """One SkelRoot."""
+
+    root: str
+    points: int
+    meshes: int
+    joints: int
+    symmetric: float
+    """Share of the points that have a mirror partner."""
+    controls: tuple[ControlFacts, ...]
+    groups: tuple[str, ...]
+    """Elements that would carry several controls, and suggestions, one line each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Inspection:
+    """Everything that `usdrigui inspect` says of one asset."""
+
+    asset: str
+    characters: tuple[CharacterFacts, ...]
+    issues: tuple[Issue, ...]
+    seconds: tuple[tuple[str, float], ...]
+
+
+def to_json(found: Inspection) -> str:
+    """The inspection as a JSON document."""
+    document: Mapping[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "asset": found.asset,
+        "characters": [asdict(each) for each in found.characters],
+        "issues": [issue_document(each) for each in found.issues],
+        "seconds": dict(found.seconds),
+    }
+    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"

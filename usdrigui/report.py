@@ -1,0 +1,226 @@
+"""The account of a run: what became of every control, at what cost, proven how well, in what time.
+
+`Report` is what `usdrigui.process` returns; `to_json` is the document that `--report` and `--json` write,
+described in docs/report.md.  Timings are the only part that differs between identical runs.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from usdrigui.errors import Exit, Issue
+from usdrigui.model import Assignment, Element, Layout, LeftOff, Rig
+
+FORMAT = "usdrigui.report"
+VERSION = 1
+
+Outcome = Literal["written", "unchanged", "dry run"]
+Place = Literal["face", "beside", "left off"]
+
+
+@dataclass(frozen=True, slots=True)
+class ControlRow:
+    """What became of one control."""
+
+    control: str
+    kind: str
+    place: Place
+    element: str
+    """Name of the element that carries it; empty when left off."""
+    twin: str
+    kept: float
+    """Arc length at the anchor over the control's peak; nan where it is not on the face."""
+    reason: str
+    """Why it is not on the face, or why it shares an element."""
+
+
+@dataclass(frozen=True, eq=False)
+class CharacterReport:
+    """One SkelRoot."""
+
+    root: str
+    rig: Rig
+    layout: Layout
+    assignment: Assignment
+    rows: tuple[ControlRow, ...]
+    """One per control of the source, in its order; the left-off ones last."""
+    notes: tuple[LeftOff, ...] = ()
+    """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
+
+    def count(self, place: Place) -> int:
+        """Number of controls at a place."""
+        return sum(row.place == place for row in self.rows)
+
+    @property
+    def kept(self) -> float:
+        """Mean share of their peak displacement that the controls on the face keep; nan if there are none."""
+        shares = [row.kept for row in self.rows if row.place == "face" and math.isfinite(row.kept)]
+        return sum(shares) / len(shares) if shares else math.nan
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """One run of `usdrigui.process`."""
+
+    asset: str
+    """As given."""
+    output: str
+    """Path of the layer, as given or derived; empty in a dry run."""
+    outcome: Outcome
+    characters: tuple[CharacterReport, ...]
+    issues: tuple[Issue, ...]
+    seconds: tuple[tuple[str, float], ...]
+    """Wall-clock seconds per stage, in order."""
+    settings: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def exit_code(self) -> Exit:
+        """Exit code of the command, before `--strict`."""
+        return Exit.OK
+
+
+def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping[str, str]) -> tuple[ControlRow, ...]:
+    """Account for every control: `peaks` are the largest arc lengths, by control name."""
+    carried = {member.control: (element, member.arc_length) for element, member in _members(layout)}
+    reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
+    rows = []
+    for control in rig.controls:
+        place: Place = "left off"
+        element_name, kept, reason = "", math.nan, reasons.pop(control.name, "")
+        if control.name in carried:
+            element, length = carried[control.name]
+            place = "beside" if element.anchor.beside else "face"
+            element_name, reason = element.name, element.reason
+            if place == "face":
+                kept = length / max(peaks.get(control.name, length), 1e-300)
+        twin = twins.get(control.name, "")
+        rows.append(ControlRow(control.name, control.kind, place, element_name, twin, kept, reason))
+    rows += [ControlRow(name, "", "left off", "", "", math.nan, reason) for name, reason in reasons.items()]
+    return tuple(rows)
+
+
+def to_json(report: Report) -> str:
+    """The report as a JSON document (UTF-8, two-space indent, no NaN)."""
+    return json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def issue_document(found: Issue) -> dict[str, Any]:
+    """One issue as JSON-ready values."""
+    return {
+        "code": found.code,
+        "severity": found.severity,
+        "path": found.path,
+        "message": found.message,
+        "repair": found.repair,
+    }
+
+
+def failure_json(asset: str, found: Issue, exit_code: Exit) -> str:
+    """The report of a run that ended in an error."""
+    document = {
+        "format": FORMAT,
+        "version": VERSION,
+        "asset": asset,
+        "outcome": "refused",
+        "exit": int(exit_code),
+        "issues": [issue_document(found)],
+    }
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
+def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
+    for element in layout.elements:
+        for member in element.members:
+            yield element, member
+
+
+def _document(report: Report) -> dict[str, Any]:
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "asset": report.asset,
+        "output": report.output,
+        "outcome": report.outcome,
+        "exit": int(report.exit_code),
+        "characters": [_character(each) for each in report.characters],
+        "issues": [issue_document(each) for each in report.issues],
+        "settings": dict(report.settings),
+        "seconds": dict(report.seconds),
+    }
+
+
+def _character(character: CharacterReport) -> dict[str, Any]:
+    layout, assignment = character.layout, character.assignment
+    return {
+        "root": character.root,
+        "points": int(character.rig.starts[-1]),
+        "meshes": len(character.rig.meshes),
+        "controls": [_row(row) for row in character.rows],
+        "counts": {place: character.count(place) for place in ("face", "beside", "left off")},
+        "displacement_kept": character.kept,
+        "elements": [_element(element) for element in layout.elements],
+        "notes": [{"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes],
+        "handle_width": layout.handle_width,
+        "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
+        "view": layout.view.tolist(),
+        "solution": {
+            "method": assignment.method,
+            "status": assignment.status,
+            "cost": assignment.cost,
+            "bound": assignment.bound,
+            "gap": assignment.gap,
+            "in_play": assignment.in_play,
+            "gap_in_play": assignment.gap_in_play,
+            "weights": dict(layout.weights),
+            "steps": [
+                {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds}
+                for step in assignment.steps
+            ],
+        },
+    }
+
+
+def _row(row: ControlRow) -> dict[str, Any]:
+    return {
+        "control": row.control,
+        "kind": row.kind,
+        "place": row.place,
+        "element": row.element,
+        "twin": row.twin,
+        "displacement_kept": row.kept,
+        "reason": row.reason,
+    }
+
+
+def _element(element: Element) -> dict[str, Any]:
+    anchor = element.anchor
+    return {
+        "name": element.name,
+        "kind": element.kind,
+        "controls": [member.control for member in element.members],
+        "opposed": [list(pair) for pair in element.opposed],
+        "side": element.side,
+        "mirror": element.mirror,
+        "beside": anchor.beside,
+        "family": element.family,
+        "mesh": anchor.mesh,
+        "point": anchor.point,
+        "position": anchor.position.tolist(),
+        "gains": [member.gain for member in element.members],
+        "reason": element.reason,
+    }
+
+
+def _finite(value: Any) -> Any:
+    """JSON has no NaN or infinity: null stands for them."""
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

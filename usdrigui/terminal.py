@@ -1,0 +1,151 @@
+"""How a run looks on a terminal, and in a log: progress, tables and the closing verdict line.
+
+Names come from files, so nothing here interprets markup in them.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+if TYPE_CHECKING:
+    from rich.status import Status
+
+    from usdrigui.errors import Issue
+    from usdrigui.inspection import ControlFacts, Inspection
+    from usdrigui.pipeline import Event
+    from usdrigui.report import CharacterReport, ControlRow, Report
+
+Watch = Callable[["Event"], None]
+
+
+class Screen:
+    """Prints for people: results on standard output, progress on standard error."""
+
+    def __init__(self, *, quiet: bool = False, machine: bool = False) -> None:
+        self._quiet = quiet
+        self._silent = machine
+        self._out = Console(markup=False, highlight=False, soft_wrap=not sys.stdout.isatty())
+        self._side = Console(stderr=True, markup=False, highlight=False)
+
+    @contextmanager
+    def progress(self) -> Iterator[Watch]:
+        """A live line on a terminal, one plain line a stage elsewhere, nothing when quiet."""
+        if self._quiet or self._silent:
+            yield lambda event: None
+        elif self._side.is_terminal:
+            with self._side.status("starting") as status:
+                yield lambda event: self._live(status, event)
+        else:
+            yield self._plain
+
+    def report(self, report: Report, written: Sequence[str]) -> None:
+        """What became of every control, and the verdict."""
+        if not self._quiet:
+            for character in report.characters:
+                self._character(character)
+            self._issues(report.issues)
+            self._seconds(report.seconds)
+            for line in written:
+                self._out.print(line)
+        self._out.print(_verdict(report))
+
+    def inspection(self, found: Inspection) -> None:
+        """One table a character."""
+        for character in found.characters if not self._quiet else ():
+            self._out.print(
+                f"{character.root}: {character.points} points, {character.meshes} meshes, {character.joints} joints, "
+                f"{character.symmetric:.0%} of the points have a mirror partner"
+            )
+            self._out.print(_facts_table(character.controls))
+            for line in character.groups:
+                self._out.print(f"  {line}")
+        if not self._quiet:
+            self._issues(found.issues)
+        count = sum(len(character.controls) for character in found.characters)
+        self._out.print(f"usdrigui: inspected {found.asset}: {count} controls; nothing was written")
+
+    def _live(self, status: Status, event: Event) -> None:
+        status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
+
+    def _plain(self, event: Event) -> None:
+        if event.seconds is not None:
+            detail = f" {event.detail}" if event.detail else ""
+            self._side.print(f"{event.stage:<14} {event.seconds:6.2f} s{detail}", soft_wrap=True)
+
+    def _character(self, character: CharacterReport) -> None:
+        self._out.print(f"{character.root}: {len(character.layout.elements)} elements")
+        self._out.print(_rows_table(character.rows))
+        for note in character.notes:
+            self._out.print(f"  note: {note.control}: {note.reason}")
+        solution = character.assignment
+        self._out.print(
+            f"  on the face {character.count('face')}, beside it {character.count('beside')}, "
+            f"left off {character.count('left off')}; "
+            f"controls on the face keep {_percent(character.kept)} of their peak displacement"
+        )
+        self._out.print(
+            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap:.2e} "
+            f"({solution.gap_in_play:.2e} of what is in play), {solution.status} by {solution.method}"
+        )
+
+    def _issues(self, issues: Sequence[Issue]) -> None:
+        for found in issues:
+            where = f" {found.path}:" if found.path else ""
+            self._out.print(f"{found.severity}: {found.code}{where} {found.message}; {found.repair}")
+
+    def _seconds(self, seconds: Sequence[tuple[str, float]]) -> None:
+        parts = ", ".join(f"{stage} {value:.2f}" for stage, value in seconds)
+        self._out.print(f"  seconds: {parts}; in all {sum(value for _, value in seconds):.2f}")
+
+
+def _rows_table(rows: Sequence[ControlRow]) -> Table:
+    table = _table("control", "kind", "place", "element", "twin", "kept", "why")
+    for row in rows:
+        kept = _percent(row.kept) if math.isfinite(row.kept) else ""
+        table.add_row(*map(Text, (row.control, row.kind, row.place, row.element, row.twin, kept, row.reason)))
+    return table
+
+
+def _facts_table(controls: Sequence[ControlFacts]) -> Table:
+    table = _table("control", "kind", "range", "from", "points", "coverage", "peak", "twin", "flags")
+    for facts in controls:
+        cells = (
+            facts.control,
+            facts.kind,
+            f"{facts.minimum:g}..{facts.maximum:g}",
+            facts.range_source,
+            str(facts.points),
+            _percent(facts.coverage),
+            f"{facts.peak:.2f}",
+            facts.twin,
+            ", ".join(facts.flags),
+        )
+        table.add_row(*map(Text, cells))
+    return table
+
+
+def _table(*columns: str) -> Table:
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for column in columns:
+        table.add_column(column, overflow="fold", no_wrap=column in ("control", "kind", "place", "kept", "range"))
+    return table
+
+
+def _verdict(report: Report) -> str:
+    face = sum(character.count("face") for character in report.characters)
+    total = sum(len(character.rows) for character in report.characters)
+    target = f" {report.output}" if report.output else ""
+    gap = max((character.assignment.gap for character in report.characters), default=0.0)
+    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the face, gap {gap:.1e}"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.0f} %" if math.isfinite(share) else "-"
