@@ -1,0 +1,186 @@
+"""Triangles, normals and neighbourhood of polygon meshes whose points may be split at seams.
+
+Stands on the ground floor; numpy and scipy only.  Vertex identity is never trusted: meshes born in
+other formats are split along texture seams, so adjacency and normals go through *places*, the classes
+of points that coincide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, dijkstra
+
+from usdrigui.model import Flags, Floats, Indices, RigMesh
+
+
+def triangles(face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False) -> Indices:
+    """Fan triangulation of polygons as ``(t, 3)`` point indices, counter-clockwise from outside.
+
+    `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a USD mesh.  Faces of fewer
+    than three points give nothing.  `left_handed` faces are turned round, so that the normals computed
+    from the result always point outward.
+    """
+    counts, indices = np.asarray(face_counts, dtype=np.int64), np.asarray(face_indices, dtype=np.int64)
+    faces = triangle_faces(counts)
+    if not len(faces):
+        return np.zeros((0, 3), dtype=np.int64)
+    starts = np.cumsum(counts) - counts
+    made = np.maximum(counts - 2, 0)
+    step = np.arange(len(faces)) - np.repeat(np.cumsum(made) - made, made)
+    first = starts[faces]
+    corners = np.stack([indices[first], indices[first + step + 1], indices[first + step + 2]], axis=1)
+    return corners[:, [0, 2, 1]] if left_handed else corners
+
+
+def triangle_faces(face_counts: ArrayLike) -> Indices:
+    """``(t,)`` index of the face that each triangle of `triangles` came from."""
+    counts = np.asarray(face_counts, dtype=np.int64)
+    return np.repeat(np.arange(len(counts)), np.maximum(counts - 2, 0))
+
+
+def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Indices:
+    """``(t, 3)`` triangles of all meshes over their concatenated points (the numbering of `Rig`)."""
+    parts: list[Indices] = [np.zeros((0, 3), dtype=np.int64)]
+    start = 0
+    for mesh in meshes:
+        if mesh.visible or not visible_only:
+            parts.append(triangles(mesh.face_counts, mesh.face_indices, mesh.left_handed) + start)
+        start += len(mesh.points)
+    return np.concatenate(parts)
+
+
+def triangle_areas(points: Floats, corners: Indices) -> Floats:
+    """``(t,)`` areas of the triangles, in squared units of `points`."""
+    return np.asarray(0.5 * np.linalg.norm(_doubled_normals(points, corners), axis=1), dtype=np.float64)
+
+
+def vertex_normals(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
+    """``(n, 3)`` unit normals, area-weighted over the triangles around each point; zero where undefined.
+
+    With `places` (from `weld`) points of one place share their normal, so that it is smooth over seams.
+    """
+    doubled = _doubled_normals(points, corners)
+    if places is not None:
+        corners = places[corners]
+    normals = _summed(corners, np.repeat(doubled[:, None, :], 3, axis=1), len(points))
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0)
+    return np.asarray(normals if places is None else normals[places], dtype=np.float64)
+
+
+def point_areas(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
+    """``(n,)`` a third of the area of the triangles around each point; with `places` the whole of a
+    place's area falls to its first point and the others get zero."""
+    area = np.repeat(triangle_areas(points, corners)[:, None] / 3.0, 3, axis=1)
+    if places is not None:
+        corners = places[corners]
+    summed = np.bincount(corners.ravel(), weights=area.ravel(), minlength=len(points))
+    return np.asarray(summed, dtype=np.float64)
+
+
+def weld(points: Floats, extra: Floats | None = None, resolution: float = 2e-6) -> Indices:
+    """``(n,)`` index of the first point at the same position: the point's *place*.
+
+    Positions are compared on a grid of `resolution` times the largest extent; equal positions always
+    share a place.  `extra` ``(n, k)`` further values must agree too (relative to their own largest
+    magnitude): lips that touch at rest but move apart are two places.
+    """
+    cells = _cells(points, resolution)
+    if extra is not None and extra.size:
+        scale = float(np.abs(extra).max()) or 1.0
+        cells = np.concatenate([cells, np.round(extra / (scale * 1e-4)).astype(np.int64)], axis=1)
+    _, first, inverse = np.unique(_row_keys(cells), return_index=True, return_inverse=True)
+    return np.asarray(first[inverse.reshape(-1)], dtype=np.int64)
+
+
+def edges(corners: Indices, places: Indices | None = None) -> Indices:
+    """``(e, 2)`` undirected edges of the triangles, each once with the lower index first, between places
+    where given; edges within one place are left out."""
+    if places is not None:
+        corners = places[corners]
+    pairs = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1)
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    if not len(pairs):
+        return np.zeros((0, 2), dtype=np.int64)
+    width = int(pairs.max()) + 1
+    keys = np.unique(pairs[:, 0] * width + pairs[:, 1])
+    return np.stack([keys // width, keys % width], axis=1)
+
+
+def mean_edge_length(points: Floats, corners: Indices, places: Indices | None = None) -> float:
+    """Average distance between adjacent points (paper section 4.1, tau); 0 without edges."""
+    pairs = edges(corners, places)
+    if not len(pairs):
+        return 0.0
+    return float(np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1).mean())
+
+
+def components(corners: Indices, places: Indices) -> Indices:
+    """``(n,)`` number of the connected piece of surface that each point belongs to, over welded points."""
+    graph = _graph(edges(corners, places), None, len(places))
+    _, labels = connected_components(graph, directed=False)
+    return np.asarray(labels[places], dtype=np.int64)
+
+
+def surface_distances(points: Floats, corners: Indices, places: Indices, sources: ArrayLike, limit: float) -> Floats:
+    """``(n,)`` length of the shortest way along edges to the nearest of `sources`; inf beyond `limit`."""
+    pairs = edges(corners, places)
+    lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
+    graph = _graph(pairs, np.maximum(lengths, 1e-300), len(points))
+    starts = np.unique(places[np.atleast_1d(np.asarray(sources, dtype=np.int64))])
+    found = dijkstra(graph, directed=False, indices=starts, limit=limit, min_only=True)
+    return np.asarray(found[places], dtype=np.float64)
+
+
+def boundary(corners: Indices, places: Indices) -> Flags:
+    """``(n,)`` True where a point lies on an edge of one triangle only (over welded points)."""
+    welded = places[corners]
+    pairs = np.sort(np.concatenate([welded[:, [0, 1]], welded[:, [1, 2]], welded[:, [2, 0]]]), axis=1)
+    found, count = np.unique(pairs, axis=0, return_counts=True)
+    flags = np.zeros(len(places), dtype=bool)
+    flags[found[count == 1]] = True
+    return np.asarray(flags[places], dtype=bool)
+
+
+def _doubled_normals(points: Floats, corners: Indices) -> Floats:
+    """(t, 3) normals of twice the triangles' area."""
+    a, b, c = points[corners[:, 0]], points[corners[:, 1]], points[corners[:, 2]]
+    return np.asarray(np.cross(b - a, c - a), dtype=np.float64)
+
+
+def _summed(corners: Indices, values: Floats, count: int) -> Floats:
+    """(count, 3) sums of `values` (t, 3, 3) over the corners they belong to."""
+    flat = corners.ravel()
+    return np.stack(
+        [np.bincount(flat, weights=values[..., axis].ravel(), minlength=count) for axis in range(3)], axis=1
+    )
+
+
+def _cells(points: Floats, resolution: float) -> Indices:
+    """(n, 3) cells of a grid laid at the lowest corner, cell centres on it so that noise there is harmless."""
+    if not len(points):
+        return np.zeros((0, 3), dtype=np.int64)
+    low = points.min(axis=0)
+    extent = float((points.max(axis=0) - low).max()) or 1.0
+    return np.asarray(np.round((points - low) / (extent * resolution)), dtype=np.int64)
+
+
+def _row_keys(cells: Indices) -> Indices:
+    """(n,) one number per distinct row of `cells`, folding the columns one by one."""
+    keys = np.zeros(len(cells), dtype=np.int64)
+    for column in cells.T:
+        column = column - column.min(initial=0)
+        width = int(column.max(initial=0)) + 1
+        if width * (int(keys.max(initial=0)) + 1) >= 2**62:
+            keys = np.unique(keys, return_inverse=True)[1].reshape(-1)
+        keys = keys * width + column
+    return keys
+
+
+def _graph(pairs: Indices, lengths: Floats | None, count: int) -> csr_array:
+    weights = np.ones(len(pairs)) if lengths is None else lengths
+    return csr_array((weights, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
