@@ -87,6 +87,136 @@ _CODES: dict[str, Code] = {
     "FILE_NOT_USD": Code(
         "error", "USD cannot read the file as a layer.", "Re-export the asset as .usd, .usda, .usdc or .usdz."
     ),
+    # --- reading the asset -----------------------------------------------------------------------
+    "FILE_CORRUPT": Code("error", "The archive is damaged.", "Copy or export the asset again."),
+    "LAYER_MISSING": Code(
+        "error",
+        "The asset refers to a layer that cannot be found or read.",
+        "Restore the file, correct the asset path, or set the resolver's search path.",
+    ),
+    "COMPOSITION_ERROR": Code(
+        "warning", "USD could not compose a part of the stage.", "Correct the composition arc at the prim named."
+    ),
+    "USD_DIAGNOSTIC": Code(
+        "info", "USD complained while the asset was read.", "See the message; often another issue tells more."
+    ),
+    "SKELROOT_MISSING": Code(
+        "error", "The stage has no SkelRoot.", "Put the character's meshes and Skeleton under a SkelRoot prim."
+    ),
+    "SKELROOT_UNKNOWN": Code(
+        "error",
+        "The prim that `read.skel_root` names is not a SkelRoot of the stage.",
+        "Name one of the SkelRoots listed, or leave the setting out.",
+        Exit.USAGE,
+    ),
+    "CONTROLS_MISSING": Code(
+        "error",
+        "No SkelRoot has anything to control.",
+        "Add blend shapes or an animated skeleton, or name joints or poses in the configuration.",
+    ),
+    "INSTANCE": Code(
+        "error",
+        "The character is inside an instance, where no layer can add or edit prims.",
+        "Set `instanceable = false` on the prim named, or process the referenced asset itself.",
+    ),
+    "TARGETS_LENGTH": Code(
+        "error",
+        "skel:blendShapes and skel:blendShapeTargets differ in length.",
+        "Author one target for each blend-shape name, in the same order.",
+    ),
+    "TARGET_INVALID": Code(
+        "warning",
+        "A blend-shape target is not a BlendShape prim; the shape is ignored, as UsdSkel does.",
+        "Correct the target or remove the name.",
+    ),
+    "OFFSETS_LENGTH": Code(
+        "error",
+        "A blend shape's offsets do not match its pointIndices or the mesh's points.",
+        "Author one offset per point index, or per point when there are no indices.",
+    ),
+    "INDEX_RANGE": Code("error", "An index is out of range.", "Correct the array named, or export the asset again."),
+    "NOT_FINITE": Code(
+        "error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."
+    ),
+    "INFLUENCES_LENGTH": Code(
+        "error",
+        "The joint influences do not match each other or the mesh's points.",
+        "Author jointIndices and jointWeights of equal size: points times elementSize, or elementSize if constant.",
+    ),
+    "JOINT_UNKNOWN": Code(
+        "error", "A mesh names a joint that its Skeleton does not have.", "Correct skel:joints of the prim named."
+    ),
+    "SKELETON_INVALID": Code(
+        "error",
+        "The Skeleton's joints, bind transforms or rest transforms are unusable.",
+        "Author one valid bind and rest transform per joint, parents before children.",
+    ),
+    "ANIMATION_LENGTH": Code(
+        "error",
+        "A SkelAnimation's values do not match its names in number.",
+        "Author one value per blend shape or joint at every time.",
+    ),
+    "TOPOLOGY_INVALID": Code(
+        "error",
+        "The face counts and face indices of a mesh contradict each other.",
+        "Correct the mesh, or export the asset again.",
+    ),
+    "MESH_UNBOUND": Code(
+        "warning",
+        "A mesh has blend shapes but no Skeleton is bound to it, so that nothing can move it.",
+        "Bind it by skel:skeleton (a Skeleton without joints will do).",
+    ),
+    "MESH_EMPTY": Code("warning", "A mesh has no points and is ignored.", "Remove it or restore its points."),
+    "POINTS_ANIMATED": Code(
+        "info",
+        "A mesh has time samples on its points or topology; only those of the base pose are used.",
+        "Nothing, if the base pose is the one wanted; else set `read.time`.",
+    ),
+    "PRIM_UNSUPPORTED": Code(
+        "warning",
+        "A prim other than a Mesh has blend shapes or joint influences; it is ignored.",
+        "Convert it to a Mesh if it must carry controls.",
+    ),
+    "WEIGHTS_UNNORMALISED": Code(
+        "warning",
+        "Joint weights of a mesh do not add up to one, so that points shrink towards the origin.",
+        "Normalise the weights.",
+    ),
+    "SKINNING_METHOD": Code(
+        "warning", "The skinning method is unknown; classicLinear is taken.", "Author classicLinear or dualQuaternion."
+    ),
+    "TOKEN_NOT_ANIMATED": Code(
+        "info",
+        "No SkelAnimation lists the blend shape; it is laid out, but moves only when one is authored.",
+        "Add the name to the blendShapes of the SkelAnimation.",
+    ),
+    "TOKEN_REPEATED": Code(
+        "warning", "A list names the same blend shape or joint twice; the first is taken.", "Remove the repetition."
+    ),
+    "INBETWEEN_INVALID": Code(
+        "warning",
+        "An in-between has no weight, or one that another shape has; it is ignored.",
+        "Give it a weight of its own other than 0 and 1.",
+    ),
+    "RANGE_INVALID": Code(
+        "warning", "An authored range is not a pair of ascending numbers; it is ignored.", "Correct it."
+    ),
+    "POSES_MISMATCH": Code(
+        "warning",
+        "The list of pose names and the animation's frames differ in number.",
+        "Name one pose per frame, the first being the rest pose.",
+    ),
+    "REST_MISSING": Code(
+        "warning",
+        "The Skeleton has no rest transforms; they are derived from the bind transforms.",
+        "Author restTransforms.",
+    ),
+    "CLIP_THINNED": Code(
+        "info", "The animation is too long to keep whole; evenly spaced frames of it are kept.", "Nothing."
+    ),
+    "UNITS_TYPE": Code(
+        "warning", "metersPerUnit is not a double or not above zero.", "Author metersPerUnit as a positive double."
+    ),
     # --- settings --------------------------------------------------------------------------------
     "CONFIG_SYNTAX": Code("error", "The configuration is not valid TOML.", "Correct the line named.", Exit.USAGE),
     "CONFIG_UNKNOWN_KEY": Code(
@@ -104,8 +234,30 @@ _CODES: dict[str, Code] = {
         "Use a name listed by `usdrigui inspect`.",
         Exit.USAGE,
     ),
-    "INTERRUPTED": Code(
-        "error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT
+    "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
+    # --- installation ----------------------------------------------------------------------------
+    "EXTRA_MISSING": Code(
+        "error",
+        "An optional package that was asked for is not installed.",
+        "Install it: `pip install usdrigui[rays]` for Embree.",
+        Exit.USAGE,
+    ),
+    # --- controls --------------------------------------------------------------------------------
+    "CONTROL_TINY": Code(
+        "info",
+        "The control moves so little that its slider is drawn enlarged.",
+        "Exclude it in the configuration, or widen its range.",
+    ),
+    "CONTROL_DUPLICATE": Code(
+        "info",
+        "The control does the same as another one.",
+        "Exclude one of the two in the configuration.",
+    ),
+    # --- viewer ----------------------------------------------------------------------------------
+    "VIEW_MISMATCH": Code(
+        "error",
+        "The layout and the rig shown with it do not belong together, or hold broken numbers.",
+        "Process the asset again with `usdrigui process` and view the new layer.",
     ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),

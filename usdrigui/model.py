@@ -287,6 +287,8 @@ class Trajectories(Record):
     typical_length: float
     """Median over local controls of the largest arc length (design: l0), the unit of displacement."""
     left_off: tuple[LeftOff, ...]
+    issues: tuple[Issue, ...] = ()
+    """Tiny and duplicate controls: kept, but worth knowing."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -95,6 +95,9 @@ class TrajectorySettings:
     tolerance: float = 1e-3
     """Largest deviation of a sampled curve from the true one, as a share of its arc length."""
     max_samples: int = 33
+    noise: float = 1e-3
+    """A point moves when its arc length exceeds this share of the control's largest one: scanned shapes
+    carry noise everywhere."""
     tiny: float = 0.01
     """A control whose largest arc length is below this share of the face size is called tiny."""
 
@@ -244,6 +247,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
     {
         "default": {},
         "paper": {
+            "trajectories": {"noise": 0.0},
             "candidates": {
                 "peak_share": 0.0,
                 "occlusion_price": 0.0,

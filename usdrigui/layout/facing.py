@@ -1,0 +1,46 @@
+"""Which way the face looks, and from which directions a layout is judged (paper section 3.3, occlusion)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.model import Floats, Rig, Trajectories
+from usdrigui.surface import mesh_triangles, point_areas
+
+_THREE_QUARTER = np.radians(40.0)
+
+
+def front(rig: Rig, trajectories: Trajectories, plane_normal: Floats) -> Floats:
+    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there is one.
+
+    The sign is that of the moving region: a face moves most where it looks, so the normals of the moving
+    surface, weighted by area and by how many controls move it, sum up to the front.
+    """
+    outward = _moving_normals(rig, trajectories)
+    if plane_normal.any():
+        ahead = np.cross(plane_normal, rig.up)
+        if np.linalg.norm(ahead) > 1e-6:
+            ahead = ahead / np.linalg.norm(ahead)
+            return np.asarray(ahead if ahead @ outward >= 0.0 else -ahead)
+    level = outward - (outward @ rig.up) * rig.up
+    length = float(np.linalg.norm(level))
+    if length > 1e-9:
+        return np.asarray(level / length)
+    side = np.cross(rig.up, np.eye(3)[int(np.argmin(np.abs(rig.up)))])
+    return np.asarray(side / np.linalg.norm(side))
+
+
+def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
+    """The two directions 40 degrees to the left and to the right of `ahead` about `up`."""
+    side = np.cross(up, ahead)
+    cos, sin = np.cos(_THREE_QUARTER), np.sin(_THREE_QUARTER)
+    return cos * ahead + sin * side, cos * ahead - sin * side
+
+
+def _moving_normals(rig: Rig, trajectories: Trajectories) -> Floats:
+    """Area-weighted sum of the normals of what moves."""
+    moved = np.zeros(len(trajectories.base))
+    for motion in trajectories.motions:
+        moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+    areas = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
+    return np.asarray((trajectories.normals * (areas * moved)[:, None]).sum(axis=0), dtype=np.float64)
