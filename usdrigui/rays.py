@@ -219,7 +219,7 @@ def _keep_nearest(triangle: Indices, distance: Floats, ray: Indices, candidate: 
 def _ranks(count: Indices) -> Indices:
     """0, 1, ... count - 1 for each entry of `count`, one after the other."""
     ends = np.cumsum(count)
-    return np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - count, count)
+    return np.asarray(np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - count, count), dtype=np.int64)
 
 
 class _EmbreeCaster:
