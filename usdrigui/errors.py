@@ -135,9 +135,7 @@ _CODES: dict[str, Code] = {
         "Author one offset per point index, or per point when there are no indices.",
     ),
     "INDEX_RANGE": Code("error", "An index is out of range.", "Correct the array named, or export the asset again."),
-    "NOT_FINITE": Code(
-        "error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."
-    ),
+    "NOT_FINITE": Code("error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."),
     "INFLUENCES_LENGTH": Code(
         "error",
         "The joint influences do not match each other or the mesh's points.",
@@ -258,6 +256,66 @@ _CODES: dict[str, Code] = {
         "error",
         "The layout and the rig shown with it do not belong together, or hold broken numbers.",
         "Process the asset again with `usdrigui process` and view the new layer.",
+    ),
+    # --- schema and layer ------------------------------------------------------------------------
+    "SCHEMA_MISSING": Code(
+        "error",
+        "The schema's folder was not installed with the package.",
+        "Install usdrigui again; `usdrigui schema-path` must print a folder.",
+        Exit.USAGE,
+    ),
+    "SCHEMA_TOO_LATE": Code(
+        "error",
+        "The schema was registered after USD had built its registry, which has no effect.",
+        "Register before any stage is opened, or set PXR_PLUGINPATH_NAME to the folder named.",
+        Exit.USAGE,
+    ),
+    "LAYOUT_MISSING": Code(
+        "error", "The layer holds no layout.", "Make one with `usdrigui process`, and name the layer that it wrote."
+    ),
+    "LAYOUT_INVALID": Code(
+        "error",
+        "A layout in the layer contradicts itself.",
+        "Correct the property named (schemas/CONTRACT.md), or process the asset again.",
+    ),
+    "LAYOUT_VERSION": Code(
+        "error", "The layout was written by a later usdrigui, in a way this one does not know.", "Update usdrigui."
+    ),
+    "SOURCE_UNREFERABLE": Code(
+        "error", "No USD layer can refer to a file of this name.", "Rename the file, or write with --bare.", Exit.FILE
+    ),
+    # --- writing ---------------------------------------------------------------------------------
+    "FILE_FULL": Code("error", "There is no room for the file.", "Free some space and run again.", Exit.FILE),
+    "FILE_READ_ONLY": Code("error", "The folder or file is read-only.", "Choose another place with -o.", Exit.FILE),
+    "FILE_PERMISSION": Code(
+        "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
+    ),
+    "FILE_TARGET": Code(
+        "error", "The output cannot be a file of this name.", "Choose another name with -o.", Exit.FILE
+    ),
+    "FILE_WRITE": Code(
+        "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
+    ),
+    "FILE_VERIFY": Code(
+        "error",
+        "What was written did not read back as it should; what was there before is untouched.",
+        "Check the disk and run again.",
+        Exit.FILE,
+    ),
+    # --- posing ----------------------------------------------------------------------------------
+    "LAYOUT_STALE": Code(
+        "error",
+        "The layout was made for another version of the character.",
+        "Run `usdrigui process` on the character again.",
+    ),
+    "POSE_CONTROL": Code(
+        "error",
+        "A pose names a control that the character does not have.",
+        "Use a name listed by `usdrigui inspect`.",
+        Exit.USAGE,
+    ),
+    "POSE_VALUE": Code(
+        "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
     ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),

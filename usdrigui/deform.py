@@ -1,0 +1,461 @@
+"""Evaluation of a rig at a pose, without USD: the same points as UsdSkel computes.
+
+`deform` answers for one pose, `channel_state` for what a pose sets, `posed` and `sweep` make the
+trajectories of many controls around one pose cheap, and `knots` lists where a control bends.  The rules
+are those of the UsdSkel specification: blend shapes first, in mesh space, then geomBindTransform, then
+linear or dual-quaternion skinning in skeleton space.  numpy only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from usdrigui.model import Drive, Floats, Indices, Record, Rig, RigMesh, Shape, Singles, Skin
+
+_SAME = 1e-8
+"""Skinning matrices that differ by less (translations: relative to the mesh) are taken for equal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Posed(Record):
+    """A rig held at one pose."""
+
+    weights: Floats
+    """(channels,) blend-shape weights."""
+    moves: Floats
+    """(3, joints, 3) rotation vectors, translations and logarithms of scales on top of `Joint.base`."""
+    maps: tuple[Floats, ...]
+    """Per mesh, (1 or n, 4, 3): affine map of each blended point from mesh space to root space,
+    ``p @ map[:3] + map[3]``; a single map where all points share it."""
+    points: Floats
+    """(n, 3) points in root space."""
+
+
+def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
+    """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the defaults."""
+    return posed(rig, values).points
+
+
+def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
+    """The rig held at control `values` (controls,), or at the defaults: the starting point of `sweep`."""
+    weights, moves = _driven(rig, values)
+    skinning = _skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
+    blended = [_blended(mesh, weights) for mesh in rig.meshes]
+    maps = tuple(_maps(rig, mesh, skinning) for mesh in rig.meshes)
+    points = [_apply(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
+    return Posed(weights, moves, maps, np.concatenate(points) if points else np.zeros((0, 3)))
+
+
+def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Floats]:
+    """What control `values` (controls,) set: weights (channels,) and local joint transforms (joints, 4, 4).
+
+    Where several controls drive one joint, their rotation vectors, translations and logarithms of
+    scales are added before they are applied, so that the order of the controls does not matter.
+    """
+    weights, moves = _driven(rig, values)
+    return weights, _moved_joints(_base_locals(rig), moves[None])[0]
+
+
+def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
+    """Motion of the points as one control takes `values` (k,) and all others stay as in `base`.
+
+    Returns the points that the control can move (p,), ascending, and their offsets (k, p, 3) from
+    `base.points` in root space.  Under blend shapes alone the offset is the blended offset times the
+    point's own 3x3 map, whatever the skinning, because the skin does not change.
+    """
+    drive = rig.controls[control].drive
+    at = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    added = _interpolated(drive.values, drive.weights, at)
+    if len(drive.joints):
+        return _sweep_joints(rig, base, drive, at, added)
+    return _sweep_shapes(rig, base, drive.channels, base.weights[drive.channels] + added)
+
+
+def knots(rig: Rig, control: int) -> Floats:
+    """Values of a control, ascending, at which the path of some point may bend, with minimum, default
+    and maximum.
+
+    Under blend shapes alone the path is exactly the polyline through these; where joints move it is
+    curved in between and must be sampled.
+    """
+    subject = rig.controls[control]
+    drive = subject.drive
+    found = [subject.minimum, subject.default, subject.maximum, *drive.values[1:-1]]
+    bends = _bends(rig)
+    for column, channel in enumerate(drive.channels):
+        absolute = rig.base_weights[channel] + drive.weights[:, column]
+        found.extend(_crossings(drive.values, absolute, bends.get(int(channel), ())))
+    inside = np.unique(np.asarray(found, dtype=np.float64))
+    return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
+
+
+def rotations(vectors: ArrayLike) -> Floats:
+    """Rotation matrices (..., 3, 3) for row vectors (``p @ R``) of rotation vectors (..., 3) in radians."""
+    v = np.asarray(vectors, dtype=np.float64)
+    angle = np.linalg.norm(v, axis=-1)[..., None, None]
+    x, y, z = np.moveaxis(v, -1, 0)
+    zero = np.zeros_like(x)
+    cross = np.stack([zero, z, -y, -z, zero, x, y, -x, zero], axis=-1).reshape(*v.shape[:-1], 3, 3)
+    first, second = np.sinc(angle / np.pi), 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
+    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross), dtype=np.float64)
+
+
+def rotation_vectors(frames: ArrayLike) -> Floats:
+    """Rotation vectors (..., 3) in radians, at most pi long, of rotation matrices (..., 3, 3) for row vectors."""
+    matrices = np.asarray(frames, dtype=np.float64)
+    q = quaternions(matrices.reshape(-1, 3, 3))
+    q[q[:, 0] < 0.0] *= -1.0
+    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, q[:, :1])
+    length = np.where(sine > 0.0, sine, 1.0)
+    return np.asarray(np.where(sine > 0.0, angle / length, 2.0) * q[:, 1:]).reshape(*matrices.shape[:-2], 3)
+
+
+def joint_frames(local: Floats) -> Floats:
+    """Rotation part (..., 3, 3) of local transforms (..., 4, 4), for row vectors.
+
+    It is the orthogonal factor R of the polar decomposition ``M = S R``, of positive determinant, so
+    that a transform made of scales, rotation and translation gives back its rotation.
+    """
+    u, _, vt = np.linalg.svd(local[..., :3, :3])
+    rotation = u @ vt
+    return np.asarray(rotation * np.sign(np.linalg.det(rotation))[..., None, None], dtype=np.float64)
+
+
+# --- drives ------------------------------------------------------------------------------------------
+
+
+def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
+    """Weights (channels,) and joint moves (3, joints, 3) at control values (controls,)."""
+    weights = rig.base_weights.copy()
+    moves = np.zeros((3, len(rig.joints), 3))
+    if values is not None:
+        for control, value in zip(rig.controls, np.asarray(values, dtype=np.float64), strict=True):
+            if value != control.default:
+                _add_drive(control.drive, float(value), weights, moves)
+    return weights, moves
+
+
+def _add_drive(drive: Drive, value: float, weights: Floats, moves: Floats) -> None:
+    at = np.array([value])
+    weights[drive.channels] += _interpolated(drive.values, drive.weights, at)[0]
+    for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
+        moves[row, drive.joints] += _interpolated(drive.values, table, at)[0]
+
+
+def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:
+    """Rows of `table` (k, ...) at `at` (m,), linear between `keys` (k,) and extrapolated beyond them."""
+    i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
+    share = (at - keys[i]) / (keys[i + 1] - keys[i])
+    share = share.reshape(-1, *(1,) * (table.ndim - 1))
+    return np.asarray((1.0 - share) * table[i] + share * table[i + 1], dtype=np.float64)
+
+
+def _base_locals(rig: Rig) -> Floats:
+    return np.array([joint.base for joint in rig.joints], dtype=np.float64).reshape(-1, 4, 4)
+
+
+def _moved_joints(base: Floats, moves: Floats) -> Floats:
+    """Local transforms (m, joints, 4, 4) of `base` (joints, 4, 4) after `moves` (m, 3, joints, 3).
+
+    With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t plus
+    the translations: exactly the components that a SkelAnimation holds.
+    """
+    local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
+    moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
+    if len(moved):
+        frame = joint_frames(base[moved])
+        stretch = base[moved, :3, :3] @ np.swapaxes(frame, -1, -2)
+        turned = stretch @ rotations(moves[:, 0, moved]) @ frame
+        local[:, moved, :3, :3] = np.exp(moves[:, 2, moved])[..., None] * turned
+        local[:, moved, 3, :3] += moves[:, 1, moved]
+    return local
+
+
+def _bends(rig: Rig) -> dict[int, set[float]]:
+    """For each channel, the weights at which some shape's offset bends: all its nodes but the outermost."""
+    found: dict[int, set[float]] = {}
+    for mesh in rig.meshes:
+        for shape in mesh.shapes:
+            found.setdefault(shape.channel, set()).update(_nodes(shape)[1:-1].tolist())
+    return found
+
+
+def _crossings(keys: Floats, weights: Floats, targets: set[float] | tuple[()]) -> list[float]:
+    """Control values at which the piecewise linear `weights` (k,) over `keys` (k,) meet one of `targets`."""
+    found = []
+    for i in range(len(keys) - 1):
+        rise = weights[i + 1] - weights[i]
+        # Beyond the ends the first and last pieces go on.
+        low = 0.0 if i else -np.inf
+        high = 1.0 if i < len(keys) - 2 else np.inf
+        for target in sorted(targets) if rise else ():
+            share = (target - weights[i]) / rise
+            if low <= share <= high:
+                found.append(float(keys[i] + share * (keys[i + 1] - keys[i])))
+    return found
+
+
+# --- blend shapes ------------------------------------------------------------------------------------
+
+
+def _nodes(shape: Shape) -> Floats:
+    return np.sort(np.append(shape.weights, 0.0))
+
+
+def _shares(shape: Shape, weights: Floats) -> Floats:
+    """How much of each row of `Shape.offsets` acts at the channel's `weights` (m,): (m, k)."""
+    if len(shape.weights) == 1:
+        return weights[:, None]
+    nodes = _nodes(shape)
+    i = np.clip(np.searchsorted(nodes, weights, side="right") - 1, 0, len(nodes) - 2)
+    share = (weights - nodes[i]) / (nodes[i + 1] - nodes[i])
+    table = np.zeros((len(weights), len(nodes)))
+    rows = np.arange(len(weights))
+    table[rows, i] = 1.0 - share
+    table[rows, i + 1] = share
+    return np.delete(table, int(np.searchsorted(nodes, 0.0)), axis=1)
+
+
+def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
+    """Blended offsets (m, p, 3) in mesh space for `shares` (m, k)."""
+    flat = shape.offsets.reshape(len(shape.weights), -1)
+    return (shares.astype(np.float32) @ flat).reshape(len(shares), -1, 3)
+
+
+def _blended(mesh: RigMesh, weights: Floats) -> Floats:
+    """(n, 3) points of a mesh in its own space with the shapes applied."""
+    points = mesh.points
+    acting = [shape for shape in mesh.shapes if weights[shape.channel] != 0.0]
+    if acting:
+        points = points.copy()
+        for shape in acting:
+            points[shape.points] += _offsets(shape, _shares(shape, weights[shape.channel][None]))[0]
+    return points
+
+
+def _sweep_shapes(rig: Rig, base: Posed, channels: Indices, weights: Floats) -> tuple[Indices, Singles]:
+    """`sweep` for a control that drives `channels` (t,) with `weights` (k, t)."""
+    column = {int(channel): i for i, channel in enumerate(channels)}
+    starts = rig.starts
+    points, offsets = [], []
+    for index, mesh in enumerate(rig.meshes):
+        driven = [shape for shape in mesh.shapes if shape.channel in column]
+        if driven:
+            local, moved = _mesh_offsets(driven, column, weights, base.weights)
+            points.append(starts[index] + local)
+            offsets.append(_turned(moved, base.maps[index], local))
+    if not points:
+        return np.zeros(0, dtype=np.int64), np.zeros((len(weights), 0, 3), dtype=np.float32)
+    if len(points) == 1:
+        return points[0], offsets[0]
+    return np.concatenate(points), np.concatenate(offsets, axis=1)
+
+
+def _mesh_offsets(
+    shapes: list[Shape], column: dict[int, int], weights: Floats, base: Floats
+) -> tuple[Indices, NDArray[np.floating]]:
+    """Local points (p,) of `shapes` and their blended offsets (k, p, 3) from the base weights, in mesh space."""
+    parts = []
+    for shape in shapes:
+        now = _shares(shape, weights[:, column[shape.channel]])
+        before = _shares(shape, base[shape.channel][None])
+        parts.append(_offsets(shape, now - before))
+    if len(shapes) == 1:
+        return shapes[0].points, parts[0]
+    points = np.unique(np.concatenate([shape.points for shape in shapes]))
+    total = np.zeros((len(weights), len(points), 3), dtype=np.float32)
+    for shape, part in zip(shapes, parts, strict=True):
+        total[:, np.searchsorted(points, shape.points)] += part
+    return points, total
+
+
+def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Singles:
+    """Offsets (k, p, 3) from mesh space to root space by the linear part of the points' maps."""
+    linear = maps[:, :3]
+    if len(linear) > 1:
+        return np.einsum("kpi,pij->kpj", offsets, linear[local].astype(np.float32))
+    if np.array_equal(linear[0], np.eye(3)):
+        return offsets.astype(np.float32, copy=False)
+    return np.asarray(offsets @ linear[0].astype(np.float32), dtype=np.float32)
+
+
+# --- skinning ----------------------------------------------------------------------------------------
+
+
+def _skinning_matrices(rig: Rig, local: Floats) -> Floats:
+    """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that shape."""
+    pose = local.copy()
+    for i, joint in enumerate(rig.joints):
+        if joint.parent >= 0:
+            pose[..., i, :, :] = local[..., i, :, :] @ pose[..., joint.parent, :, :]
+    bind = np.array([joint.bind for joint in rig.joints], dtype=np.float64).reshape(-1, 4, 4)
+    return np.asarray(np.linalg.inv(bind) @ pose, dtype=np.float64)
+
+
+def _maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None = None) -> Floats:
+    """Affine maps (1 or p, 4, 3) of the `local` points (all if None) from mesh space to root space."""
+    if mesh.skin is None:
+        return mesh.to_root[None, :, :3]
+    skin = mesh.skin
+    joints, weights = (skin.joints, skin.weights) if local is None else (skin.joints[local], skin.weights[local])
+    if skin.rigid:
+        joints, weights = joints[:1], weights[:1]
+    skinned = _point_maps(skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30)))
+    to_root = rig.skeletons[rig.joints[int(skin.joints[0, 0])].skeleton].to_root
+    return _composed(_composed(skin.geom_bind[None, :, :3], skinned), to_root[None, :, :3])
+
+
+def _point_maps(skin: Skin, joints: Indices, weights: Floats, skinning: Floats, size: float) -> Floats:
+    """Maps (1 or p, 4, 3) of bound points into skeleton space."""
+    used = np.flatnonzero(np.bincount(joints.ravel(), weights=np.abs(weights).ravel(), minlength=len(skinning)))
+    if len(used) == 0:
+        return np.zeros((1, 4, 3))
+    scale = np.array([1.0, 1.0, 1.0, size])[:, None]
+    deviation = np.abs(skinning[used, :, :3] - skinning[used[0], :, :3]) / scale
+    unit = np.abs(weights.sum(axis=1) - 1.0).max() <= 1e-6
+    if unit and deviation.max() <= _SAME:
+        return np.asarray(skinning[used[:1], :, :3], dtype=np.float64)
+    if skin.method == "dualQuaternion":
+        return _dual_quaternion_maps(joints, weights, skinning)
+    return _weighted(weights, joints, np.ascontiguousarray(skinning[:, :, :3]))
+
+
+def _weighted(weights: Floats, joints: Indices, tables: Floats) -> Floats:
+    """Sum over influences: (p, ...) of weights (p, k) times tables (joints, ...) at joints (p, k)."""
+    flat = tables.reshape(len(tables), -1)
+    total = np.zeros((len(joints), flat.shape[1]))
+    for influence in range(joints.shape[1]):
+        active = np.flatnonzero(weights[:, influence])
+        total[active] += weights[active, influence, None] * flat[joints[active, influence]]
+    return total.reshape(len(joints), *tables.shape[1:])
+
+
+def _composed(first: Floats, second: Floats) -> Floats:
+    """Affine maps (p, 4, 3) that apply `first`, then `second`; either may be a single one."""
+    linear = first @ second[:, :3]
+    linear[:, 3] += second[:, 3]
+    return np.asarray(linear, dtype=np.float64)
+
+
+def _apply(points: Floats, maps: Floats) -> Floats:
+    if len(maps) == 1:
+        return np.asarray(points @ maps[0, :3] + maps[0, 3], dtype=np.float64)
+    return np.asarray(np.einsum("pi,pij->pj", points, maps[:, :3]) + maps[:, 3], dtype=np.float64)
+
+
+def _sweep_joints(rig: Rig, base: Posed, drive: Drive, at: Floats, added: Floats) -> tuple[Indices, Singles]:
+    """`sweep` for a control that moves joints, and perhaps weights too."""
+    moves = np.repeat(base.moves[None], len(at), axis=0)
+    for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
+        moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
+    skinning = _skinning_matrices(rig, _moved_joints(_base_locals(rig), moves))
+    turning = _turning_joints(rig, drive.joints)
+    weights = np.repeat(base.weights[None], len(at), axis=0)
+    weights[:, drive.channels] += added
+    points, offsets = [], []
+    for index, (start, mesh) in enumerate(zip(rig.starts, rig.meshes, strict=False)):
+        moved = _reached(mesh, turning, drive.channels)
+        if len(moved):
+            before = base.points[start + moved]
+            points.append(start + moved)
+            offsets.append(_mesh_sweep(rig, index, moved, weights, skinning, before))
+    if not points:
+        return np.zeros(0, dtype=np.int64), np.zeros((len(at), 0, 3), dtype=np.float32)
+    return np.concatenate(points), np.concatenate(offsets, axis=1)
+
+
+def _mesh_sweep(rig: Rig, index: int, moved: Indices, weights: Floats, skinning: Floats, before: Floats) -> Singles:
+    """Offsets (k, p, 3) of the `moved` local points of one mesh from `before` (p, 3)."""
+    mesh = rig.meshes[index]
+    offsets = np.empty((len(weights), len(moved), 3), dtype=np.float32)
+    still = bool((weights == weights[0]).all())
+    blended = _blended(mesh, weights[0])[moved]
+    for k in range(len(weights)):
+        if not still:
+            blended = _blended(mesh, weights[k])[moved]
+        offsets[k] = _apply(blended, _maps(rig, mesh, skinning[k], moved)) - before
+    return offsets
+
+
+def _turning_joints(rig: Rig, driven: Indices) -> NDArray[np.bool_]:
+    """Flags of the driven joints and all below them."""
+    turning = np.zeros(len(rig.joints), dtype=np.bool_)
+    turning[driven] = True
+    for i, joint in enumerate(rig.joints):
+        turning[i] |= joint.parent >= 0 and turning[joint.parent]
+    return turning
+
+
+def _reached(mesh: RigMesh, turning: NDArray[np.bool_], channels: Indices) -> Indices:
+    """Local points that turning joints or the channels' shapes move."""
+    reached = np.zeros(len(mesh.points), dtype=np.bool_)
+    if mesh.skin is not None:
+        reached |= (turning[mesh.skin.joints] & (mesh.skin.weights != 0.0)).any(axis=1)
+    driven = set(channels.tolist())
+    for shape in mesh.shapes:
+        if shape.channel in driven:
+            reached[shape.points] = True
+    return np.flatnonzero(reached)
+
+
+def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) -> Floats:
+    """Dual-quaternion skinning (Kavan et al. 2007) as affine maps (p, 4, 3) into skeleton space.
+
+    As in UsdSkel the scale and shear of the joints are blended linearly and act first; rotations and
+    translations are blended as dual quaternions, each turned to the hemisphere of the joint of largest
+    weight.
+    """
+    frame = joint_frames(skinning)
+    stretch = _weighted(weights, joints, skinning[:, :3, :3] @ np.swapaxes(frame, -1, -2))
+    real = quaternions(frame)
+    dual = 0.5 * _times(np.insert(skinning[:, 3, :3], 0, 0.0, axis=-1), real)
+    pivot = joints[np.arange(len(joints)), weights.argmax(axis=1)]
+    signs = np.where(np.einsum("pki,pi->pk", real[joints], real[pivot]) < 0.0, -1.0, 1.0)
+    blend = _weighted(weights * signs, joints, np.concatenate([real, dual], axis=1))
+    length = np.linalg.norm(blend[:, :4], axis=1, keepdims=True)
+    length[length == 0.0] = 1.0
+    real, dual = blend[:, :4] / length, blend[:, 4:] / length
+    conjugate = real * np.array([1.0, -1.0, -1.0, -1.0])
+    maps = np.empty((len(joints), 4, 3))
+    maps[:, :3] = stretch @ _quaternion_matrices(real)
+    maps[:, 3] = 2.0 * _times(dual, conjugate)[:, 1:]
+    return maps
+
+
+def quaternions(frames: Floats) -> Floats:
+    """Unit quaternions (j, 4), real part first, of rotation matrices (j, 3, 3) for row vectors."""
+    m = np.swapaxes(frames, -1, -2)
+    trace = np.trace(m, axis1=1, axis2=2)
+    diagonal = np.stack([trace, m[:, 0, 0], m[:, 1, 1], m[:, 2, 2]], axis=1)
+    # The matrix q q^T, of which the row with the largest diagonal entry gives the stablest quaternion.
+    outer = np.empty((len(m), 4, 4))
+    outer[:, 0, 0] = 1.0 + trace
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        outer[:, i + 1, i + 1] = 1.0 + 2.0 * m[:, i, i] - trace
+        outer[:, 0, i + 1] = outer[:, i + 1, 0] = m[:, k, j] - m[:, j, k]
+        outer[:, j + 1, k + 1] = outer[:, k + 1, j + 1] = m[:, j, k] + m[:, k, j]
+    best = outer[np.arange(len(m)), diagonal.argmax(axis=1)]
+    return np.asarray(best / np.linalg.norm(best, axis=1, keepdims=True), dtype=np.float64)
+
+
+def _quaternion_matrices(q: Floats) -> Floats:
+    """Rotation matrices (p, 3, 3) for row vectors of unit quaternions (p, 4)."""
+    w, x, y, z = q.T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
+        [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
+        [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), -1, 0)
+
+
+def _times(a: Floats, b: Floats) -> Floats:
+    """Hamilton product of quaternions (..., 4)."""
+    scalar = a[..., :1] * b[..., :1] - (a[..., 1:] * b[..., 1:]).sum(axis=-1, keepdims=True)
+    vector = a[..., :1] * b[..., 1:] + b[..., :1] * a[..., 1:] + np.cross(a[..., 1:], b[..., 1:])
+    return np.concatenate([scalar, vector], axis=-1)

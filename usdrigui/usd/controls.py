@@ -1,0 +1,291 @@
+"""The controls of a rig: blend-shape weights, joint degrees of freedom and poses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
+from usdrigui.deform import joint_frames, rotation_vectors
+from usdrigui.settings import ControlSettings, JointSettings, Settings
+from usdrigui.usd.ranges import Authored, Range, blend_shape_range
+
+_AXES = "xyz"
+_STILL = 1e-7
+"""Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves nothing."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local transforms."""
+
+    weights: Floats
+    locals: Floats
+
+
+@dataclass(frozen=True)
+class NamedPose:
+    """A pose or clip to make a control of, as keys from 0 (base pose) to 1."""
+
+    name: str
+    label: str
+    values: Floats
+    """(k,) ascending from 0 to 1."""
+    states: State
+    """(k, ...) absolute."""
+
+
+@dataclass(frozen=True)
+class Draft:
+    """A control before the configuration has its say."""
+
+    name: str
+    label: str
+    kind: ControlKind
+    source: str
+    range: Range
+    drive: Drive
+
+
+def blend_shape_drafts(
+    channels: tuple[Channel, ...], used: set[int], authored: Authored, rest: Floats, settings: Settings
+) -> list[Draft]:
+    """One draft per token that some mesh implements; a token of several animations drives them all."""
+    by_token: dict[str, list[int]] = {}
+    for index, channel in enumerate(channels):
+        if index in used:
+            by_token.setdefault(channel.token, []).append(index)
+    drafts = []
+    for token, indices in by_token.items():
+        said = settings.controls.get(token, ControlSettings())
+        span = _hull([blend_shape_range(index, authored, said, float(rest[index])) for index in indices])
+        drafts.append(Draft(token, "", "blendShape", token, span, _weight_drive(indices, span)))
+    return drafts
+
+
+def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool, settings: Settings) -> list[Draft]:
+    """Rotations of joints about their own axes, in degrees from the base pose."""
+    names = _joint_names(joints)
+    spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
+    drafts = []
+    for index, joint in enumerate(joints):
+        said = joint_settings(joint, joints, settings.joints)
+        for axis in range(3):
+            span = _joint_range(said, axis, spans[index, axis], named_poses, settings)
+            if span is not None:
+                name = f"{names[index]}:r{_AXES[axis]}"
+                label = f"{said.label} {_AXES[axis]}" if said and said.label else ""
+                drafts.append(Draft(name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)))
+    return drafts
+
+
+def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[list[Draft], list[LeftOff]]:
+    """A control from 0 (base pose) to 1 (the pose, or the end of the clip) for each pose that moves anything."""
+    drafts, left_off = [], []
+    for pose in poses:
+        name = pose.name if pose.name not in taken else f"{pose.name}:pose"
+        drive = pose_drive(pose, base)
+        if len(drive.channels) or len(drive.joints):
+            span = Range(0.0, 0.0, 1.0, "default")
+            drafts.append(Draft(name, pose.label, "pose", pose.name, span, drive))
+        else:
+            left_off.append(LeftOff(name, "read", "the pose equals the base pose"))
+    return drafts, left_off
+
+
+def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...], list[LeftOff]]:
+    """The controls after exclusions, ranges, names and labels of the configuration.
+
+    Raises CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a new
+    name that is already taken.
+    """
+    controls: list[Control] = []
+    left_off: list[LeftOff] = []
+    names: set[str] = set()
+    for draft in drafts:
+        said = settings.controls.get(draft.name, ControlSettings())
+        if said.exclude:
+            left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
+            continue
+        span = _ranged(draft, said)
+        if span.maximum <= span.minimum:
+            left_off.append(LeftOff(draft.name, "read", f"its range is the single value {span.minimum:g}"))
+            continue
+        name = said.rename or draft.name
+        if name in names:
+            raise refuse("CONFIG_VALUE", f'controls."{draft.name}".rename', f"two controls would be called {name!r}")
+        names.add(name)
+        controls.append(
+            Control(
+                name,
+                said.label or draft.label or name,
+                draft.kind,
+                draft.source,
+                span.minimum,
+                span.default,
+                span.maximum,
+                span.source,
+                draft.drive if span == draft.range else _redriven(draft.drive, span),
+            )
+        )
+    return tuple(controls), left_off
+
+
+def joint_settings(joint: Joint, joints: tuple[Joint, ...], said: Mapping[str, JointSettings]) -> JointSettings | None:
+    """The configuration of a joint by its full path or, where no other joint has it, its last name."""
+    if joint.path in said:
+        return said[joint.path]
+    leaf = joint.path.rsplit("/", 1)[-1]
+    if leaf in said and sum(each.path.rsplit("/", 1)[-1] == leaf for each in joints) == 1:
+        return said[leaf]
+    return None
+
+
+def pose_drive(pose: NamedPose, base: State) -> Drive:
+    """What a pose adds to the base pose, on the joints and channels that it changes."""
+    frame, base_frame = joint_frames(pose.states.locals), joint_frames(base.locals)
+    turns = unwrapped(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)))
+    shifts = pose.states.locals[..., 3, :3] - base.locals[..., 3, :3]
+    scales = _log_scales(pose.states.locals, frame) - _log_scales(base.locals, base_frame)
+    size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
+    moving = np.flatnonzero(
+        (np.abs(turns) > _STILL).any(axis=(0, 2))
+        | (np.abs(shifts) > _STILL * size).any(axis=(0, 2))
+        | (np.abs(scales) > _STILL).any(axis=(0, 2))
+    )
+    weights = pose.states.weights - base.weights
+    channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
+    return Drive(
+        pose.values,
+        channels,
+        weights[:, channels],
+        moving,
+        turns[:, moving],
+        shifts[:, moving],
+        scales[:, moving],
+    )
+
+
+def unwrapped(vectors: Floats) -> Floats:
+    """Rotation vectors (k, j, 3) of the same rotations, each the one nearest to its predecessor."""
+    out = vectors.copy()
+    for k in range(1, len(out)):
+        angle = np.linalg.norm(out[k], axis=-1, keepdims=True)
+        unit = np.divide(out[k], angle, out=np.zeros_like(out[k]), where=angle > 0.0)
+        along = (out[k - 1] * unit).sum(axis=-1, keepdims=True)
+        out[k] = unit * (angle + 2.0 * np.pi * np.round((along - angle) / (2.0 * np.pi)))
+    return out
+
+
+def _log_scales(local: Floats, frame: Floats) -> Floats:
+    stretch = local[..., :3, :3] @ np.swapaxes(frame, -1, -2)
+    diagonal = np.abs(np.diagonal(stretch, axis1=-2, axis2=-1))
+    return np.log(np.maximum(diagonal, 1e-9))
+
+
+# --- drives and ranges -------------------------------------------------------------------------------
+
+
+def _weight_drive(channels: list[int], span: Range) -> Drive:
+    values = np.array([span.minimum, span.maximum])
+    weights = np.repeat((values - span.default)[:, None], len(channels), axis=1)
+    none = np.zeros((2, 0, 3))
+    return Drive(values, np.array(channels, dtype=np.int64), weights, np.zeros(0, dtype=np.int64), none, none, none)
+
+
+def _rotation_drive(joint: int, axis: int, span: Range) -> Drive:
+    values = np.array([span.minimum, span.maximum])
+    turns = np.zeros((2, 1, 3))
+    turns[:, 0, axis] = np.radians(values - span.default)
+    still = np.zeros((2, 1, 3))
+    return Drive(
+        values, np.zeros(0, dtype=np.int64), np.zeros((2, 0)), np.array([joint], dtype=np.int64), turns, still, still
+    )
+
+
+def _redriven(drive: Drive, span: Range) -> Drive:
+    """A two-key drive over another range with the same slope; a pose's keys stay."""
+    if len(drive.values) != 2:
+        return drive
+    values = np.array([span.minimum, span.maximum])
+    step = drive.values[1] - drive.values[0]
+    tables = []
+    for table in (drive.weights, drive.rotations, drive.translations, drive.scales):
+        slope = (table[1] - table[0]) / step
+        tables.append((values - span.default).reshape(-1, *(1,) * (table.ndim - 1)) * slope)
+    weights, turns, shifts, scales = tables
+    return Drive(values, drive.channels, weights, drive.joints, turns, shifts, scales)
+
+
+def _ranged(draft: Draft, said: ControlSettings) -> Range:
+    """The draft's range after the configuration, checked."""
+    span = draft.range
+    if draft.kind != "blendShape" and (said.minimum, said.maximum, said.default) != (None, None, None):
+        minimum = span.minimum if said.minimum is None else said.minimum
+        maximum = span.maximum if said.maximum is None else said.maximum
+        if said.default not in (None, span.default):
+            raise refuse("CONFIG_VALUE", f'controls."{draft.name}".default', "joints and poses rest at 0")
+        span = Range(minimum, span.default, maximum, "config")
+    if span.source == "config" and not span.minimum <= span.default <= span.maximum:
+        raise refuse(
+            "CONFIG_VALUE",
+            f'controls."{draft.name}"',
+            f"minimum {span.minimum:g}, default {span.default:g} and maximum {span.maximum:g} must ascend",
+        )
+    return span
+
+
+def _hull(ranges: list[Range]) -> Range:
+    if len(ranges) == 1:
+        return ranges[0]
+    widest = max(ranges, key=lambda each: each.maximum - each.minimum)
+    return Range(
+        min(each.minimum for each in ranges), ranges[0].default, max(each.maximum for each in ranges), widest.source
+    )
+
+
+# --- joints ------------------------------------------------------------------------------------------
+
+
+def _joint_names(joints: tuple[Joint, ...]) -> list[str]:
+    """The last name of each joint, or its whole path where that is not unique."""
+    leaves = [joint.path.rsplit("/", 1)[-1] for joint in joints]
+    paths = [joint.path for joint in joints]
+    names = [leaf if leaves.count(leaf) == 1 else path for leaf, path in zip(leaves, paths, strict=True)]
+    return [
+        name if names.count(name) == 1 else f"{joint.skeleton}/{name}"
+        for name, joint in zip(names, joints, strict=True)
+    ]
+
+
+def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
+    """(joints, 3, 2) least and greatest rotation about each own axis, in degrees from the base pose."""
+    base = joint_frames(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
+    turns = unwrapped(rotation_vectors(joint_frames(clip.locals) @ np.swapaxes(base, -1, -2)))
+    return np.degrees(np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1))
+
+
+def _joint_range(
+    said: JointSettings | None, axis: int, span: Floats, named_poses: bool, settings: Settings
+) -> Range | None:
+    """The range of one joint axis, or None if it is no control."""
+    if said is not None:
+        if _AXES[axis] not in said.axes:
+            return None
+        return Range(said.minimum, 0.0, said.maximum, "config")
+    which = settings.read.joints
+    if which == "none" or (which == "auto" and named_poses):
+        return None
+    if span[1] - span[0] > settings.read.joint_min_degrees:
+        return Range(min(0.0, float(span[0])), 0.0, max(0.0, float(span[1])), "animation")
+    if which == "all":
+        return Range(JointSettings().minimum, 0.0, JointSettings().maximum, "default")
+    return None
+
+
+def unknown_names(drafts: list[Draft], left_off: list[LeftOff], settings: Settings) -> set[str]:
+    """Names in ``[controls]`` that neither a draft nor something left off bears."""
+    return set(settings.controls) - {draft.name for draft in drafts} - {each.control for each in left_off}

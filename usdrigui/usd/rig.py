@@ -1,0 +1,235 @@
+"""From a stage to `Rig` records: every control, mesh, shape and joint of every SkelRoot.
+
+The asset is only ever read.  What UsdSkel resolves (inherited bindings, joint orders, rest poses) is
+asked of UsdSkel, so that a rig means here what it means in any other application.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.model import Channel, Clip, Control, Floats, Joint, LeftOff, Rig, RigMesh
+from usdrigui.settings import Settings
+from usdrigui.usd.controls import (
+    Draft,
+    State,
+    blend_shape_drafts,
+    joint_drafts,
+    joint_settings,
+    pose_drafts,
+    settled,
+    unknown_names,
+)
+from usdrigui.usd.mesh import Binding, Found, left_off_tokens, read_meshes
+from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
+from usdrigui.usd.ranges import metres_per_unit, read_ranges
+from usdrigui.usd.skeleton import (
+    Armature,
+    Frames,
+    read_armatures,
+    read_channels,
+    read_clip,
+    read_joints,
+    weights_at,
+)
+from usdrigui.usd.stage import composition_issues, listening, open_stage
+
+
+def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
+    """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
+
+    Raises RigUIError: FILE_*, LAYER_MISSING, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or the code
+    of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
+    no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
+    """
+    with listening() as heard:
+        stage = open_stage(path)
+        roots = _skel_roots(stage, settings.read.skel_root)
+        issues = composition_issues(stage, roots)
+        if not roots:
+            raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
+        readings = [_read(root, settings) for root in roots]
+    _check_names(readings, settings)
+    rigs = tuple(reading.rig for reading in readings if reading.rig.controls)
+    if not rigs:
+        lost = [each for reading in readings for each in reading.rig.left_off]
+        why = f"; left off: {lost[0].control} ({lost[0].reason})" if lost else ""
+        raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
+    spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in heard)
+    return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """A rig and the names that the configuration may use for it."""
+
+    rig: Rig
+    unknown_controls: set[str]
+    unknown_joints: set[str]
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """What stands under one SkelRoot, before anything is called a control."""
+
+    armatures: tuple[Armature, ...]
+    joints: tuple[Joint, ...]
+    channels: tuple[Channel, ...]
+    meshes: tuple[RigMesh, ...]
+    base_weights: Floats
+    authored_weights: Floats
+    clip: Clip | None
+    names: FrameNames
+    found: Found
+
+
+def _read(root: Usd.Prim, settings: Settings) -> _Reading:
+    if root.IsInstance() or root.IsInstanceProxy():
+        raise refuse("INSTANCE", str(_instance(root).GetPath()), f"{root.GetPath()} cannot be edited")
+    scene = _scene(root, settings)
+    drafts, left_off, issues = _drafts(root, scene, settings)
+    controls, excluded = settled(drafts, settings)
+    lost = (*left_off, *excluded, *scene.names.left_off)
+    rig = Rig(
+        root=str(root.GetPath()),
+        meshes=scene.meshes,
+        skeletons=tuple(armature.record for armature in scene.armatures),
+        joints=scene.joints,
+        channels=scene.channels,
+        base_weights=_rest_weights(scene, controls),
+        controls=controls,
+        clip=scene.clip,
+        up=_up(root),
+        metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
+        left_off=lost,
+        issues=(*scene.found.issues, *scene.names.issues, *issues),
+    )
+    unmatched = {
+        name
+        for name in settings.joints
+        if not any(joint_settings(each, scene.joints, {name: settings.joints[name]}) for each in scene.joints)
+    }
+    return _Reading(rig, unknown_names(drafts, list(lost), settings), unmatched)
+
+
+def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
+    cache = UsdSkel.Cache()
+    everything = Usd.TraverseInstanceProxies()
+    skel_root = UsdSkel.Root(root)
+    cache.Populate(skel_root, everything)
+    bindings = cache.ComputeSkelBindings(skel_root, everything)
+    time = settings.read.time
+    frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
+    armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
+    names = read_frame_names(root, armatures, settings.read.pose_names)
+    if time is None and names.frames:
+        time = names.frames[0].time  # The asset itself says which frame is its rest pose.
+    found = Found()
+    joints = _joints(armatures, time, found)
+    channels, heard = read_channels(armatures)
+    found.issues.extend(heard)
+    found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
+    meshes = read_meshes(root, _bound(bindings, armatures), frames, found)
+    channels = _with_unanimated(channels, found)
+    clip, heard = read_clip(armatures, joints, channels, root.GetStage().GetTimeCodesPerSecond())
+    found.issues.extend(heard)
+    authored = weights_at(armatures, channels, None)
+    base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
+    return _Scene(armatures, joints, channels, meshes, base, authored, clip, names, found)
+
+
+def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
+    """Every control that the asset could have, what is left off, and what is odd about the ranges."""
+    used = {shape.channel for mesh in scene.meshes for shape in mesh.shapes}
+    authored, issues = read_ranges(
+        root, scene.armatures, scene.channels, scene.meshes, scene.authored_weights, scene.clip
+    )
+    drafts = blend_shape_drafts(scene.channels, used, authored, scene.base_weights, settings)
+    drafts += joint_drafts(scene.joints, scene.clip, bool(scene.names.frames), settings)
+    base = State(scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4))
+    poses = named_poses(scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings)
+    more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
+    return drafts + more, [*left_off_tokens(scene.found, used), *left_off], issues
+
+
+def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -> tuple[Joint, ...]:
+    joints: list[Joint] = []
+    for armature in armatures:
+        some, issues = read_joints(armature, time)
+        joints.extend(some)
+        found.issues.extend(issues)
+    return tuple(joints)
+
+
+def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> dict[Sdf.Path, Binding]:
+    return {
+        query.GetPrim().GetPath(): Binding(armature, query)
+        for binding, armature in zip(bindings, armatures, strict=True)
+        for query in binding.GetSkinningTargets()
+    }
+
+
+def _with_unanimated(channels: tuple[Channel, ...], found: Found) -> tuple[Channel, ...]:
+    """The channels with those added that meshes name but no animation lists."""
+    more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
+    found.issues.extend(issue("TOKEN_NOT_ANIMATED", "", f"{token!r}") for token in more)
+    return (*channels, *(Channel(token, "", -1) for token in more))
+
+
+def _rest_weights(scene: _Scene, controls: tuple[Control, ...]) -> Floats:
+    """(channels,) weights of the base pose; the default of a control is part of it."""
+    weights = scene.base_weights.copy()
+    for control in controls:
+        if control.kind == "blendShape":
+            weights[control.drive.channels] = control.default
+    return weights
+
+
+def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
+    roots = tuple(prim for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()) if prim.IsA(UsdSkel.Root))
+    if not wanted:
+        return roots
+    chosen = tuple(root for root in roots if str(root.GetPath()) == wanted)
+    if not chosen:
+        known = ", ".join(str(root.GetPath()) for root in roots) or "none"
+        raise refuse("SKELROOT_UNKNOWN", wanted, f"the SkelRoots are: {known}")
+    return chosen
+
+
+def _instance(prim: Usd.Prim) -> Usd.Prim:
+    """The instance that a prim is or lies in."""
+    while not prim.IsInstance() and prim.GetParent():
+        prim = prim.GetParent()
+    return prim
+
+
+def _up(root: Usd.Prim) -> Floats:
+    vertical = Gf.Vec3d(0, 0, 1) if UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z else Gf.Vec3d(0, 1, 0)
+    return Frames(root, Usd.TimeCode.Default()).direction(vertical)
+
+
+def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
+    layer = stage.GetRootLayer()
+    value = layer.pseudoRoot.GetInfo("metersPerUnit") if layer.pseudoRoot.HasInfo("metersPerUnit") else None
+    if metres_per_unit(layer) is None:
+        return (issue("UNITS_TYPE", layer.identifier, f"metersPerUnit is {value!r}; 0.01 is taken"),)
+    return ()
+
+
+def _check_names(readings: list[_Reading], settings: Settings) -> None:
+    """Refuse names in the configuration that no rig knows."""
+    for name in settings.controls:
+        if all(name in reading.unknown_controls for reading in readings):
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', "no rig of the asset has this control")
+    for name in settings.joints:
+        if all(name in reading.unknown_joints for reading in readings):
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', "no rig of the asset has this joint")
+
+
+def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:
+    return replace(rig, issues=(*more, *rig.issues))

@@ -1,0 +1,249 @@
+"""Skeletons, joints and authored animation of one SkelRoot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from pxr import Gf, Usd, UsdGeom, UsdSkel
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
+
+_CLIP_BYTES = 128 * 1024 * 1024
+"""Memory that the joint transforms of a clip may take."""
+
+
+@dataclass(frozen=True)
+class Armature:
+    """One Skeleton with its USD queries and its place among the joints of the rig."""
+
+    record: Skeleton
+    query: UsdSkel.SkeletonQuery
+    animation: UsdSkel.AnimQuery | None
+    joint_names: tuple[str, ...]
+    index: int
+    """Index of the Skeleton in `Rig.skeletons`."""
+    first: int
+    """Index of its first joint in `Rig.joints`."""
+    tokens: tuple[str, ...]
+    """Blend shapes that the animation lists."""
+
+    @property
+    def times(self) -> set[float]:
+        """Time codes at which the animation is authored."""
+        if self.animation is None:
+            return set()
+        return {
+            *self.animation.GetBlendShapeWeightTimeSamples(),
+            *self.animation.GetJointTransformTimeSamples(),
+        }
+
+
+class Frames:
+    """Transforms relative to the SkelRoot at one time code."""
+
+    def __init__(self, root: Usd.Prim, time: Usd.TimeCode) -> None:
+        self.time = time
+        self._cache = UsdGeom.XformCache(time)
+        self._world_to_root = self._cache.GetLocalToWorldTransform(root).GetInverse()
+
+    def to_root(self, prim: Usd.Prim) -> Floats:
+        """(4, 4) transform from the prim's space to root space."""
+        return np.array(self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64)
+
+    def direction(self, world: Gf.Vec3d) -> Floats:
+        """(3,) unit vector in root space of a world direction."""
+        return np.array(self._world_to_root.TransformDir(world).GetNormalized(), dtype=np.float64)
+
+
+def read_armatures(skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, frames: Frames) -> tuple[Armature, ...]:
+    """The bound Skeletons, in the order given, with their joints numbered through.
+
+    Raises SKELETON_INVALID, INSTANCE and ANIMATION_LENGTH.
+    """
+    found: list[Armature] = []
+    first = 0
+    for index, skeleton in enumerate(skeletons):
+        found.append(_armature(skeleton, cache, frames, index, first))
+        first += len(found[-1].joint_names)
+    return tuple(found)
+
+
+def read_joints(armature: Armature, time: float | None) -> tuple[tuple[Joint, ...], tuple[Issue, ...]]:
+    """Joints of one Skeleton, based on the rest pose or, if `time` is given, on the animation there.
+
+    Raises SKELETON_INVALID.
+    """
+    names, query = armature.joint_names, armature.query
+    if not names:
+        return (), ()
+    path = armature.record.path
+    parents = _parents(query, path)
+    bind = _matrices(query.GetJointWorldBindTransforms() if query.HasBindPose() else None, len(names))
+    if bind is None:
+        raise refuse("SKELETON_INVALID", path, f"needs {len(names)} bindTransforms, one per joint")
+    if not np.isfinite(bind).all() or (np.abs(np.linalg.det(bind)) < 1e-30).any():
+        raise refuse("SKELETON_INVALID", path, "a bind transform cannot be inverted")
+    issues: tuple[Issue, ...] = ()
+    rest = _matrices(query.ComputeJointLocalTransforms(Usd.TimeCode.Default(), True), len(names))
+    if rest is None or not query.HasRestPose():
+        rest = bind.copy()
+        inner = np.flatnonzero(parents >= 0)
+        rest[inner] = bind[inner] @ np.linalg.inv(bind[parents[inner]])
+        issues = (issue("REST_MISSING", path, f"{len(names)} joints"),)
+    base = rest if time is None else locals_at(armature, time, rest)
+    if not (np.isfinite(rest).all() and np.isfinite(base).all()):
+        raise refuse("NOT_FINITE", path, "a joint transform holds NaN or infinity")
+    joints = tuple(
+        Joint(
+            name,
+            armature.index,
+            int(parents[i]) + armature.first if parents[i] >= 0 else -1,
+            bind[i],
+            rest[i],
+            base[i],
+        )
+        for i, name in enumerate(names)
+    )
+    return joints, issues
+
+
+def read_channels(armatures: tuple[Armature, ...]) -> tuple[tuple[Channel, ...], tuple[Issue, ...]]:
+    """All blend-shape weights of all animations, each animation once."""
+    channels: list[Channel] = []
+    issues: list[Issue] = []
+    seen: set[str] = set()
+    for armature in armatures:
+        path = armature.record.animation
+        if path in seen:
+            continue
+        seen.add(path)
+        taken: set[str] = set()
+        for i, token in enumerate(armature.tokens):
+            if token in taken:
+                issues.append(issue("TOKEN_REPEATED", path, f"blendShapes lists {token!r} more than once"))
+                continue
+            taken.add(token)
+            channels.append(Channel(token, path, i))
+    return tuple(channels), tuple(issues)
+
+
+def read_clip(
+    armatures: tuple[Armature, ...], joints: tuple[Joint, ...], channels: tuple[Channel, ...], rate: float
+) -> tuple[Clip | None, tuple[Issue, ...]]:
+    """The authored animation, or None where nothing has more than one time sample.
+
+    Raises ANIMATION_LENGTH and NOT_FINITE.
+    """
+    times = sorted({time for armature in armatures for time in armature.times})
+    if len(times) < 2:
+        return None, ()
+    issues: tuple[Issue, ...] = ()
+    most = max(2, _CLIP_BYTES // (128 * max(1, len(joints))))
+    if len(times) > most:
+        issues = (issue("CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"),)
+        times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
+    rest = np.array([joint.rest for joint in joints]).reshape(-1, 4, 4)
+    local = np.repeat(rest[None], len(times), axis=0)
+    for armature in armatures:
+        part = slice(armature.first, armature.first + len(armature.joint_names))
+        if armature.animation is not None and armature.animation.GetJointTransformTimeSamples():
+            for frame, time in enumerate(times):
+                local[frame, part] = locals_at(armature, time, rest[part])
+    weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(len(times), -1)
+    if not (np.isfinite(local).all() and np.isfinite(weights).all()):
+        raise refuse("NOT_FINITE", armatures[0].record.animation, "the animation holds NaN or infinity")
+    return Clip(np.array(times, dtype=np.float64), weights, local, rate), issues
+
+
+def weights_at(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None) -> Floats:
+    """(channels,) authored weights at a time code; None for the default value.
+
+    Raises ANIMATION_LENGTH and NOT_FINITE.
+    """
+    tables = {armature.record.animation: _weights(armature, time) for armature in armatures}
+    values = [
+        tables[each.animation][each.index] if each.index >= 0 and len(tables[each.animation]) else 0.0
+        for each in channels
+    ]
+    return np.array(values, dtype=np.float64)
+
+
+def _weights(armature: Armature, time: float | None) -> Floats:
+    """Weights of the animation's tokens; empty where none are authored."""
+    if armature.animation is None or not armature.tokens:
+        return np.zeros(0)
+    code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
+    authored = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapeWeightsAttr().Get(code)
+    if authored is None or len(authored) == 0:
+        return np.zeros(0)
+    path = armature.record.animation
+    if len(authored) != len(armature.tokens):
+        raise refuse(
+            "ANIMATION_LENGTH",
+            path,
+            f"{len(armature.tokens)} blendShapes but {len(authored)} blendShapeWeights"
+            + ("" if time is None else f" at time {time:g}"),
+        )
+    values = np.asarray(authored, dtype=np.float64)
+    if not np.isfinite(values).all():
+        raise refuse("NOT_FINITE", path, "blendShapeWeights holds NaN or infinity")
+    return values
+
+
+def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, index: int, first: int) -> Armature:
+    prim = skeleton.GetPrim()
+    path = str(prim.GetPath())
+    query = cache.GetSkelQuery(skeleton)
+    if not query:
+        raise refuse("SKELETON_INVALID", path, "UsdSkel cannot use it; are the joint paths valid and unique?")
+    animation = query.GetAnimQuery()
+    animated = animation.GetPrim() if animation else None
+    for each in (prim, animated):
+        if each is not None and (each.IsInstanceProxy() or each.IsInPrototype()):
+            raise refuse("INSTANCE", str(each.GetPath()), "lies inside an instance")
+    tokens = tuple(animation.GetBlendShapeOrder()) if animation else ()
+    record = Skeleton(path, str(animated.GetPath()) if animated else "", frames.to_root(prim))
+    names = tuple(str(name) for name in query.GetJointOrder())
+    if animation:
+        _check_joint_values(UsdSkel.Animation(animated))
+    return Armature(record, query, animation or None, names, index, first, tokens)
+
+
+def _check_joint_values(animation: UsdSkel.Animation) -> None:
+    """As many rotations, translations and scales as joints, wherever any are authored."""
+    joints = animation.GetJointsAttr().Get() or ()
+    if not joints:
+        return
+    for attribute in (animation.GetTranslationsAttr(), animation.GetRotationsAttr(), animation.GetScalesAttr()):
+        values = attribute.Get(Usd.TimeCode.EarliestTime())
+        if values is not None and len(values) not in (0, len(joints)):
+            raise refuse(
+                "ANIMATION_LENGTH",
+                str(animation.GetPath()),
+                f"{len(joints)} joints but {len(values)} {attribute.GetName()}",
+            )
+
+
+def _parents(query: UsdSkel.SkeletonQuery, path: str) -> np.ndarray:
+    topology = query.GetTopology()
+    valid, reason = topology.Validate()
+    if not valid:
+        raise refuse("SKELETON_INVALID", path, str(reason))
+    return np.array(topology.GetParentIndices(), dtype=np.int64)
+
+
+def _matrices(values: object, count: int) -> Floats | None:
+    """(count, 4, 4), or None if there are not as many."""
+    if values is None:
+        return None
+    matrices = np.array(values, dtype=np.float64).reshape(-1, 4, 4)
+    return matrices if len(matrices) == count else None
+
+
+def locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
+    """(joints, 4, 4) local transforms of the animation, rest transforms where it has none."""
+    values = armature.query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
+    matrices = _matrices(values, len(rest))
+    return rest if matrices is None else matrices

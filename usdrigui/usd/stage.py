@@ -1,0 +1,123 @@
+"""Opening a stage for reading, with every way in which that fails named."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from pxr import Pcp, Sdf, Tf, Usd, UsdUtils
+
+from usdrigui.errors import Issue, issue, refuse
+
+_MISSING = (
+    Pcp.ErrorInvalidSublayerPath,
+    Pcp.ErrorInvalidAssetPath,
+)
+
+
+def open_stage(path: Path) -> Usd.Stage:
+    """The composed stage of a file, payloads loaded.
+
+    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong) or
+    LAYER_MISSING (a sublayer of the root layer stack).
+    """
+    _check_file(path)
+    try:
+        stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
+    except (Tf.ErrorException, RuntimeError) as error:
+        raise refuse("FILE_NOT_USD", str(path), _told(error)) from None
+    if stage is None:
+        raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
+    for error in stage.GetCompositionErrors():
+        if isinstance(error, Pcp.ErrorInvalidSublayerPath):
+            raise refuse("LAYER_MISSING", str(path), _described(error))
+    return stage
+
+
+def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
+    """What USD could not compose.
+
+    Raises LAYER_MISSING where a reference or payload on, above or below one of `roots` (on any prim if
+    there are none) leads to no layer: the character would be read without a part of it.
+    """
+    found = []
+    for error in stage.GetCompositionErrors():
+        site = _site(error)
+        near = [root for root in roots if site.HasPrefix(root.GetPath()) or root.GetPath().HasPrefix(site)]
+        if isinstance(error, _MISSING) and (near or not roots):
+            raise refuse("LAYER_MISSING", str(site), _described(error))
+        found.append(issue("COMPOSITION_ERROR", str(site), _described(error)))
+    return tuple(found)
+
+
+@contextmanager
+def listening() -> Iterator[list[str]]:
+    """Keep what USD would print while the block runs; the list holds the distinct texts afterwards."""
+    heard: list[str] = []
+    delegate = UsdUtils.CoalescingDiagnosticDelegate()
+    try:
+        yield heard
+    finally:
+        for each in delegate.TakeUncoalescedDiagnostics():
+            try:
+                text = each.commentary
+            except UnicodeDecodeError:
+                text = "a message that is not UTF-8"
+            if text not in heard:
+                heard.append(text)
+        del delegate
+
+
+def _check_file(path: Path) -> None:
+    if not path.is_file():
+        raise refuse("FILE_NOT_FOUND", str(path), "is not a file" if path.exists() else "does not exist")
+    try:
+        with path.open("rb") as stream:
+            empty = not stream.read(1)
+    except OSError as error:
+        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror}") from error
+    if empty:
+        raise refuse("FILE_NOT_USD", str(path), "the file is empty")
+    if not Sdf.FileFormat.FindByExtension(path.suffix.removeprefix(".")):
+        raise refuse("FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}")
+    if path.suffix.lower() == ".usdz":
+        _check_archive(path)
+
+
+def _check_archive(path: Path) -> None:
+    """USD itself ignores the checksums of a usdz."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            damaged = archive.testzip()
+    except (zipfile.BadZipFile, OSError, NotImplementedError, RuntimeError, EOFError) as error:
+        raise refuse("FILE_CORRUPT", str(path), f"is not a valid archive: {error}") from error
+    if damaged:
+        raise refuse("FILE_CORRUPT", str(path), f"the checksum of {damaged} is wrong")
+
+
+def _told(error: Exception) -> str:
+    """Text of a USD exception, whose own str() may fail."""
+    try:
+        return "; ".join(str(each.commentary) for each in error.args) or type(error).__name__
+    except (AttributeError, UnicodeDecodeError):
+        pass
+    try:
+        return " ".join(str(error).split())
+    except UnicodeDecodeError:
+        return "USD raised an error whose text is not UTF-8"
+
+
+def _described(error: Pcp.ErrorBase) -> str:
+    try:
+        return " ".join(str(error).split())
+    except UnicodeDecodeError:
+        return str(error.errorType)
+
+
+def _site(error: Pcp.ErrorBase) -> Sdf.Path:
+    try:
+        return Sdf.Path(str(error.rootSite.path))
+    except (AttributeError, TypeError, Tf.ErrorException):
+        return Sdf.Path.absoluteRootPath
