@@ -171,7 +171,7 @@ def _binned(flat: _Flat, rays: Floats) -> _Grid:
     shape = np.floor(span / pitch).astype(np.int64) + 1
 
     def cells(at: Floats) -> Indices:
-        return np.clip(np.floor((at - low) / pitch), 0, shape - 1).astype(np.int64)
+        return np.asarray(np.clip(np.floor((at - low) / pitch), 0, shape - 1), dtype=np.int64)
 
     first, last = cells(least[near]), cells(most[near])
     wide = last - first + 1

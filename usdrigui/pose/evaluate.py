@@ -1,0 +1,226 @@
+"""A layout at any pose: the deformed character, and every element where it then is.
+
+An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
+its handle follows the skin under all controls, so that with a gain of 1 it lies on the deformed anchor.
+Beside the face, or where `Element.adapt` is ``static``, an element follows the joints alone.  These are
+the rules of the written layer, where tracks and handles are gprims that UsdSkel deforms.  numpy only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from usdrigui.deform import Posed, deform, posed
+from usdrigui.errors import refuse
+from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig, RigMesh, Shape
+
+
+@dataclass(frozen=True, eq=False)
+class PosedElement(Record):
+    """One element at a pose; positions in root space."""
+
+    tracks: tuple[Floats, ...]
+    """Per member, (k, 3): the drawn track, at the values `Member.values`."""
+    handle: Floats
+    """(3,) centre of the handle."""
+    rest: Floats
+    """(3,) where the handle would be if the element's own controls were at the base pose."""
+    normal: Floats
+    """(3,) unit; the direction in which the element faces."""
+
+
+@dataclass(frozen=True, eq=False)
+class PosedLayout(Record):
+    """A character and its elements at a pose."""
+
+    points: Floats
+    """(n, 3) points of all meshes in root space."""
+    elements: tuple[PosedElement, ...]
+    """In the order of `Layout.elements`."""
+
+
+@dataclass(frozen=True, eq=False)
+class Poser(Record):
+    """A rig and its layout, prepared by `prepare` for evaluation at many poses."""
+
+    rig: Rig
+    layout: Layout
+    anchors: Rig
+    """The rig cut down to the points that elements are anchored at."""
+    rows: Indices
+    """(elements,) each element's point in `anchors`."""
+    owned: tuple[Indices, ...]
+    """Per element, its controls as indices into `Rig.controls`, in member order."""
+    base: Posed
+    """`anchors` at the base pose."""
+
+
+def prepare(rig: Rig, layout: Layout) -> Poser:
+    """Match a layout with its rig.
+
+    Raises RigUIError LAYOUT_STALE when the layout was made for another version of the character: a mesh
+    or a control is missing, or the topology has changed.
+    """
+    wanted = [_anchor_place(rig, element) for element in layout.elements]
+    anchors, rows = _cut_down(rig, wanted)
+    names = {control.name: index for index, control in enumerate(rig.controls)}
+    owned = tuple(_controls(names, element) for element in layout.elements)
+    if len(layout.base_values) != len(rig.controls):
+        raise refuse("LAYOUT_STALE", layout.root, "the base pose has another number of controls than the character")
+    return Poser(rig, layout, anchors, rows, owned, posed(anchors, layout.base_values))
+
+
+def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
+    """Everything at control ``values`` (controls,), in the order of `Rig.controls`; None for the base pose.
+
+    Raises RigUIError POSE_VALUE for values that are not finite or of another number.
+    """
+    at = checked_values(poser.rig, poser.layout.base_values if values is None else values)
+    return PosedLayout(deform(poser.rig, at), elements_at(poser, at))
+
+
+def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
+    """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
+    whole = posed(poser.anchors, values)
+    base_values = poser.layout.base_values
+    found: list[PosedElement] = []
+    for index, element in enumerate(poser.layout.elements):
+        owned = poser.owned[index]
+        others = whole
+        if (values[owned] != base_values[owned]).any():
+            without = values.copy()
+            without[owned] = base_values[owned]
+            others = posed(poser.anchors, without)
+        found.append(_element(poser, element, index, others, whole, values))
+    return tuple(found)
+
+
+def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
+    """(controls,) values of a pose given by control names; the rest from `base`, or at their defaults.
+
+    Raises RigUIError POSE_CONTROL for a name that the rig lacks, POSE_VALUE for what is not a number.
+    """
+    values = np.array([control.default for control in rig.controls] if base is None else base, dtype=np.float64)
+    names = {control.name: index for index, control in enumerate(rig.controls)}
+    for name, value in pose.items():
+        if name not in names:
+            raise refuse("POSE_CONTROL", name, "the character has no control of this name")
+        values[names[name]] = value
+    return checked_values(rig, values)
+
+
+def checked_values(rig: Rig, values: ArrayLike) -> Floats:
+    """``values`` as (controls,) floats; raises RigUIError POSE_VALUE for a wrong number or NaN."""
+    at = np.array(values, dtype=np.float64)
+    if at.shape != (len(rig.controls),):
+        raise refuse("POSE_VALUE", rig.root, f"a pose has {len(rig.controls)} values, not {at.shape}")
+    if not np.isfinite(at).all():
+        name = rig.controls[int(np.flatnonzero(~np.isfinite(at))[0])].name
+        raise refuse("POSE_VALUE", name, "the value is not finite")
+    return at
+
+
+def on_track(member: Member, value: float) -> Floats:
+    """(3,) position on the track of a member at a control value, in the track's space; extrapolated."""
+    return _along(member.values, member.track, value)
+
+
+def _element(poser: Poser, element: Element, index: int, others: Posed, whole: Posed, values: Floats) -> PosedElement:
+    row = int(poser.rows[index])
+    anchor, carry = _carried(poser, element, row, others)
+    base = poser.base.points[row]
+    tracks = tuple(anchor + (member.track - base) @ carry for member in element.members)
+    rests, moves = [], np.zeros(3)
+    for member, track, control in zip(element.members, tracks, poser.owned[index], strict=True):
+        rests.append(_along(member.values, track, float(poser.layout.base_values[control])))
+        moves += _along(member.values, track, float(values[control])) - rests[-1]
+    handle = rests[0] + moves
+    if not _detached(element) and all(member.gain == 1.0 for member in element.members):
+        handle = whole.points[row]
+    normal = element.anchor.normal @ np.linalg.pinv(carry).T
+    return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30))
+
+
+def _carried(poser: Poser, element: Element, row: int, at: Posed) -> tuple[Floats, Floats]:
+    """Where the base-pose anchor is at another pose, and the (3, 3) map of offsets from it (row vectors)."""
+    base_map, map_now = _map(poser.anchors, poser.base, row), _map(poser.anchors, at, row)
+    inverse = np.linalg.pinv(base_map[:3])
+    carry = inverse @ map_now[:3]
+    if _detached(element):
+        return (poser.base.points[row] - base_map[3]) @ carry + map_now[3], carry
+    return at.points[row], carry
+
+
+def _detached(element: Element) -> bool:
+    return element.anchor.beside or element.adapt == "static"
+
+
+def _map(anchors: Rig, at: Posed, row: int) -> Floats:
+    """(4, 3) affine map of one point from mesh space to root space."""
+    mesh, local = anchors.mesh_of(row)
+    maps = at.maps[mesh]
+    return np.asarray(maps[local if len(maps) > 1 else 0])
+
+
+def _along(values: Floats, track: Floats, value: float) -> Floats:
+    """Point of a polyline at a value: linear between the vertices and beyond the ends."""
+    if len(values) == 1:
+        return np.asarray(track[0])
+    piece = int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))
+    share = (value - values[piece]) / (values[piece + 1] - values[piece])
+    return np.asarray((1.0 - share) * track[piece] + share * track[piece + 1])
+
+
+# --- matching ----------------------------------------------------------------------------------------
+
+
+def _anchor_place(rig: Rig, element: Element) -> tuple[int, int]:
+    """(mesh index, local point) of an element's anchor."""
+    anchor = element.anchor
+    for index, mesh in enumerate(rig.meshes):
+        if mesh.path == anchor.mesh:
+            if mesh.topology_hash != anchor.topology_hash or not 0 <= anchor.point < len(mesh.points):
+                raise refuse("LAYOUT_STALE", mesh.path, f"its topology is not that which {element.name} is anchored to")
+            return index, anchor.point
+    raise refuse("LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist")
+
+
+def _controls(names: Mapping[str, int], element: Element) -> Indices:
+    for member in element.members:
+        if member.control not in names:
+            raise refuse("LAYOUT_STALE", member.control, f"the control of {element.name} does not exist")
+    return np.array([names[member.control] for member in element.members], dtype=np.int64)
+
+
+def _cut_down(rig: Rig, wanted: list[tuple[int, int]]) -> tuple[Rig, Indices]:
+    """The rig with the wanted points of its meshes only, and the row of each wanted one among them."""
+    rows = np.zeros(len(wanted), dtype=np.int64)
+    meshes: list[RigMesh] = []
+    start = 0
+    for index, mesh in enumerate(rig.meshes):
+        mine = [i for i, (of, _) in enumerate(wanted) if of == index]
+        if mine:
+            kept, inverse = np.unique([wanted[i][1] for i in mine], return_inverse=True)
+            rows[mine] = start + inverse
+            meshes.append(_part(mesh, kept))
+            start += len(kept)
+    return replace(rig, meshes=tuple(meshes), clip=None), rows
+
+
+def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
+    """The `kept` points of a mesh, without faces."""
+    skin = mesh.skin
+    if skin is not None:
+        skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
+    shapes = tuple(shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points))
+    none = np.zeros(0, dtype=np.int64)
+    return replace(mesh, points=mesh.points[kept], face_counts=none, face_indices=none, skin=skin, shapes=shapes)
+
+
+def _shape_part(shape: Shape, kept: Indices) -> Shape:
+    _, local, row = np.intersect1d(kept, shape.points, assume_unique=True, return_indices=True)
+    return replace(shape, points=local.astype(np.int64), offsets=shape.offsets[:, row])
