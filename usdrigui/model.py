@@ -10,7 +10,9 @@ of `Rig.meshes`; *local* point means an index into one mesh.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -34,8 +36,8 @@ class Record:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for each in fields(self):  # type: ignore[arg-type]
-            freeze(getattr(self, each.name))
+        for value in vars(self).values():
+            freeze(value)
 
 
 def freeze(value: Any) -> Any:
@@ -61,7 +63,7 @@ class Shape(Record):
     """
 
     channel: int
-    """Index of the weight that drives it, into `Rig.channels`."""
+    """Index of the weight that drives it, into `Rig.channels`; several shapes of a mesh may share it."""
     path: str
     """Prim path of the BlendShape."""
     weights: Floats
@@ -79,12 +81,22 @@ class Skin(Record):
     joints: Indices
     """(n, k) joint indices into `Rig.joints`."""
     weights: Floats
-    """(n, k) normalised weights."""
+    """(n, k) weights as authored; like UsdSkel, nothing normalises them."""
     method: Literal["classicLinear", "dualQuaternion"]
     geom_bind: Floats
     """(4, 4) geomBindTransform."""
     rigid: bool
     """True when the influences are constant over the mesh (n is still the number of points)."""
+
+    @cached_property
+    def by_joint(self) -> tuple[Indices, Floats, Indices, Indices]:
+        """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the joints that
+        have any (j,), and where each begins (j + 1,).  A point appears once per joint."""
+        points, slots = np.nonzero(self.weights)
+        keys, place = np.unique(self.joints[points, slots] * len(self.joints) + points, return_inverse=True)
+        weights = np.bincount(place, weights=self.weights[points, slots], minlength=len(keys))
+        joints, starts = np.unique(keys // max(1, len(self.joints)), return_index=True)
+        return keys % max(1, len(self.joints)), weights, joints, np.append(starts, len(keys))
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,9 +167,11 @@ class Drive(Record):
     """What a control sets, as a piecewise linear function of its value.
 
     At value v the control adds to the base pose: blend-shape weights, joint rotations (as rotation
-    vectors, applied in the joint's local frame before its base transform), translations and logarithms
-    of scales.  Between keys all are interpolated linearly (rotation vectors too: with two keys that is
-    slerp), beyond the ends they are extrapolated.  All rows are zero where the value is the default.
+    vectors about the joint's own axes), translations and logarithms of scales.  A base transform with
+    linear part S R (stretch, rotation) and translation t becomes ``exp(scales) S exp(rotations) R`` and
+    ``t + translations``, which is what a SkelAnimation holds.  Between keys all are interpolated linearly
+    (rotation vectors too: with two keys that is slerp), beyond the ends they are extrapolated.  All rows
+    are zero where the value is the default.
     """
 
     values: Floats
@@ -227,6 +241,15 @@ class Rig(Record):
     left_off: tuple[LeftOff, ...]
     """Controls that the source has but the rig does not, and why."""
     issues: tuple[Issue, ...]
+
+    @cached_property
+    def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
+        """(mesh index, shape) of every shape that a channel drives; channels without shapes are absent."""
+        found: dict[int, tuple[tuple[int, Shape], ...]] = {}
+        for index, mesh in enumerate(self.meshes):
+            for shape in mesh.shapes:
+                found[shape.channel] = (*found.get(shape.channel, ()), (index, shape))
+        return found
 
     @property
     def starts(self) -> Indices:
@@ -330,6 +353,11 @@ class CandidateSet(Record):
     """True when it repeats what atomic controls do together: laid out beside the face."""
     coverage: float
     """Share of the visible places of the face that it moves."""
+    sources: Indices
+    """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control is shown
+    at a visible proxy of a hidden region."""
+    reason: str = ""
+    """Why it is laid out beside the face; else empty."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -356,6 +384,11 @@ class Group:
     """Why they are grouped; empty for a single control."""
     beside: bool = False
     """True when it goes beside the face whatever the costs."""
+    family: str = ""
+    """Heading under which it then stands: ``global``, ``hidden`` or ``composite``."""
+    images: tuple[tuple[int, ...], ...] = ()
+    """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
+    tuples for an n-fold orbit."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,154 @@
+"""From the chosen labels to the elements that the animator sees (paper section 3.2)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.board import Board, beside_elements
+from usdrigui.layout.problem import Choice
+from usdrigui.layout.symmetry import plane_distance
+from usdrigui.layout.terms import Context
+from usdrigui.layout.tracks import arc_lengths, gains, paths
+from usdrigui.model import (
+    Anchor,
+    Assignment,
+    Candidates,
+    Element,
+    Floats,
+    Group,
+    Layout,
+    LayoutProblem,
+    LeftOff,
+    Member,
+    Side,
+)
+from usdrigui.settings import ControlSettings
+
+_ON_PLANE = 1e-3
+"""An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
+
+
+def layout(
+    context: Context,
+    candidates: Candidates,
+    groups: tuple[Group, ...],
+    problem: LayoutProblem,
+    choices: tuple[Choice, ...],
+    assignment: Assignment,
+    base_values: Floats | None = None,
+) -> Layout:
+    """The elements of every group, on the face where the assignment says so and beside it otherwise."""
+    controls = context.rig.controls
+    elements: list[Element] = []
+    board: list[Board] = [
+        Board(group, copy, group.family, group.reason) for group in groups if group.beside for copy in _copies(group)
+    ]
+    for choice, label in zip(choices, assignment.labels, strict=True):
+        group = groups[choice.group]
+        if label < 0:
+            reason = "left the face to more telling elements" if len(choice.anchors) else "no place on the face"
+            board.extend(Board(group, copy, "crowded", reason) for copy in _copies(group))
+        else:
+            elements.extend(_on_face(context, group, choice, int(label)))
+    elements.extend(beside_elements(context, board))
+    view = context.settings.candidates
+    return Layout(
+        root=context.rig.root,
+        elements=tuple(elements),
+        left_off=_left_off(context, candidates),
+        handle_width=context.handle_width,
+        space=view.space,
+        view=context.views.directions[0],
+        plane_origin=context.symmetry.origin,
+        plane_normal=context.symmetry.normal,
+        base_values=np.array([control.default for control in controls]) if base_values is None else base_values,
+        method=assignment.method,
+        status=assignment.status,
+        cost=assignment.cost,
+        bound=assignment.bound,
+        in_play=assignment.in_play,
+        weights=_weights(context, problem),
+    )
+
+
+def element_name(context: Context, controls: tuple[int, ...]) -> str:
+    """Unique name of the element of these controls."""
+    return "_".join(context.rig.controls[control].name for control in controls)
+
+
+def _copies(group: Group) -> tuple[tuple[int, ...], ...]:
+    return (group.controls, *group.images)
+
+
+def _left_off(context: Context, candidates: Candidates) -> tuple[LeftOff, ...]:
+    return (*context.rig.left_off, *context.trajectories.left_off, *candidates.left_off)
+
+
+def _weights(context: Context, problem: LayoutProblem) -> tuple[tuple[str, float], ...]:
+    overlap = problem.overlap
+    return (
+        ("displacement_weight", problem.unit_cost),
+        ("overlap_max", overlap.maximum),
+        ("overlap_radius", overlap.radius),
+        ("overlap_sharpness", overlap.sharpness),
+        ("overlap_reach", overlap.reach),
+        ("separation", problem.separation),
+        ("typical_length", context.trajectories.typical_length),
+        ("samples", float(context.settings.objective.samples)),
+    )
+
+
+def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list[Element]:
+    """The element of a group and of its mirror images."""
+    names = [element_name(context, controls) for controls in choice.controls]
+    made = []
+    for copy, controls in enumerate(choice.controls):
+        point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
+        said = context.settings.controls.get(context.rig.controls[controls[0]].name, ControlSettings())
+        made.append(
+            Element(
+                name=names[copy],
+                label=_label(context, controls),
+                kind=group.kind,
+                members=tuple(_member(context, control, point, source) for control in controls),
+                opposed=group.opposed,
+                anchor=anchor_at(context, point),
+                side=_side(context, point),
+                mirror=names[1 - copy] if len(names) == 2 else "",
+                family="",
+                reason=group.reason,
+                adapt=said.adapt or context.settings.output.adapt,
+            )
+        )
+    return made
+
+
+def _label(context: Context, controls: tuple[int, ...]) -> str:
+    return " / ".join(context.rig.controls[control].label for control in controls)
+
+
+def _member(context: Context, control: int, point: int, source: int) -> Member:
+    """The control's own trajectory at the source, drawn from the anchor, enlarged where it is too short."""
+    motion = next(each for each in context.trajectories.motions if each.control == control)
+    one = np.array([source])
+    length = arc_lengths(motion, one)
+    gain = float(gains(length, context.settings.output.min_track * context.handle_width)[0])
+    track = context.trajectories.base[point] + gain * paths(motion, one)[0]
+    return Member(context.rig.controls[control].name, motion.values, track, float(length[0]), gain)
+
+
+def anchor_at(context: Context, point: int) -> Anchor:
+    """The anchor on a point of the face."""
+    index, local = context.rig.mesh_of(point)
+    mesh = context.rig.meshes[index]
+    base, normal = context.trajectories.base[point], context.trajectories.normals[point]
+    return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, base, normal, False)
+
+
+def _side(context: Context, point: int) -> Side:
+    if not context.symmetry.normal.any():
+        return "none"
+    apart = float(plane_distance(context.trajectories.base[point], context.symmetry))
+    if abs(apart) <= _ON_PLANE * context.trajectories.face_size:
+        return "middle"
+    return "left" if apart > 0.0 else "right"

@@ -1,0 +1,159 @@
+"""The layout problem: every element's candidates, their costs and their geometry (paper eq. 2 to 5).
+
+Lengths are measured in units of the face (displacement in typical peak displacements, the overlap's
+radius in handle widths), so that the same character in metres and in centimetres gets the same layout;
+``objective.scene_units`` takes the paper's constants literally instead.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.layout.terms import Context
+from usdrigui.layout.tracks import arc_lengths, gains, paths, resampled
+from usdrigui.model import (
+    Candidates,
+    CandidateSet,
+    Floats,
+    Group,
+    Indices,
+    LayoutProblem,
+    Overlap,
+    Record,
+    Variable,
+)
+from usdrigui.overlap import own_costs
+from usdrigui.surface import mean_edge_length, mesh_triangles
+
+_COINCIDENT = 1e-9
+"""Separation that forbids only a shared point, in face sizes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Choice(Record):
+    """What the labels of one variable mean: anchors and drawn points of every copy of the element."""
+
+    group: int
+    """Index into the groups."""
+    controls: tuple[tuple[int, ...], ...]
+    """(copies, members) indices into `Rig.controls`."""
+    anchors: Indices
+    """(R, copies) anchor points."""
+    sources: Indices
+    """(R, copies) points whose trajectories are drawn."""
+
+
+def layout_problem(
+    context: Context, candidates: Candidates, groups: tuple[Group, ...]
+) -> tuple[LayoutProblem, tuple[Choice, ...]]:
+    """The problem whose solution is the layout of all groups that may stand on the face, and for each of
+    its variables what the labels mean."""
+    overlap, separation = _constants(context)
+    sets = {context.trajectories.motions[each.motion].control: each for each in candidates.sets}
+    variables, choices = [], []
+    for index, group in enumerate(groups):
+        if group.beside:
+            continue
+        variable, choice = _variable(context, sets, index, group, overlap, separation)
+        variables.append(variable)
+        choices.append(choice)
+    weight = context.settings.objective.displacement_weight
+    return LayoutProblem(tuple(variables), overlap, separation, weight), tuple(choices)
+
+
+def _constants(context: Context) -> tuple[Overlap, float]:
+    """The overlap's constants and the separation in scene units."""
+    settings = context.settings.objective
+    trajectories = context.trajectories
+    if settings.scene_units:
+        corners = mesh_triangles(context.rig.meshes)
+        radius = mean_edge_length(trajectories.base, corners, trajectories.places) * settings.overlap_radius
+        sharpness = settings.overlap_sharpness
+    else:
+        radius = settings.overlap_radius * context.handle_width
+        sharpness = settings.overlap_sharpness / radius
+    reach = settings.overlap_reach * radius or np.inf
+    overlap = Overlap(settings.overlap_max, radius, sharpness, reach, 1.0 - settings.displacement_weight)
+    coincident = _COINCIDENT * trajectories.face_size
+    return overlap, context.handle_width if settings.separation else coincident
+
+
+def _variable(
+    context: Context,
+    sets: dict[int, CandidateSet],
+    index: int,
+    group: Group,
+    overlap: Overlap,
+    separation: float,
+) -> tuple[Variable, Choice]:
+    choice, cost = _labels(context, sets, index, group)
+    samples, handles = _geometry(context, choice)
+    cost = cost + own_costs(samples, handles, overlap, separation)
+    kept = np.isfinite(cost)
+    choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
+    settings = context.settings.objective
+    beside = settings.beside_price * len(choice.controls) if settings.beside_allowed else np.inf
+    variable = Variable(group.name, choice.anchors[:, 0], cost[kept], samples[kept], handles[kept], beside)
+    return variable, choice
+
+
+def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: Group) -> tuple[Choice, Floats]:
+    """Candidates that all members and all copies share, and their costs without the overlap.
+
+    Displacement and linear costs are those of the worst member (paper section 3.3), summed over copies.
+    """
+    first = sets[group.controls[0]]
+    choice = _with_copies(context, group, index, first.points, first.sources)
+    unit = 1.0 if context.settings.objective.scene_units else context.trajectories.typical_length
+    weight = context.settings.objective.displacement_weight
+    cost = np.zeros(len(choice.anchors))
+    for copy, controls in enumerate(choice.controls):
+        worst = np.full(len(cost), -np.inf)
+        for control in controls:
+            motion = context.trajectories.motions[sets[control].motion]
+            lengths = arc_lengths(motion, choice.sources[:, copy]) / unit
+            linear = _looked_up(sets[control], choice.anchors[:, copy])
+            worst = np.maximum(worst, np.where(lengths > 0.0, linear - weight * lengths, np.inf))
+        cost += worst
+    return choice, cost
+
+
+def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
+    """Linear costs at `points`; inf where the point is no candidate of this control."""
+    rows = np.minimum(np.searchsorted(candidate_set.points, points), len(candidate_set.points) - 1)
+    return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
+
+
+def _with_copies(context: Context, group: Group, index: int, points: Indices, sources: Indices) -> Choice:
+    controls = (group.controls, *group.images)
+    anchors, drawn = [points], [sources]
+    if group.images:
+        anchors.append(context.symmetry.partner[points])
+        drawn.append(context.symmetry.partner[sources])
+    stacked = np.stack(anchors, axis=1), np.stack(drawn, axis=1)
+    kept = (stacked[0] >= 0).all(axis=1) & (stacked[1] >= 0).all(axis=1)
+    return Choice(index, controls, stacked[0][kept], stacked[1][kept])
+
+
+def _geometry(context: Context, choice: Choice) -> tuple[Floats, Floats]:
+    """Samples (R, copies, u, 3) along the drawn tracks, and handles (R, copies, 3)."""
+    base = context.trajectories.base
+    samples = [
+        np.concatenate(
+            [drawn_track(context, control, choice.anchors[:, copy], choice.sources[:, copy]) for control in controls],
+            axis=1,
+        )
+        for copy, controls in enumerate(choice.controls)
+    ]
+    return np.stack(samples, axis=1), base[choice.anchors]
+
+
+def drawn_track(context: Context, control: int, anchors: Indices, sources: Indices) -> Floats:
+    """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is too short."""
+    motion = next(each for each in context.trajectories.motions if each.control == control)
+    least = context.settings.output.min_track * context.handle_width
+    factor = gains(arc_lengths(motion, sources), least)
+    offsets = resampled(paths(motion, sources), context.settings.objective.samples)
+    return np.asarray(context.trajectories.base[anchors][:, None] + factor[:, None, None] * offsets)

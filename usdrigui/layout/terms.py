@@ -1,0 +1,79 @@
+"""Linear costs of anchoring a control at a point, besides displacement: one function each.
+
+A term takes the `Context`, a motion and points that it moves, and returns one cost >= 0 per point in
+the units of the objective (1 is about what the typical control loses with its whole displacement).
+`linear_cost` adds them up; other packages add their own by the entry point group ``usdrigui.terms``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.layout.symmetry import plane_distance
+from usdrigui.layout.visibility import Views
+from usdrigui.model import Floats, Indices, Motion, Rig, Symmetry, Trajectories
+from usdrigui.settings import Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Context:
+    """What a term may look at."""
+
+    rig: Rig
+    trajectories: Trajectories
+    symmetry: Symmetry
+    views: Views
+    settings: Settings
+
+    @property
+    def handle_width(self) -> float:
+        """Diameter of a handle in scene units."""
+        return self.settings.objective.handle_size * self.trajectories.face_size
+
+
+LinearTerm = Callable[[Context, Motion, Indices], Floats]
+
+
+def linear_cost(context: Context, motion: Motion, points: Indices) -> Floats:
+    """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
+    cost = np.zeros(len(points))
+    for term in (occlusion, off_plane):
+        cost += term(context, motion, points)
+    return cost
+
+
+def occlusion(context: Context, motion: Motion, points: Indices) -> Floats:
+    """Trajectories should run out of the surface, not into it (paper section 3.3, element-model occlusion).
+
+    The price times (1 - t.n) / 2, with the unit tangent t at the base pose, pointing away from the
+    anchor, and the normal n; the mean over both tangents where the anchor lies inside the range.
+    """
+    price = context.settings.candidates.occlusion_price
+    rows = np.searchsorted(motion.points, points)
+    normals = context.trajectories.normals[points]
+    start = _base_knot(motion)
+    cosines = []
+    for neighbour in (start - 1, start + 1):
+        if 0 <= neighbour < len(motion.values):
+            step = motion.offsets[neighbour, rows].astype(np.float64)
+            length = np.maximum(np.linalg.norm(step, axis=1), 1e-30)
+            cosines.append(np.einsum("pi,pi->p", step, normals) / length)
+    return np.asarray(price * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
+
+
+def off_plane(context: Context, motion: Motion, points: Indices) -> Floats:
+    """A control symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
+    deformations): the price times the distance in handle widths."""
+    symmetric = context.symmetry.twins[motion.control] == motion.control and context.symmetry.normal.any()
+    if not symmetric or context.settings.symmetry.double_middle:
+        return np.zeros(len(points))
+    apart = np.abs(plane_distance(context.trajectories.base[points], context.symmetry))
+    return np.asarray(context.settings.symmetry.plane_price * apart / context.handle_width)
+
+
+def _base_knot(motion: Motion) -> int:
+    """Index of the knot at which the control stands at the base pose."""
+    return int(np.argmin(np.abs(motion.offsets).sum(axis=(1, 2))))

@@ -1,0 +1,113 @@
+"""From where a layout is judged, and what can be seen from there (paper section 3.3, occlusion)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.layout.facing import front, three_quarter
+from usdrigui.model import Flags, Floats, Indices, Record, Rig, Symmetry, Trajectories
+from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
+from usdrigui.surface import mesh_triangles
+
+
+@dataclass(frozen=True, eq=False)
+class Views(Record):
+    """The directions from which a layout is judged, and the points seen from each at the base pose."""
+
+    ahead: Floats
+    """(3,) unit direction in which the face looks."""
+    up: Floats
+    directions: Floats
+    """(v, 3) unit directions to the viewer; the first is the layout's own."""
+    visible: Flags
+    """(v, n)."""
+    caster: Caster | None
+    """Casts rays at the visible meshes; None when occlusion is switched off."""
+
+    @property
+    def anywhere(self) -> Flags:
+        """(n,) points that at least one view sees."""
+        return np.asarray(self.visible.any(axis=0))
+
+
+def find_views(
+    rig: Rig,
+    trajectories: Trajectories,
+    symmetry: Symmetry,
+    view: str = "",
+    occlusion: bool = True,
+    camera: Floats | None = None,
+) -> Views:
+    """The views that `view` names (see `CandidateSettings.view`) and what they see.
+
+    `camera` is the direction to the viewer of the camera that `view` names by its prim path; it must be
+    given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every point of a
+    visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be understood.
+    """
+    ahead = front(rig, trajectories, symmetry.normal)
+    directions = _directions(view, ahead, rig.up, camera)
+    drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    if not occlusion:
+        return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None)
+    caster = make_caster(trajectories.base[mesh_triangles(rig.meshes, visible_only=True)])
+    seen = [visible_from(caster, trajectories.base, trajectories.normals, toward) for toward in directions]
+    return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster)
+
+
+def mostly_hidden(views: Views, tracks: Floats, normals: Floats, share: float = 0.5) -> Flags:
+    """(p,) tracks (p, k, 3) of which more than `share` lies inside or behind the model from every view.
+
+    `normals` (p, 3) are those of the anchors.  False throughout when occlusion is switched off.
+    """
+    hidden = np.full(len(tracks), views.caster is not None)
+    if views.caster is not None:
+        for direction in views.directions:
+            ask = np.flatnonzero(hidden)
+            hidden[ask] = hidden_share(views.caster, tracks[ask], normals[ask], direction) > share
+    return hidden
+
+
+def screen(views: Views) -> Floats:
+    """(2, 3) unit vectors to the right and up as seen by the viewer of the layout's own view."""
+    toward = views.directions[0]
+    upright = views.up - (views.up @ toward) * toward
+    if np.linalg.norm(upright) < 1e-6:
+        upright = -views.ahead * np.sign(views.up @ toward)
+    upright = upright / np.linalg.norm(upright)
+    return np.stack([np.cross(upright, toward), upright])
+
+
+def visible_points(views: Views, points: Indices) -> Flags:
+    """(p,) which of `points` at least one view sees."""
+    return np.asarray(views.visible[:, points].any(axis=0))
+
+
+def _directions(view: str, ahead: Floats, up: Floats, camera: Floats | None) -> Floats:
+    if not view:
+        return np.stack([ahead, *three_quarter(ahead, up)])
+    if view == "front":
+        return ahead[None]
+    left = np.cross(up, ahead)
+    if view == "side":
+        return left[None]
+    if view.startswith("/"):
+        if camera is None:
+            raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
+        return np.asarray(camera / np.linalg.norm(camera))[None]
+    azimuth, elevation = _angles(view)
+    level = np.cos(azimuth) * ahead + np.sin(azimuth) * left
+    return np.asarray(np.cos(elevation) * level + np.sin(elevation) * up)[None]
+
+
+def _angles(view: str) -> tuple[float, float]:
+    """Azimuth (to the character's left) and elevation in radians from ``AZ,EL`` in degrees."""
+    try:
+        azimuth, elevation = (float(part) for part in view.split(","))
+    except ValueError as error:
+        raise refuse(
+            "CONFIG_VALUE", "candidates.view", f"{view!r} is neither front, side, AZ,EL nor a camera's prim path"
+        ) from error
+    return float(np.radians(azimuth)), float(np.radians(elevation))
