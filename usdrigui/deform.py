@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.model import Drive, Floats, Indices, Record, Rig, RigMesh, Shape, Singles, Skin
+from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternions, rotation_part, rotations
 
 _SAME = 1e-8
 """Skinning matrices that differ by less (translations: relative to the mesh) are taken for equal."""
@@ -36,7 +37,10 @@ class Posed(Record):
 
 def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the defaults."""
-    return posed(rig, values).points
+    weights, moves = _driven(rig, values)
+    skinning = _skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
+    points = [_skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
+    return np.concatenate(points) if points else np.zeros((0, 3))
 
 
 def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
@@ -84,45 +88,11 @@ def knots(rig: Rig, control: int) -> Floats:
     subject = rig.controls[control]
     drive = subject.drive
     found = [subject.minimum, subject.default, subject.maximum, *drive.values[1:-1]]
-    bends = _bends(rig)
     for column, channel in enumerate(drive.channels):
         absolute = rig.base_weights[channel] + drive.weights[:, column]
-        found.extend(_crossings(drive.values, absolute, bends.get(int(channel), ())))
+        found.extend(_crossings(drive.values, absolute, _bends(rig, int(channel))))
     inside = np.unique(np.asarray(found, dtype=np.float64))
     return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
-
-
-def rotations(vectors: ArrayLike) -> Floats:
-    """Rotation matrices (..., 3, 3) for row vectors (``p @ R``) of rotation vectors (..., 3) in radians."""
-    v = np.asarray(vectors, dtype=np.float64)
-    angle = np.linalg.norm(v, axis=-1)[..., None, None]
-    x, y, z = np.moveaxis(v, -1, 0)
-    zero = np.zeros_like(x)
-    cross = np.stack([zero, z, -y, -z, zero, x, y, -x, zero], axis=-1).reshape(*v.shape[:-1], 3, 3)
-    first, second = np.sinc(angle / np.pi), 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
-    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross), dtype=np.float64)
-
-
-def rotation_vectors(frames: ArrayLike) -> Floats:
-    """Rotation vectors (..., 3) in radians, at most pi long, of rotation matrices (..., 3, 3) for row vectors."""
-    matrices = np.asarray(frames, dtype=np.float64)
-    q = quaternions(matrices.reshape(-1, 3, 3))
-    q[q[:, 0] < 0.0] *= -1.0
-    sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
-    angle = 2.0 * np.arctan2(sine, q[:, :1])
-    length = np.where(sine > 0.0, sine, 1.0)
-    return np.asarray(np.where(sine > 0.0, angle / length, 2.0) * q[:, 1:]).reshape(*matrices.shape[:-2], 3)
-
-
-def joint_frames(local: Floats) -> Floats:
-    """Rotation part (..., 3, 3) of local transforms (..., 4, 4), for row vectors.
-
-    It is the orthogonal factor R of the polar decomposition ``M = S R``, of positive determinant, so
-    that a transform made of scales, rotation and translation gives back its rotation.
-    """
-    u, _, vt = np.linalg.svd(local[..., :3, :3])
-    rotation = u @ vt
-    return np.asarray(rotation * np.sign(np.linalg.det(rotation))[..., None, None], dtype=np.float64)
 
 
 # --- drives ------------------------------------------------------------------------------------------
@@ -167,7 +137,7 @@ def _moved_joints(base: Floats, moves: Floats) -> Floats:
     local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
     moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
     if len(moved):
-        frame = joint_frames(base[moved])
+        frame = rotation_part(base[moved])
         stretch = base[moved, :3, :3] @ np.swapaxes(frame, -1, -2)
         turned = stretch @ rotations(moves[:, 0, moved]) @ frame
         local[:, moved, :3, :3] = np.exp(moves[:, 2, moved])[..., None] * turned
@@ -175,16 +145,14 @@ def _moved_joints(base: Floats, moves: Floats) -> Floats:
     return local
 
 
-def _bends(rig: Rig) -> dict[int, set[float]]:
-    """For each channel, the weights at which some shape's offset bends: all its nodes but the outermost."""
-    found: dict[int, set[float]] = {}
-    for mesh in rig.meshes:
-        for shape in mesh.shapes:
-            found.setdefault(shape.channel, set()).update(_nodes(shape)[1:-1].tolist())
-    return found
+def _bends(rig: Rig, channel: int) -> list[float]:
+    """Weights, ascending, at which some shape's offset bends: all its nodes but the outermost."""
+    shapes = rig.shapes_by_channel.get(channel, ())
+    nodes = {node for _, shape in shapes if len(shape.weights) > 1 for node in _nodes(shape)[1:-1].tolist()}
+    return sorted(nodes)
 
 
-def _crossings(keys: Floats, weights: Floats, targets: set[float] | tuple[()]) -> list[float]:
+def _crossings(keys: Floats, weights: Floats, targets: list[float]) -> list[float]:
     """Control values at which the piecewise linear `weights` (k,) over `keys` (k,) meet one of `targets`."""
     found = []
     for i in range(len(keys) - 1):
@@ -192,7 +160,7 @@ def _crossings(keys: Floats, weights: Floats, targets: set[float] | tuple[()]) -
         # Beyond the ends the first and last pieces go on.
         low = 0.0 if i else -np.inf
         high = 1.0 if i < len(keys) - 2 else np.inf
-        for target in sorted(targets) if rise else ():
+        for target in targets if rise else ():
             share = (target - weights[i]) / rise
             if low <= share <= high:
                 found.append(float(keys[i] + share * (keys[i + 1] - keys[i])))
@@ -240,14 +208,16 @@ def _blended(mesh: RigMesh, weights: Floats) -> Floats:
 def _sweep_shapes(rig: Rig, base: Posed, channels: Indices, weights: Floats) -> tuple[Indices, Singles]:
     """`sweep` for a control that drives `channels` (t,) with `weights` (k, t)."""
     column = {int(channel): i for i, channel in enumerate(channels)}
+    driven: dict[int, list[Shape]] = {}
+    for channel in column:
+        for index, shape in rig.shapes_by_channel.get(channel, ()):
+            driven.setdefault(index, []).append(shape)
     starts = rig.starts
     points, offsets = [], []
-    for index, mesh in enumerate(rig.meshes):
-        driven = [shape for shape in mesh.shapes if shape.channel in column]
-        if driven:
-            local, moved = _mesh_offsets(driven, column, weights, base.weights)
-            points.append(starts[index] + local)
-            offsets.append(_turned(moved, base.maps[index], local))
+    for index in sorted(driven):
+        local, moved = _mesh_offsets(driven[index], column, weights, base.weights)
+        points.append(starts[index] + local)
+        offsets.append(_turned(moved, base.maps[index], local))
     if not points:
         return np.zeros(0, dtype=np.int64), np.zeros((len(weights), 0, 3), dtype=np.float32)
     if len(points) == 1:
@@ -277,7 +247,8 @@ def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Sing
     """Offsets (k, p, 3) from mesh space to root space by the linear part of the points' maps."""
     linear = maps[:, :3]
     if len(linear) > 1:
-        return np.einsum("kpi,pij->kpj", offsets, linear[local].astype(np.float32))
+        turned = np.einsum("kpi,pij->kpj", offsets, linear[local].astype(np.float32))
+        return np.asarray(turned, dtype=np.float32)
     if np.array_equal(linear[0], np.eye(3)):
         return offsets.astype(np.float32, copy=False)
     return np.asarray(offsets @ linear[0].astype(np.float32), dtype=np.float32)
@@ -305,8 +276,7 @@ def _maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None = Non
     if skin.rigid:
         joints, weights = joints[:1], weights[:1]
     skinned = _point_maps(skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30)))
-    to_root = rig.skeletons[rig.joints[int(skin.joints[0, 0])].skeleton].to_root
-    return _composed(_composed(skin.geom_bind[None, :, :3], skinned), to_root[None, :, :3])
+    return _composed(_composed(skin.geom_bind[None, :, :3], skinned), _skeleton_to_root(rig, skin)[None, :, :3])
 
 
 def _point_maps(skin: Skin, joints: Indices, weights: Floats, skinning: Floats, size: float) -> Floats:
@@ -322,6 +292,42 @@ def _point_maps(skin: Skin, joints: Indices, weights: Floats, skinning: Floats, 
     if skin.method == "dualQuaternion":
         return _dual_quaternion_maps(joints, weights, skinning)
     return _weighted(weights, joints, np.ascontiguousarray(skinning[:, :, :3]))
+
+
+def _skinned(rig: Rig, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats:
+    """Blended `points` (n, 3) of a mesh in root space; linear skinning needs no map for each point."""
+    skin = mesh.skin
+    if skin is None or skin.rigid or skin.method == "dualQuaternion":
+        return _apply(points, _maps(rig, mesh, skinning))
+    to_root = _skeleton_to_root(rig, skin)
+    total = np.repeat(to_root[None, 3, :3], len(points), axis=0)
+    _add_influences(skin, _bound(points, skin), skinning[:, :, :3] @ to_root[:3, :3], total)
+    return total
+
+
+def _add_influences(
+    skin: Skin, bound: Floats, matrices: Floats, total: Floats, acting: NDArray[np.bool_] | None = None
+) -> None:
+    """Add to `total` (n, m) the weighted images of `bound` (n, 4) under `matrices` (joints, 4, m) of the
+    `acting` joints (all if None)."""
+    points, weights, joints, starts = skin.by_joint
+    for i, joint in enumerate(joints):
+        if acting is None or acting[joint]:
+            part = slice(starts[i], starts[i + 1])
+            at = points[part]
+            total[at] += weights[part, None] * (bound[at] @ matrices[joint])
+
+
+def _bound(points: Floats, skin: Skin) -> Floats:
+    """(n, 4) homogeneous points after geomBindTransform."""
+    bound = np.ones((len(points), 4))
+    bound[:, :3] = points @ skin.geom_bind[:3, :3] + skin.geom_bind[3, :3]
+    return bound
+
+
+def _skeleton_to_root(rig: Rig, skin: Skin) -> Floats:
+    """(4, 4) from the space of the skin's Skeleton to root space."""
+    return rig.skeletons[rig.joints[int(skin.joints[0, 0])].skeleton].to_root
 
 
 def _weighted(weights: Floats, joints: Indices, tables: Floats) -> Floats:
@@ -352,49 +358,58 @@ def _sweep_joints(rig: Rig, base: Posed, drive: Drive, at: Floats, added: Floats
     moves = np.repeat(base.moves[None], len(at), axis=0)
     for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
         moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
+    moves = np.concatenate([base.moves[None], moves])
     skinning = _skinning_matrices(rig, _moved_joints(_base_locals(rig), moves))
-    turning = _turning_joints(rig, drive.joints)
+    turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
     weights = np.repeat(base.weights[None], len(at), axis=0)
     weights[:, drive.channels] += added
     points, offsets = [], []
     for index, (start, mesh) in enumerate(zip(rig.starts, rig.meshes, strict=False)):
         moved = _reached(mesh, turning, drive.channels)
         if len(moved):
-            before = base.points[start + moved]
             points.append(start + moved)
-            offsets.append(_mesh_sweep(rig, index, moved, weights, skinning, before))
+            offsets.append(_mesh_sweep(rig, base, index, moved, weights, skinning, turning))
     if not points:
         return np.zeros(0, dtype=np.int64), np.zeros((len(at), 0, 3), dtype=np.float32)
     return np.concatenate(points), np.concatenate(offsets, axis=1)
 
 
-def _mesh_sweep(rig: Rig, index: int, moved: Indices, weights: Floats, skinning: Floats, before: Floats) -> Singles:
-    """Offsets (k, p, 3) of the `moved` local points of one mesh from `before` (p, 3)."""
+def _mesh_sweep(
+    rig: Rig,
+    base: Posed,
+    index: int,
+    moved: Indices,
+    weights: Floats,
+    skinning: Floats,
+    turning: NDArray[np.bool_],
+) -> Singles:
+    """Offsets (k, p, 3) of the `moved` local points of one mesh; `skinning` holds the base and then k poses."""
     mesh = rig.meshes[index]
+    driven = [shape for shape in mesh.shapes if (weights[:, shape.channel] != base.weights[shape.channel]).any()]
+    skin = mesh.skin
+    if skin is not None and skin.method == "classicLinear" and not driven:
+        # Only the turning joints contribute to the offset, linearly.
+        bound = _bound(_blended(mesh, base.weights), skin)
+        change = (skinning[1:] - skinning[0])[..., :3] @ _skeleton_to_root(rig, skin)[:3, :3]
+        total = np.zeros((len(mesh.points), 3 * len(change)))
+        flat = np.moveaxis(change, 0, 2).reshape(len(rig.joints), 4, -1)
+        _add_influences(skin, bound, flat, total, turning)
+        return np.moveaxis(total[moved].reshape(len(moved), -1, 3), 1, 0).astype(np.float32)
+    before = base.points[rig.starts[index] + moved]
     offsets = np.empty((len(weights), len(moved), 3), dtype=np.float32)
-    still = bool((weights == weights[0]).all())
-    blended = _blended(mesh, weights[0])[moved]
-    for k in range(len(weights)):
-        if not still:
-            blended = _blended(mesh, weights[k])[moved]
-        offsets[k] = _apply(blended, _maps(rig, mesh, skinning[k], moved)) - before
+    for k, pose in enumerate(weights):
+        blended = _blended(mesh, pose)[moved]
+        offsets[k] = _apply(blended, _maps(rig, mesh, skinning[k + 1], moved)) - before
     return offsets
-
-
-def _turning_joints(rig: Rig, driven: Indices) -> NDArray[np.bool_]:
-    """Flags of the driven joints and all below them."""
-    turning = np.zeros(len(rig.joints), dtype=np.bool_)
-    turning[driven] = True
-    for i, joint in enumerate(rig.joints):
-        turning[i] |= joint.parent >= 0 and turning[joint.parent]
-    return turning
 
 
 def _reached(mesh: RigMesh, turning: NDArray[np.bool_], channels: Indices) -> Indices:
     """Local points that turning joints or the channels' shapes move."""
     reached = np.zeros(len(mesh.points), dtype=np.bool_)
     if mesh.skin is not None:
-        reached |= (turning[mesh.skin.joints] & (mesh.skin.weights != 0.0)).any(axis=1)
+        points, _, joints, starts = mesh.skin.by_joint
+        for i in np.flatnonzero(turning[joints]):
+            reached[points[starts[i] : starts[i + 1]]] = True
     driven = set(channels.tolist())
     for shape in mesh.shapes:
         if shape.channel in driven:
@@ -409,10 +424,10 @@ def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) ->
     translations are blended as dual quaternions, each turned to the hemisphere of the joint of largest
     weight.
     """
-    frame = joint_frames(skinning)
+    frame = rotation_part(skinning)
     stretch = _weighted(weights, joints, skinning[:, :3, :3] @ np.swapaxes(frame, -1, -2))
     real = quaternions(frame)
-    dual = 0.5 * _times(np.insert(skinning[:, 3, :3], 0, 0.0, axis=-1), real)
+    dual = 0.5 * quaternion_product(np.insert(skinning[:, 3, :3], 0, 0.0, axis=-1), real)
     pivot = joints[np.arange(len(joints)), weights.argmax(axis=1)]
     signs = np.where(np.einsum("pki,pi->pk", real[joints], real[pivot]) < 0.0, -1.0, 1.0)
     blend = _weighted(weights * signs, joints, np.concatenate([real, dual], axis=1))
@@ -421,41 +436,6 @@ def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) ->
     real, dual = blend[:, :4] / length, blend[:, 4:] / length
     conjugate = real * np.array([1.0, -1.0, -1.0, -1.0])
     maps = np.empty((len(joints), 4, 3))
-    maps[:, :3] = stretch @ _quaternion_matrices(real)
-    maps[:, 3] = 2.0 * _times(dual, conjugate)[:, 1:]
+    maps[:, :3] = stretch @ quaternion_matrices(real)
+    maps[:, 3] = 2.0 * quaternion_product(dual, conjugate)[:, 1:]
     return maps
-
-
-def quaternions(frames: Floats) -> Floats:
-    """Unit quaternions (j, 4), real part first, of rotation matrices (j, 3, 3) for row vectors."""
-    m = np.swapaxes(frames, -1, -2)
-    trace = np.trace(m, axis1=1, axis2=2)
-    diagonal = np.stack([trace, m[:, 0, 0], m[:, 1, 1], m[:, 2, 2]], axis=1)
-    # The matrix q q^T, of which the row with the largest diagonal entry gives the stablest quaternion.
-    outer = np.empty((len(m), 4, 4))
-    outer[:, 0, 0] = 1.0 + trace
-    for i in range(3):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        outer[:, i + 1, i + 1] = 1.0 + 2.0 * m[:, i, i] - trace
-        outer[:, 0, i + 1] = outer[:, i + 1, 0] = m[:, k, j] - m[:, j, k]
-        outer[:, j + 1, k + 1] = outer[:, k + 1, j + 1] = m[:, j, k] + m[:, k, j]
-    best = outer[np.arange(len(m)), diagonal.argmax(axis=1)]
-    return np.asarray(best / np.linalg.norm(best, axis=1, keepdims=True), dtype=np.float64)
-
-
-def _quaternion_matrices(q: Floats) -> Floats:
-    """Rotation matrices (p, 3, 3) for row vectors of unit quaternions (p, 4)."""
-    w, x, y, z = q.T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)],
-        [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)],
-        [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), -1, 0)
-
-
-def _times(a: Floats, b: Floats) -> Floats:
-    """Hamilton product of quaternions (..., 4)."""
-    scalar = a[..., :1] * b[..., :1] - (a[..., 1:] * b[..., 1:]).sum(axis=-1, keepdims=True)
-    vector = a[..., :1] * b[..., 1:] + b[..., :1] * a[..., 1:] + np.cross(a[..., 1:], b[..., 1:])
-    return np.concatenate([scalar, vector], axis=-1)

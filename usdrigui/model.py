@@ -92,11 +92,12 @@ class Skin(Record):
     def by_joint(self) -> tuple[Indices, Floats, Indices, Indices]:
         """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the joints that
         have any (j,), and where each begins (j + 1,).  A point appears once per joint."""
+        count = max(1, len(self.joints))
         points, slots = np.nonzero(self.weights)
-        keys, place = np.unique(self.joints[points, slots] * len(self.joints) + points, return_inverse=True)
-        weights = np.bincount(place, weights=self.weights[points, slots], minlength=len(keys))
-        joints, starts = np.unique(keys // max(1, len(self.joints)), return_index=True)
-        return keys % max(1, len(self.joints)), weights, joints, np.append(starts, len(keys))
+        keys, place = np.unique(self.joints[points, slots] * count + points, return_inverse=True)
+        weights: Floats = np.bincount(place, weights=self.weights[points, slots], minlength=len(keys))
+        joints, starts = np.unique(keys // count, return_index=True)
+        return keys % count, weights, joints.astype(np.int64), np.append(starts, len(keys)).astype(np.int64)
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
-from usdrigui.deform import joint_frames, rotation_vectors
+from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, Settings
 from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 
@@ -146,7 +146,7 @@ def joint_settings(joint: Joint, joints: tuple[Joint, ...], said: Mapping[str, J
 
 def pose_drive(pose: NamedPose, base: State) -> Drive:
     """What a pose adds to the base pose, on the joints and channels that it changes."""
-    frame, base_frame = joint_frames(pose.states.locals), joint_frames(base.locals)
+    frame, base_frame = rotation_part(pose.states.locals), rotation_part(base.locals)
     turns = unwrapped(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)))
     shifts = pose.states.locals[..., 3, :3] - base.locals[..., 3, :3]
     scales = _log_scales(pose.states.locals, frame) - _log_scales(base.locals, base_frame)
@@ -183,7 +183,7 @@ def unwrapped(vectors: Floats) -> Floats:
 def _log_scales(local: Floats, frame: Floats) -> Floats:
     stretch = local[..., :3, :3] @ np.swapaxes(frame, -1, -2)
     diagonal = np.abs(np.diagonal(stretch, axis1=-2, axis2=-1))
-    return np.log(np.maximum(diagonal, 1e-9))
+    return np.asarray(np.log(np.maximum(diagonal, 1e-9)), dtype=np.float64)
 
 
 # --- drives and ranges -------------------------------------------------------------------------------
@@ -263,9 +263,9 @@ def _joint_names(joints: tuple[Joint, ...]) -> list[str]:
 
 def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
     """(joints, 3, 2) least and greatest rotation about each own axis, in degrees from the base pose."""
-    base = joint_frames(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
-    turns = unwrapped(rotation_vectors(joint_frames(clip.locals) @ np.swapaxes(base, -1, -2)))
-    return np.degrees(np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1))
+    base = rotation_part(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
+    turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
+    return np.asarray(np.degrees(np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1)), dtype=np.float64)
 
 
 def _joint_range(

@@ -154,7 +154,7 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
         raise refuse(
             "INFLUENCES_LENGTH",
             path,
-            f"{count} points with {width} influences each, but {len(joints)} jointIndices and {len(weights)} jointWeights",
+            f"{count} points, {width} influences each, but {len(joints)} jointIndices and {len(weights)} jointWeights",
         )
     order = _joint_order(binding, path)
     _check_range(joints, len(order), path, "primvars:skel:jointIndices")
@@ -275,7 +275,8 @@ def _merged(points: Indices, table: Singles) -> tuple[Indices, Singles]:
     """Points ascending and unique; offsets of a repeated point add up, as in UsdSkel."""
     unique, place = np.unique(points, return_inverse=True)
     merged = np.zeros((len(table), len(unique), 3), dtype=np.float32)
-    np.add.at(merged, (slice(None), place), table)
+    for row, offsets in zip(merged, table, strict=True):
+        np.add.at(row, place, offsets)
     return unique, merged
 
 

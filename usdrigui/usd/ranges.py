@@ -101,16 +101,21 @@ def _authored_range(channel: int, authored: Authored) -> tuple[float, float, Sou
     low, high = authored.limits[channel]
     if np.isfinite(low):
         return float(low), float(high), "limits"
-    low, high, source = 0.0, 1.0, "default"
+    source: Source = "default"
+    low, high = 0.0, 1.0
     if np.isfinite(authored.metadata[channel, 0]):
-        low, high, source = *authored.metadata[channel], "metadata"
-    for table, name in ((authored.inbetweens, "inbetweens"), (authored.animation, "animation")):
-        least, greatest = table[channel]
-        if least < low - _SNAP or greatest > high + _SNAP:
-            low = min(low, least) if least < low - _SNAP else low
-            high = max(high, greatest) if greatest > high + _SNAP else high
-            source = name
-    return float(low), float(high), source
+        (low, high), source = authored.metadata[channel].tolist(), "metadata"
+    others: tuple[tuple[Floats, Source], ...] = (
+        (authored.inbetweens, "inbetweens"),
+        (authored.animation, "animation"),
+    )
+    for table, name in others:
+        least, greatest = table[channel].tolist()
+        if least < low - _SNAP:
+            low, source = least, name
+        if greatest > high + _SNAP:
+            high, source = greatest, name
+    return low, high, source
 
 
 def _limits(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issues: list[Issue]) -> Floats:
@@ -118,7 +123,7 @@ def _limits(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issu
     found = np.full((len(channels), 2), np.nan)
     tables: dict[str, Floats | None] = {}
     for armature in armatures:
-        if armature.animation is not None and armature.record.animation not in tables:
+        if armature.record.animation not in tables:
             tables[armature.record.animation] = _limit_table(armature, issues)
     for row, channel in enumerate(channels):
         table = tables.get(channel.animation)
@@ -128,6 +133,8 @@ def _limits(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issu
 
 
 def _limit_table(armature: Armature, issues: list[Issue]) -> Floats | None:
+    if armature.animation is None:
+        return None
     attribute = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapeWeightsAttr()
     try:
         limits = attribute.GetMetadata("limits")

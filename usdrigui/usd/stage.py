@@ -30,9 +30,9 @@ def open_stage(path: Path) -> Usd.Stage:
         raise refuse("FILE_NOT_USD", str(path), _told(error)) from None
     if stage is None:
         raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
-    for error in stage.GetCompositionErrors():
-        if isinstance(error, Pcp.ErrorInvalidSublayerPath):
-            raise refuse("LAYER_MISSING", str(path), _described(error))
+    for fault in stage.GetCompositionErrors():
+        if isinstance(fault, Pcp.ErrorInvalidSublayerPath):
+            raise refuse("LAYER_MISSING", str(path), _described(fault))
     return stage
 
 
