@@ -1,0 +1,241 @@
+"""Good layouts early: greedy insertion, coordinate descent, large-neighbourhood search.
+
+The state keeps, for every label of the problem, what it would cost against the labels chosen now, so that
+the best label of one variable is one pass over its candidates.  Everything is drawn from a seeded
+generator and counted in work, so the same problem gives the same layout.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict, deque
+from collections.abc import Iterable
+
+import numpy as np
+
+from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.solve.blocks import Bodies, Labels, Pool, pair_bounds
+from usdrigui.solve.watch import Watch
+
+STEP = "local search"
+CACHE = 32_000_000
+"""Neighbour entries kept: 16 bytes each."""
+
+
+class Neighbours:
+    """What one label costs against every other label, remembered."""
+
+    def __init__(self, problem: LayoutProblem, labels: Labels, watch: Watch) -> None:
+        self._problem = problem
+        self._labels = labels
+        self._watch = watch
+        self._known: OrderedDict[int, tuple[Indices, Floats]] = OrderedDict()
+        self._entries = 0
+        self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.pool.bodies]
+        for place, body in zip(self._place, labels.pool.bodies, strict=True):
+            place[body.owner] = np.arange(len(body.owner))
+
+    def of(self, label: int) -> tuple[Indices, Floats]:
+        """Labels of other variables with a pair cost against `label`, ascending, and the costs (+inf forbidden)."""
+        if label in self._known:
+            self._known.move_to_end(label)
+            return self._known[label]
+        found = self._evaluate(label)
+        self._known[label] = found
+        self._entries += len(found[0])
+        while self._entries > CACHE and len(self._known) > 1:
+            self._entries -= len(self._known.popitem(last=False)[1][0])
+        return found
+
+    def _evaluate(self, label: int) -> tuple[Indices, Floats]:
+        pool = self._labels.pool
+        cost = np.zeros(len(pool.cost))
+        touched = []
+        for place, one in zip(self._place, pool.bodies, strict=True):
+            at = int(place[label])
+            if at < 0:
+                continue
+            for other in pool.bodies:
+                near = self._near(one, at, other)
+                self._watch.spend(len(near))
+                piece = pair_bounds(
+                    one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation
+                )
+                cost[other.owner[near]] += piece
+                touched.append(other.owner[near])
+        if touched:
+            self._add_explicit(label, cost)
+        variable = pool.variable[label]
+        cost[pool.start[variable] : pool.start[variable + 1]] = 0.0
+        found = np.flatnonzero(cost)
+        return found, cost[found]
+
+    def _near(self, one: Bodies, at: int, other: Bodies) -> Indices:
+        apart = np.square(other.middle - one.middle[:, at, None]).sum(axis=0)
+        limit = other.radius + (one.radius[at] + max(self._problem.overlap.reach, self._problem.separation))
+        return np.flatnonzero(apart < np.square(limit))
+
+    def _add_explicit(self, label: int, cost: Floats) -> None:
+        pool, candidate = self._labels.pool, self._labels.label
+        variable = int(pool.variable[label])
+        for extra in self._problem.extra:
+            for mine, other, mine_labels, other_labels in (
+                (extra.first, extra.second, extra.first_labels, extra.second_labels),
+                (extra.second, extra.first, extra.second_labels, extra.first_labels),
+            ):
+                if mine != variable:
+                    continue
+                hit = mine_labels == candidate[label]
+                low = pool.start[other]
+                at = np.searchsorted(candidate[low : self._face_end(other)], other_labels[hit])
+                at = np.minimum(at, self._face_end(other) - low - 1)
+                if not len(at):
+                    continue
+                same = (at >= 0) & (candidate[low + at] == other_labels[hit])
+                cost[low + at[same]] += extra.costs[hit][same]
+
+    def _face_end(self, variable: int) -> int:
+        """One past the variable's last label on the face; beside the face comes last."""
+        end = int(self._labels.pool.start[variable + 1])
+        low = int(self._labels.pool.start[variable])
+        return end - 1 if end > low and self._labels.label[end - 1] < 0 else end
+
+
+class State:
+    """One label per variable (or -1: none yet) and every label's cost against the others chosen."""
+
+    def __init__(self, labels: Labels, neighbours: Neighbours, forbidden: float) -> None:
+        self.pool: Pool = labels.pool
+        self.chosen = np.full(self.pool.count, -1, dtype=np.int64)
+        self._neighbours = neighbours
+        self._price = forbidden
+        self._pair = np.zeros(len(self.pool.cost))
+
+    def place(self, variable: int, label: int) -> None:
+        """Choose a label (pool index), or none with -1."""
+        old = int(self.chosen[variable])
+        if old == label:
+            return
+        if old >= 0:
+            at, cost = self._neighbours.of(old)
+            self._pair[at] -= np.minimum(cost, self._price)
+        if label >= 0:
+            at, cost = self._neighbours.of(label)
+            self._pair[at] += np.minimum(cost, self._price)
+        self.chosen[variable] = label
+
+    def best(self, variable: int) -> tuple[int, float]:
+        """Cheapest label of a variable against the others as they are, and its cost."""
+        part = slice(self.pool.start[variable], self.pool.start[variable + 1])
+        cost = self.pool.cost[part] + self._pair[part]
+        at = int(cost.argmin())
+        return int(part.start) + at, float(cost[at])
+
+    def cost_of(self, variable: int) -> float:
+        """What the variable's present label costs against the others; +inf without one."""
+        label = int(self.chosen[variable])
+        return float(self.pool.cost[label] + self._pair[label]) if label >= 0 else np.inf
+
+    def total(self) -> float:
+        """Cost of the layout, with a finite price on forbidden pairs; +inf while a variable has no label."""
+        if (self.chosen < 0).any():
+            return np.inf
+        return float(self.pool.cost[self.chosen].sum() + 0.5 * self._pair[self.chosen].sum())
+
+    def set(self, chosen: Indices) -> None:
+        """Choose a whole layout."""
+        for variable in range(len(chosen)):
+            self.place(variable, int(chosen[variable]))
+
+    def touching(self, variable: int) -> list[int]:
+        """Variables whose present labels have a pair cost against the variable's present label."""
+        at, _ = self._neighbours.of(int(self.chosen[variable]))
+        spot = np.minimum(np.searchsorted(at, self.chosen), max(len(at) - 1, 0))
+        hit = at[spot] == self.chosen if len(at) else np.zeros(len(self.chosen), dtype=bool)
+        return [int(each) for each in np.flatnonzero(hit)]
+
+    def rivals(self, variable: int) -> list[int]:
+        """Variables whose present labels have a pair cost against some label of the variable worth having."""
+        part = slice(self.pool.start[variable], self.pool.start[variable + 1])
+        mine = self.pool.cost[part]
+        near = {*self.touching(variable)}
+        for label in part.start + np.argsort(mine, kind="stable")[:1]:
+            at, _ = self._neighbours.of(int(label))
+            if len(at):
+                spot = np.minimum(np.searchsorted(at, self.chosen), len(at) - 1)
+                near.update(int(each) for each in np.flatnonzero(at[spot] == self.chosen))
+        return sorted(near)
+
+    def regret(self) -> Floats:
+        """(count,) how much more each variable pays than its cheapest label would alone."""
+        pool = self.pool
+        least = np.minimum.reduceat(pool.cost, pool.start[:-1])
+        return np.maximum(pool.cost[self.chosen] + self._pair[self.chosen] - least, 0.0)
+
+
+def search(
+    labels: Labels, neighbours: Neighbours, forbidden: float, watch: Watch, tries: int, start: Indices | None = None
+) -> tuple[Indices, float]:
+    """A good layout (pool indices) and its cost; at most `tries` attempts of large-neighbourhood search."""
+    state = State(labels, neighbours, forbidden)
+    generator = np.random.default_rng(watch.settings.seed)
+    if start is None:
+        insert(state, np.argsort([state.best(each)[1] for each in range(state.pool.count)], kind="stable"))
+    else:
+        state.set(start)
+    descend(state, range(state.pool.count), watch)
+    watch.found(STEP, _cost(state, forbidden))
+    chosen, cost = state.chosen.copy(), state.total()
+    for attempt in range(tries):
+        if attempt % 8 == 0 and watch.stopped():
+            break
+        group = _group(state, generator)
+        for variable in group:
+            state.place(variable, -1)
+        insert(state, generator.permutation(group))
+        descend(state, group, watch)
+        new = state.total()
+        if new < cost - 1e-9:
+            chosen, cost = state.chosen.copy(), new
+            watch.found(STEP, _cost(state, forbidden))
+        elif new > cost + 0.02:
+            state.set(chosen)
+    return chosen, cost
+
+
+def _cost(state: State, forbidden: float) -> float:
+    """The total, or +inf when it must contain a forbidden pair."""
+    total = state.total()
+    least = float(np.minimum.reduceat(state.pool.cost, state.pool.start[:-1]).sum())
+    return total if total < least + forbidden else np.inf
+
+
+def insert(state: State, order: Iterable[int]) -> None:
+    """Give the variables, in order, their cheapest labels."""
+    for variable in order:
+        state.place(int(variable), state.best(int(variable))[0])
+
+
+def descend(state: State, variables: Iterable[int], watch: Watch) -> None:
+    """Move one variable at a time to its cheapest label until none of those touched gains."""
+    queue = deque(int(each) for each in variables)
+    for _ in range(50 * len(queue)):
+        if not queue:
+            return
+        variable = queue.popleft()
+        label, cost = state.best(variable)
+        watch.spend(1 + int(state.pool.start[variable + 1] - state.pool.start[variable]) // 64)
+        if cost < state.cost_of(variable) - 1e-9:
+            before = state.touching(variable)
+            state.place(variable, label)
+            queue.extend(each for each in {*before, *state.touching(variable)} if each not in queue)
+
+
+def _group(state: State, generator: np.random.Generator) -> list[int]:
+    """Variables to take out together: one that pays much, and others that stand or want to stand near it."""
+    regret = state.regret() + 1e-3
+    seed = int(generator.choice(len(regret), p=regret / regret.sum()))
+    wanted = int(generator.integers(2, 9))
+    rivals = [each for each in state.rivals(seed) if each != seed]
+    if len(rivals) > wanted:
+        rivals = [int(each) for each in generator.choice(rivals, wanted, replace=False)]
+    return [seed, *rivals]

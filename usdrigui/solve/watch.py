@@ -1,0 +1,108 @@
+"""What a running solver owes the outside: work counted, limits kept, progress told, steps noted."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.model import Step
+from usdrigui.settings import SolveSettings
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """How far the solver is."""
+
+    step: str
+    """Name of the step, as in `Assignment.steps`."""
+    cost: float
+    """Of the best layout so far; +inf before the first."""
+    bound: float
+    """No layout costs less; -inf before the first."""
+    gap: float
+    """(cost - bound) / |cost|; inf while either is unknown."""
+
+
+class Watch:
+    """Counts the work of one run and says when to stop; the only object of a solver that changes.
+
+    Work is counted in pair evaluations (and, for searches, in table entries read), so that a run stopped
+    by `SolveSettings.work_limit` is the same on every machine.  The clock is read only for a time limit
+    and for the seconds of the report.
+    """
+
+    def __init__(
+        self,
+        settings: SolveSettings,
+        progress: Callable[[Progress], None] | None = None,
+        stop: Callable[[], bool] | None = None,
+    ) -> None:
+        self.settings = settings
+        self.work = 0
+        self.cost = np.inf
+        self.bound = -np.inf
+        self.steps: list[Step] = []
+        self._tell = progress
+        self._asked = stop
+        self._stopped = False
+        self._began = time.monotonic()
+        self._step_began = self._began
+
+    @property
+    def seconds(self) -> float:
+        """Wall time since the start."""
+        return time.monotonic() - self._began
+
+    @property
+    def seconds_left(self) -> float:
+        """Wall time until the limit; inf without one."""
+        limit = self.settings.time_limit
+        return limit - self.seconds if limit > 0 else np.inf
+
+    def spend(self, work: int) -> None:
+        """Count work done."""
+        self.work += work
+
+    def stopped(self) -> bool:
+        """Whether a limit is reached or somebody asked to stop; stays true once it is."""
+        if not self._stopped:
+            self._stopped = (
+                self.work >= self.settings.work_limit
+                or self.seconds_left <= 0
+                or (self._asked is not None and self._asked())
+            )
+        return self._stopped
+
+    def closed(self) -> bool:
+        """Whether the gap is within the setting."""
+        return self.cost - self.bound <= self.settings.gap * abs(self.cost)
+
+    @property
+    def cut(self) -> float:
+        """Solutions that cost at least this much need not be looked for.
+
+        A little below the best cost: discarding them leaves ``min(cut, bound of the rest)`` as the bound of
+        the whole, which is within the gap that the settings ask for.
+        """
+        return self.cost - 0.9 * self.settings.gap * abs(self.cost) if np.isfinite(self.cost) else np.inf
+
+    def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
+        """Tell of a layout or a bound; the best of each is kept."""
+        better = cost < self.cost or bound > self.bound
+        self.cost, self.bound = min(self.cost, cost), max(self.bound, bound)
+        if better and self._tell is not None:
+            self._tell(Progress(step, self.cost, self.bound, self._gap()))
+
+    def note(self, name: str, **figures: float) -> None:
+        """End a step: its figures and the time since the last one."""
+        now = time.monotonic()
+        self.steps.append(Step(name, tuple((key, float(value)) for key, value in figures.items()), now - self._step_began))
+        self._step_began = now
+
+    def _gap(self) -> float:
+        if not (np.isfinite(self.cost) and np.isfinite(self.bound)):
+            return np.inf
+        return max(0.0, self.cost - self.bound) / max(abs(self.cost), 1e-12)
