@@ -1,0 +1,132 @@
+"""Layouts without an optimiser: elements at points picked at random, and what UsdSkel makes of them."""
+
+from __future__ import annotations
+
+import numpy as np
+from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
+
+from usdrigui.deform import channel_state, knots, posed, sweep
+from usdrigui.model import Anchor, Element, Layout, LeftOff, Member
+
+
+def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):
+    """One element per control (or per tuple of names in `groups`), anchored at a random point that it moves."""
+    rng = np.random.default_rng(seed)
+    values = defaults(rig) if base_values is None else np.asarray(base_values, dtype=np.float64)
+    base = posed(rig, values)
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    groups = [(name,) for name in (only or index)] if groups is None else groups
+    width = 0.02 * float(np.linalg.norm(np.ptp(base.points, axis=0)))
+    elements = []
+    for names in groups:
+        swept = [sweep(rig, base, index[name], knots(rig, index[name])) for name in names]
+        point = _moving(rng, *swept[0])
+        if point < 0:
+            continue
+        members = tuple(
+            _member(rig.controls[index[name]], knots(rig, index[name]), base.points[point], point, *each)
+            for name, each in zip(names, swept, strict=True)
+        )
+        elements.append(_element(rig, names, members, base.points[point], point, names[0] in beside, adapt))
+    return Layout(
+        root=rig.root,
+        elements=tuple(elements),
+        left_off=(LeftOff("nothing", "trajectories", "moves no point"),),
+        handle_width=width,
+        space="object",
+        view=np.array([0.0, 0.0, 1.0]),
+        plane_origin=np.zeros(3),
+        plane_normal=np.array([1.0, 0.0, 0.0]),
+        base_values=values,
+        method="random",
+        status="stopped",
+        cost=-1.25,
+        bound=-np.inf,
+        in_play=0.5,
+        weights=(("displacement_weight", 0.85),),
+    )
+
+
+def defaults(rig):
+    return np.array([control.default for control in rig.controls], dtype=np.float64)
+
+
+def random_values(rig, rng):
+    low = np.array([control.minimum for control in rig.controls])
+    high = np.array([control.maximum for control in rig.controls])
+    return low + (high - low) * rng.random(len(low))
+
+
+def _moving(rng, points, offsets):
+    length = np.linalg.norm(offsets[-1] - offsets[0], axis=1) if len(points) else np.zeros(0)
+    moving = points[length > 0.3 * length.max(initial=0.0)]
+    return int(rng.choice(moving)) if len(moving) else -1
+
+
+def _member(control, at, origin, point, points, offsets):
+    row = np.flatnonzero(points == point)
+    track = origin + (offsets[:, row[0]].astype(np.float64) if len(row) else np.zeros((len(at), 3)))
+    return Member(control.name, at, track, float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()), 1.0)
+
+
+def _element(rig, names, members, position, point, beside, adapt):
+    mesh, local = rig.mesh_of(point)
+    where = rig.meshes[mesh]
+    anchor = Anchor(
+        where.path, local, len(where.points), where.topology_hash, position, np.array([0.0, 0.0, 1.0]), beside
+    )
+    kind = "slider" if len(names) == 1 else "patch" if len(names) == 2 else "fan"
+    family, reason = ("hidden", "inside the mouth") if beside else ("", "")
+    return Element("_".join(names), names[0].title(), kind, members, (), anchor, "left", "", family, reason, adapt)
+
+
+# --- posing ------------------------------------------------------------------------------------------
+
+
+def baked(layer, rig, poses):
+    """Stage of `layer` with pose k (controls,) keyed at time k, and UsdSkel's deformation baked into points."""
+    top = Sdf.Layer.CreateAnonymous(".usda")
+    top.subLayerPaths.append(layer.identifier)
+    stage = Usd.Stage.Open(top)
+    for skeleton in rig.skeletons:
+        if skeleton.animation:
+            _key(stage, rig, skeleton, poses)
+    stage.SetStartTimeCode(0)
+    stage.SetEndTimeCode(len(poses) - 1)
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
+    return stage
+
+
+def _key(stage, rig, skeleton, poses):
+    index = rig.skeletons.index(skeleton)
+    animation = UsdSkel.Animation.Define(stage, skeleton.animation)
+    joints = [i for i, joint in enumerate(rig.joints) if joint.skeleton == index]
+    channels = [i for i, channel in enumerate(rig.channels) if channel.animation == skeleton.animation]
+    for attribute in animation.GetPrim().GetAttributes():
+        attribute.Clear()
+        attribute.Block()
+    animation.CreateBlendShapesAttr([rig.channels[i].token for i in channels])
+    animation.CreateJointsAttr([rig.joints[i].path for i in joints])
+    for time, values in enumerate(poses):
+        weights, local = channel_state(rig, values)
+        animation.CreateBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(weights[channels].astype(np.float32)), time)
+        if joints:
+            parts = UsdSkel.DecomposeTransforms(Vt.Matrix4dArray.FromNumpy(np.ascontiguousarray(local[joints])))
+            for attribute, part in zip(
+                (animation.CreateTranslationsAttr(), animation.CreateRotationsAttr(), animation.CreateScalesAttr()),
+                parts,
+                strict=True,
+            ):
+                attribute.Set(part, time)
+
+
+def root_points(stage, path, root, time):
+    """(n, 3) points of a baked gprim in the space of the SkelRoot."""
+    prim = stage.GetPrimAtPath(path)
+    points = np.array(UsdGeom.PointBased(prim).GetPointsAttr().Get(time), dtype=np.float64)
+    cache = UsdGeom.XformCache(time)
+    matrix = (
+        cache.GetLocalToWorldTransform(prim) * cache.GetLocalToWorldTransform(stage.GetPrimAtPath(root)).GetInverse()
+    )
+    full = np.array(matrix)
+    return points @ full[:3, :3] + full[3, :3]

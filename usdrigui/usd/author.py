@@ -1,0 +1,145 @@
+"""Writing specs into a layer: prims, typed values, and properties as the usdrigui schema declares them."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pxr import Gf, Sdf, Vt
+
+from usdrigui.usd import schema
+
+_ARRAYS = {
+    "float3[]": (Vt.Vec3fArray, np.float32),
+    "point3f[]": (Vt.Vec3fArray, np.float32),
+    "vector3f[]": (Vt.Vec3fArray, np.float32),
+    "color3f[]": (Vt.Vec3fArray, np.float32),
+    "vector3d[]": (Vt.Vec3dArray, np.float64),
+    "double[]": (Vt.DoubleArray, np.float64),
+    "float[]": (Vt.FloatArray, np.float32),
+    "int[]": (Vt.IntArray, np.int32),
+    "int2[]": (Vt.Vec2iArray, np.int32),
+}
+_SCALARS: Mapping[str, Callable[[Any], Any]] = {
+    "point3f": lambda value: Gf.Vec3f(*map(float, value)),
+    "vector3f": lambda value: Gf.Vec3f(*map(float, value)),
+    "matrix4d": lambda value: Gf.Matrix4d(np.asarray(value, dtype=np.float64).tolist()),
+    "double": float,
+    "int": int,
+    "token": str,
+    "string": str,
+    "bool": bool,
+}
+_LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
+
+
+@dataclass(frozen=True)
+class Property:
+    """One property that the schema declares."""
+
+    name: str
+    """Name on the prim, with ``__INSTANCE_NAME__`` for a multiple-apply schema."""
+    type_name: str
+    """Sdf type name; empty for a relationship."""
+    fallback: Any
+    allowed: tuple[str, ...]
+    """Tokens that the schema allows; empty for no limit."""
+
+
+@functools.cache
+def properties(api: str) -> Mapping[str, Property]:
+    """The properties of an applied API schema by their last name, from generatedSchema.usda."""
+    layer = Sdf.Layer.OpenAsAnonymous(str(schema.schema_path() / "generatedSchema.usda"))
+    found = {}
+    for spec in layer.GetPrimAtPath(f"/{api}").properties:
+        is_attribute = isinstance(spec, Sdf.AttributeSpec)
+        type_name = str(spec.typeName) if is_attribute else ""
+        fallback = spec.default if is_attribute else None
+        allowed = tuple(str(token) for token in spec.allowedTokens or ()) if is_attribute else ()
+        found[spec.name.rpartition(":")[2]] = Property(spec.name, type_name, fallback, allowed)
+    return found
+
+
+def prim(parent: Sdf.PrimSpec, name: str, type_name: str, apis: Sequence[str] = ()) -> Sdf.PrimSpec:
+    """Define a child prim with applied API schemas."""
+    spec = Sdf.PrimSpec(parent, name, Sdf.SpecifierDef, type_name)
+    if apis:
+        schemas = Sdf.TokenListOp()
+        schemas.prependedItems = list(apis)
+        spec.SetInfo("apiSchemas", schemas)
+    return spec
+
+
+def put(
+    spec: Sdf.PrimSpec,
+    name: str,
+    type_name: str,
+    value: Any,
+    *,
+    uniform: bool = False,
+    interpolation: str = "",
+    element_size: int = 0,
+) -> None:
+    """Author an attribute that USD's own schemas declare."""
+    variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
+    attribute = Sdf.AttributeSpec(spec, name, Sdf.ValueTypeNames.Find(type_name), variability)
+    attribute.default = usd_value(type_name, value)
+    if interpolation:
+        attribute.SetInfo("interpolation", interpolation)
+    if element_size > 1:
+        attribute.SetInfo("elementSize", element_size)
+
+
+def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Any]) -> None:
+    """Author a relationship; an empty one is left out."""
+    paths = [Sdf.Path(str(target)) for target in targets]
+    if paths:
+        relationship = Sdf.RelationshipSpec(spec, name, custom=False)
+        relationship.targetPathList.explicitItems = paths
+
+
+def declare(spec: Sdf.PrimSpec, api: str, values: Mapping[str, Any], instance: str = "") -> None:
+    """Author properties of one of our API schemas; values equal to the schema's fallback are left out.
+
+    Relationships take a sequence of paths.  KeyError for a name that the schema does not have.
+    """
+    known = properties(api)
+    for key, value in values.items():
+        declared = known[key]
+        name = declared.name.replace("__INSTANCE_NAME__", instance)
+        if not declared.type_name:
+            link(spec, name, value)
+        elif not _is_fallback(declared, value):
+            put(spec, name, declared.type_name, value, uniform=True)
+
+
+def usd_value(type_name: str, value: Any) -> Any:
+    """A Python or numpy value as the type that USD stores for `type_name`."""
+    if type_name in _ARRAYS:
+        kind, dtype = _ARRAYS[type_name]
+        return kind.FromNumpy(np.ascontiguousarray(value, dtype=dtype))
+    if type_name in _LISTS:
+        return _LISTS[type_name]([str(each) for each in value])
+    return _SCALARS[type_name](value)
+
+
+def _is_fallback(declared: Property, value: Any) -> bool:
+    if declared.type_name.endswith("[]"):
+        return len(value) == 0 and len(declared.fallback or ()) == 0
+    return bool(usd_value(declared.type_name, value) == declared.fallback)
+
+
+def identifier(text: str, taken: set[str]) -> str:
+    """A valid prim or instance name made from any text, ASCII only, not in `taken`, to which it is added."""
+    plain = "".join(char if char.isascii() and (char.isalnum() or char == "_") else "_" for char in text)
+    if not plain or plain[0].isdigit():
+        plain = f"_{plain}"
+    name, count = plain, 1
+    while name in taken:
+        count += 1
+        name = f"{plain}_{count}"
+    taken.add(name)
+    return name

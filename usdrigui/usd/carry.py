@@ -1,0 +1,310 @@
+"""What carries an element: where its anchor rests, and which shapes and joints move its drawn parts.
+
+Everything drawn stands in the *rest arrangement*: the space of the SkelRoot with the skeleton in its bind
+pose and no shape applied.  There the skin of a point is its mesh's, and the space is the same for every
+mesh.  numpy only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.deform import channel_state, posed
+from usdrigui.errors import refuse
+from usdrigui.model import (
+    Control,
+    Element,
+    Floats,
+    Indices,
+    Layout,
+    Record,
+    Rig,
+    RigMesh,
+    Skin,
+)
+
+Method = Literal["classicLinear", "dualQuaternion"]
+
+_STILL = 1e-7
+"""Rotations (radians), logarithms of scales and translations (relative to the rig) below this move nothing."""
+_NO_OFFSET = 1e-9
+"""Offsets below this share of the rig's size are noise of the file."""
+_FACE_SHARE = 0.9
+"""The rigid carrier of static elements is the deepest joint that carries this share of all anchors."""
+
+
+@dataclass(frozen=True, eq=False)
+class Hold(Record):
+    """How a drawn part hangs on the character's joints."""
+
+    skeleton: int
+    """Index into `Rig.skeletons`, or -1 if the rig has none."""
+    joints: Indices
+    """(k,) indices into `Rig.joints`; none where no joint moves it."""
+    weights: Floats
+    """(k,)"""
+    method: Method
+    base: Floats
+    """(4, 3) affine map from the rest arrangement to root space in the base pose: ``p @ base[:3] + base[3]``."""
+
+    def unposed(self, positions: Floats) -> Floats:
+        """Where points must rest to be at `positions` (q, 3) of root space in the base pose."""
+        return np.asarray((positions - self.base[3]) @ self.inverse, dtype=np.float64)
+
+    @property
+    def inverse(self) -> Floats:
+        """(3, 3) inverse of the linear part; of what is left of it where the base pose collapses it."""
+        return np.asarray(np.linalg.pinv(self.base[:3], rcond=1e-9), dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class PointShape(Record):
+    """What one blend-shape weight does to one point, or to each of several points."""
+
+    channel: int
+    weights: Floats
+    """(k,) ascending; contains 1, never 0."""
+    offsets: Floats
+    """(k, 3) or (k, q, 3) in the rest arrangement."""
+
+    def at(self, weight: float) -> Floats:
+        """Offset (3,) or (q, 3) at a weight, piecewise linear and extrapolated."""
+        nodes = np.append(self.weights, 0.0)
+        order = np.argsort(nodes)
+        nodes = nodes[order]
+        rows = np.concatenate([self.offsets, np.zeros_like(self.offsets[:1])])[order]
+        i = int(np.clip(np.searchsorted(nodes, weight, side="right") - 1, 0, len(nodes) - 2))
+        share = (weight - nodes[i]) / (nodes[i + 1] - nodes[i])
+        return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Grip(Record):
+    """Everything that the drawn parts of one element need to know about the character."""
+
+    rest: Floats
+    """(3,) anchor in the rest arrangement."""
+    handle: Hold
+    track: Hold
+    """As `handle`, less what the element's own controls move."""
+    shapes: tuple[PointShape, ...]
+    """Of the anchor, in the order of the channels; none for an element that does not deform."""
+    own_channels: frozenset[int]
+    """Channels that the element's own controls drive."""
+    turning: bool
+    """True when the element's own controls move joints that the anchor hangs on."""
+    deforms: bool
+    """False for elements beside the character and static ones: the anchor's shapes do not act on them."""
+
+
+class Carriage:
+    """A rig in the base pose of a layout, ready to say what carries each of its elements."""
+
+    def __init__(self, rig: Rig, layout: Layout) -> None:
+        self.rig = rig
+        self.values = _base_values(rig, layout)
+        self.weights = channel_state(rig, self.values)[0]
+        self._controls = {control.name: control for control in rig.controls}
+        self._meshes = {mesh.path: mesh for mesh in rig.meshes}
+        self._size = _size(rig)
+        self._rigid = _rigid_carrier(rig, [self._anchored(each) for each in layout.elements if not each.anchor.beside])
+        self._positions = {control.name: i for i, control in enumerate(rig.controls)}
+
+    def control(self, name: str) -> Control:
+        """The rig's control of that name."""
+        if name not in self._controls:
+            raise refuse("BUG", self.rig.root, f"the layout has a control {name!r} that the rig has not")
+        return self._controls[name]
+
+    def value(self, name: str) -> float:
+        """Value of a control in the base pose."""
+        return float(self.values[self._positions[name]])
+
+    def grip(self, element: Element) -> Grip:
+        """What carries one element."""
+        mesh, point = self._anchored(element)
+        controls = [self.control(member.control) for member in element.members]
+        deforms = not element.anchor.beside and element.adapt == "deform"
+        skeleton = _skeleton_of(self.rig, mesh)
+        influences = _influences(mesh, point)
+        if element.adapt == "static" and self._rigid >= 0:
+            influences = np.array([self._rigid]), np.ones(1)
+        own = _own_joints(controls, self._size)
+        fixed = _without(self.rig, *influences, own)
+        turning = fixed is not influences
+        to_rest = _to_rest(self.rig, mesh)
+        rest = np.append(mesh.points[point], 1.0) @ to_rest
+        track = self._hold(mesh, skeleton, fixed)
+        return Grip(
+            rest=rest,
+            handle=self._hold(mesh, skeleton, influences) if deforms and turning else track,
+            track=track,
+            shapes=_point_shapes(mesh, point, to_rest[:3], self._size) if deforms else (),
+            own_channels=frozenset(int(c) for control in controls for c in control.drive.channels),
+            turning=turning,
+            deforms=deforms,
+        )
+
+    def maps_at(self, grip: Grip, settings: Sequence[dict[str, float]]) -> Floats:
+        """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base pose."""
+        maps = []
+        for setting in settings:
+            values = self.values.copy()
+            for name, value in setting.items():
+                values[self._positions[name]] = value
+            maps.append(
+                self._map(grip.handle.skeleton, grip.handle.joints, grip.handle.weights, grip.handle.method, values)
+            )
+        return np.stack(maps)
+
+    def _anchored(self, element: Element) -> tuple[RigMesh, int]:
+        mesh = self._meshes.get(element.anchor.mesh)
+        if mesh is None or not 0 <= element.anchor.point < len(mesh.points):
+            raise refuse(
+                "BUG", element.anchor.mesh, f"the rig has no point {element.anchor.point} for {element.name!r}"
+            )
+        return mesh, element.anchor.point
+
+    def _hold(self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]) -> Hold:
+        joints, weights = influences
+        method: Method = mesh.skin.method if mesh.skin is not None else "classicLinear"
+        return Hold(skeleton, joints, weights, method, self._map(skeleton, joints, weights, method, self.values))
+
+    def _map(self, skeleton: int, joints: Indices, weights: Floats, method: Method, values: Floats) -> Floats:
+        """(4, 3) map from rest arrangement to root space, by posing a rig of a single point."""
+        if not len(joints):
+            return np.eye(4)[:, :3]
+        bound = np.asarray(np.linalg.inv(self.rig.skeletons[skeleton].to_root), dtype=np.float64)
+        skin = Skin(joints[None], weights[None], method, bound, False)
+        single = RigMesh("", np.full((1, 3), self._size), _NONE, _NONE, False, True, "none", np.eye(4), skin, (), "")
+        return np.array(posed(replace(self.rig, meshes=(single,)), values).maps[0][0])
+
+
+_NONE: Indices = np.zeros(0, dtype=np.int64)
+
+
+def _base_values(rig: Rig, layout: Layout) -> Floats:
+    if len(layout.base_values) != len(rig.controls):
+        count = len(layout.base_values)
+        raise refuse("BUG", rig.root, f"the layout's base pose has {count} values for {len(rig.controls)} controls")
+    return np.array(layout.base_values, dtype=np.float64)
+
+
+def _size(rig: Rig) -> float:
+    """Diagonal of the box around the largest mesh, in the units of the rest arrangement."""
+    spans = [np.ptp(mesh.points @ _to_rest(rig, mesh)[:3], axis=0) for mesh in rig.meshes if len(mesh.points)]
+    return max((float(np.linalg.norm(span)) for span in spans), default=1.0) or 1.0
+
+
+def _to_rest(rig: Rig, mesh: RigMesh) -> Floats:
+    """(4, 3) map from mesh space to the rest arrangement."""
+    if mesh.skin is None:
+        return mesh.to_root[:, :3]
+    skeleton = rig.skeletons[_skeleton_of(rig, mesh)]
+    if abs(np.linalg.det(skeleton.to_root[:3, :3])) < 1e-30:
+        raise refuse("SKELETON_INVALID", skeleton.path, "its transform collapses space")
+    return np.asarray((mesh.skin.geom_bind @ skeleton.to_root)[:, :3], dtype=np.float64)
+
+
+def _skeleton_of(rig: Rig, mesh: RigMesh) -> int:
+    """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its shapes."""
+    if mesh.skin is not None:
+        return rig.joints[int(mesh.skin.joints[0, 0])].skeleton
+    animations = [rig.channels[shape.channel].animation for shape in mesh.shapes]
+    for index, skeleton in enumerate(rig.skeletons):
+        if skeleton.animation and skeleton.animation in animations:
+            return index
+    return 0 if rig.skeletons else -1
+
+
+def _influences(mesh: RigMesh, point: int) -> tuple[Indices, Floats]:
+    if mesh.skin is None:
+        return _NONE, np.zeros(0)
+    joints, weights = mesh.skin.joints[point], mesh.skin.weights[point]
+    return joints[weights != 0.0], weights[weights != 0.0]
+
+
+def _own_joints(controls: list[Control], size: float) -> set[int]:
+    """Joints that the controls move by more than nothing."""
+    own: set[int] = set()
+    for control in controls:
+        drive = control.drive
+        if len(drive.joints):
+            moves = np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > _STILL
+            moves |= np.abs(drive.translations).max(axis=(0, 2)) > _STILL * size
+            own.update(drive.joints[moves].tolist())
+    return own
+
+
+def _without(rig: Rig, joints: Indices, weights: Floats, own: set[int]) -> tuple[Indices, Floats]:
+    """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest joint above.
+
+    Where there is none above, the others take its share; without others nothing moves the point any more.
+    Returns the very arguments when nothing has to change.
+    """
+    moved = {int(joint): _free_ancestor(rig, int(joint), own) for joint in joints}
+    if all(joint == target for joint, target in moved.items()):
+        return joints, weights
+    shares: dict[int, float] = {}
+    for joint, weight in zip(joints.tolist(), weights.tolist(), strict=True):
+        shares[moved[joint]] = shares.get(moved[joint], 0.0) + weight
+    lost = shares.pop(-1, 0.0)
+    kept = sum(shares.values())
+    if kept <= 1e-6:
+        return _NONE, np.zeros(0)
+    targets = sorted(shares)
+    scale = (kept + lost) / kept
+    return np.array(targets, dtype=np.int64), np.array([shares[target] * scale for target in targets])
+
+
+def _free_ancestor(rig: Rig, joint: int, own: set[int]) -> int:
+    """The joint itself if no joint from it up to the root is in `own`, else the parent of the topmost that is."""
+    found, step = joint, joint
+    while step >= 0:
+        if step in own:
+            found = rig.joints[step].parent
+        step = rig.joints[step].parent
+    return found
+
+
+def _rigid_carrier(rig: Rig, anchors: list[tuple[RigMesh, int]]) -> int:
+    """The deepest joint below which `_FACE_SHARE` of the anchors' influence lies; -1 if there is none."""
+    share = np.zeros(len(rig.joints))
+    for mesh, point in anchors:
+        joints, weights = _influences(mesh, point)
+        np.add.at(share, joints, weights)
+    total = share.sum()
+    if not total > 0.0:
+        return -1
+    for i in range(len(rig.joints) - 1, -1, -1):
+        if rig.joints[i].parent >= 0:
+            share[rig.joints[i].parent] += share[i]
+    depth = _depths(rig)
+    carrying = np.flatnonzero(share >= _FACE_SHARE * total)
+    if not len(carrying):
+        return int(share.argmax())
+    return int(carrying[np.lexsort((carrying, -share[carrying], -depth[carrying]))[0]])
+
+
+def _depths(rig: Rig) -> Indices:
+    depth = np.zeros(len(rig.joints), dtype=np.int64)
+    for i, joint in enumerate(rig.joints):
+        if joint.parent >= 0:
+            depth[i] = depth[joint.parent] + 1
+    return depth
+
+
+def _point_shapes(mesh: RigMesh, point: int, to_rest: Floats, size: float) -> tuple[PointShape, ...]:
+    """The shapes that move one point of a mesh, in the order of their channels."""
+    found = []
+    for shape in mesh.shapes:
+        place = int(np.searchsorted(shape.points, point))
+        if place < len(shape.points) and shape.points[place] == point:
+            offsets = shape.offsets[:, place].astype(np.float64) @ to_rest
+            if np.abs(offsets).max() > _NO_OFFSET * size:
+                found.append(PointShape(shape.channel, shape.weights, offsets))
+    return tuple(sorted(found, key=lambda shape: shape.channel))

@@ -1,0 +1,141 @@
+"""The gprims of an element, as UsdSkel applications deform and draw them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from pxr import Sdf
+
+from usdrigui.model import Element, Floats, Rig, Side
+from usdrigui.usd import author, schema
+from usdrigui.usd.carry import Hold, PointShape
+from usdrigui.usd.drawn import Drawn
+
+_COLOURS: Mapping[Side, tuple[float, float, float]] = {
+    "left": (0.15, 0.45, 0.95),
+    "right": (0.95, 0.25, 0.2),
+    "middle": (0.95, 0.8, 0.15),
+    "none": (0.75, 0.75, 0.75),
+}
+"""The animators' custom: blue on the character's left, red on its right, yellow in the middle."""
+_TRACK_WIDTH = 0.15
+"""Of a handle's."""
+_AREA_OPACITY = 0.4
+
+
+def author_part(
+    xform: Sdf.PrimSpec,
+    name: str,
+    part: Drawn,
+    rig: Rig,
+    element: Element,
+    instances: Mapping[str, str],
+    handle_width: float,
+) -> None:
+    """Define one drawn part below its element.
+
+    `instances` gives the RigUIControlAPI instance of each control; `handle_width` is in scene units.
+    """
+    is_curve = part.role == "track"
+    api = schema.HANDLE if part.role == "handle" else schema.TRACK
+    prim = author.prim(xform, name, "BasisCurves" if is_curve else "Mesh", (api, "SkelBindingAPI"))
+    width = _TRACK_WIDTH * handle_width if is_curve else 0.0
+    _author_points(prim, part, width)
+    if is_curve:
+        _author_curve(prim, len(part.points), width)
+    else:
+        _author_faces(prim, part)
+    author.put(prim, "primvars:displayColor", "color3f[]", [_COLOURS[element.side]], interpolation="constant")
+    _author_binding(prim, rig, part.hold, len(part.points))
+    _author_shapes(prim, rig, part.shapes)
+    if part.role == "handle":
+        author.declare(prim, api, {"adapt": element.adapt})
+    else:
+        _author_track_api(prim, part, element, instances)
+
+
+def _author_points(prim: Sdf.PrimSpec, part: Drawn, width: float) -> None:
+    author.put(prim, "points", "point3f[]", part.points)
+    low, high = part.points.min(axis=0) - 0.5 * width, part.points.max(axis=0) + 0.5 * width
+    author.put(prim, "extent", "float3[]", [low, high])
+
+
+def _author_curve(prim: Sdf.PrimSpec, count: int, width: float) -> None:
+    author.put(prim, "type", "token", "linear", uniform=True)
+    author.put(prim, "curveVertexCounts", "int[]", [count])
+    author.put(prim, "widths", "float[]", [width], interpolation="constant")
+
+
+def _author_faces(prim: Sdf.PrimSpec, part: Drawn) -> None:
+    author.put(prim, "faceVertexCounts", "int[]", np.full(len(part.faces), part.faces.shape[1]))
+    author.put(prim, "faceVertexIndices", "int[]", part.faces.ravel())
+    author.put(prim, "subdivisionScheme", "token", "none", uniform=True)
+    if part.role == "area":
+        author.put(prim, "doubleSided", "bool", True, uniform=True)
+        author.put(prim, "primvars:displayOpacity", "float[]", [_AREA_OPACITY], interpolation="constant")
+
+
+def _author_track_api(prim: Sdf.PrimSpec, part: Drawn, element: Element, instances: Mapping[str, str]) -> None:
+    alone = len(element.members) == 1
+    author.declare(
+        prim,
+        schema.TRACK,
+        {
+            "controls": [] if alone else [instances[name] for name in part.controls],
+            "weights": part.values.ravel(),
+            "basePoints": [] if _same(part.points, part.base_points) else part.base_points,
+        },
+    )
+
+
+def _same(first: Floats, second: Floats) -> bool:
+    """Whether two arrays are one and the same in the single precision in which they are stored."""
+    size = max(float(np.abs(second).max(initial=0.0)), 1e-30)
+    return bool(np.abs(first - second).max(initial=0.0) <= 1e-7 * size)
+
+
+# --- UsdSkel -----------------------------------------------------------------------------------------
+
+
+def _author_binding(prim: Sdf.PrimSpec, rig: Rig, hold: Hold, count: int) -> None:
+    """Skeleton and influences, complete: nothing is left to be inherited."""
+    if hold.skeleton >= 0:
+        author.link(prim, "skel:skeleton", [rig.skeletons[hold.skeleton].path])
+    if not len(hold.joints):
+        return
+    bound = np.linalg.inv(rig.skeletons[hold.skeleton].to_root)
+    width = len(hold.joints)
+    author.put(prim, "skel:joints", "token[]", [rig.joints[joint].path for joint in hold.joints], uniform=True)
+    author.put(prim, "primvars:skel:geomBindTransform", "matrix4d", bound)
+    author.put(prim, "primvars:skel:skinningMethod", "token", hold.method, uniform=True)
+    for name, type_name, row in (
+        ("primvars:skel:jointIndices", "int[]", np.arange(width)),
+        ("primvars:skel:jointWeights", "float[]", hold.weights),
+    ):
+        # One row per point rather than one for all: rigid influences and shapes together confuse some readers.
+        author.put(prim, name, type_name, np.tile(row, count), interpolation="vertex", element_size=width)
+
+
+def _author_shapes(prim: Sdf.PrimSpec, rig: Rig, shapes: tuple[PointShape, ...]) -> None:
+    if not shapes:
+        return
+    taken: set[str] = set()
+    targets = []
+    for shape in shapes:
+        child = author.prim(prim, author.identifier(rig.channels[shape.channel].token, taken), "BlendShape")
+        targets.append(child.path)
+        between: set[str] = set()
+        for weight, offsets in zip(shape.weights.tolist(), shape.offsets, strict=True):
+            name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
+            author.put(child, name, "vector3f[]", offsets, uniform=True)
+            if weight != 1.0:
+                child.properties[name].SetInfo("weight", weight)
+    tokens = [rig.channels[shape.channel].token for shape in shapes]
+    author.put(prim, "skel:blendShapes", "token[]", tokens, uniform=True)
+    author.link(prim, "skel:blendShapeTargets", targets)
+
+
+def _weight_name(weight: float, taken: set[str]) -> str:
+    """``at_0_5`` for 0.5, ``at_minus_0_5`` for -0.5."""
+    return author.identifier(f"at_{weight:g}".replace("-", "minus_").replace(".", "_"), taken)

@@ -1,0 +1,326 @@
+"""From layouts to the layer that any UsdSkel application can show.
+
+`write_layout` is the whole way to a file, `layer_for` stops at the layer, `stage_metadata` says what the
+layer must repeat of its source.  schemas/CONTRACT.md describes the result; `usdrigui.usd.read_layout` is
+the way back.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+from pxr import Sdf
+
+import usdrigui
+from usdrigui.errors import refuse
+from usdrigui.model import Control, Element, Layout, Rig
+from usdrigui.settings import OutputSettings
+from usdrigui.usd import author, schema
+from usdrigui.usd.carry import Carriage
+from usdrigui.usd.drawn import Drawn, drawn_parts
+from usdrigui.usd.element_prims import author_part
+from usdrigui.usd.safe_write import commit
+
+_METADATA = (
+    "defaultPrim",
+    "upAxis",
+    "metersPerUnit",
+    "kilogramsPerUnit",
+    "startTimeCode",
+    "endTimeCode",
+    "timeCodesPerSecond",
+    "framesPerSecond",
+    "colorConfiguration",
+    "colorManagementSystem",
+    "expressionVariables",
+)
+"""What USD reads from the root layer of a stage only, and a layer over the source must therefore repeat."""
+
+Laid = Sequence[tuple[Rig, Layout]]
+
+
+def write_layout(
+    laid: Laid, source: Path, target: Path, settings: OutputSettings, metadata: Mapping[str, Any]
+) -> Literal["written", "unchanged"]:
+    """Write the layouts of one asset to `target`, atomically, over its `source`.
+
+    `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a relative
+    path unless `settings.bare`.  Raises RigUIError with a FILE_ code, SOURCE_UNREFERABLE, INSTANCE.
+    """
+    reference = "" if settings.bare else relative_asset_path(source, target)
+    layer = layer_for(laid, reference, settings, metadata)
+    return commit(layer_bytes(layer, target.suffix), target, verify=_verified)
+
+
+def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:
+    """An anonymous layer with the layouts of one asset.
+
+    `source` is the asset path to sublayer, taken as it is; empty, or ignored with `settings.bare`, the
+    layer stands alone for others to sublayer.  The same input gives the same bytes.
+    """
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    with Sdf.ChangeBlock():
+        _author_metadata(layer, metadata)
+        if source and not settings.bare:
+            layer.subLayerPaths.append(source)
+        for rig, layout in laid:
+            _author_layout(layer, rig, layout)
+    return layer
+
+
+def stage_metadata(layer: Sdf.Layer) -> dict[str, Any]:
+    """What a layer over `layer` must repeat, as plain Python values; only what is authored."""
+    root = layer.pseudoRoot
+    found = {key: root.GetInfo(key) for key in _METADATA if root.HasInfo(key)}
+    for key, value in found.items():
+        if isinstance(value, Sdf.AssetPath):
+            found[key] = value.path
+    return found
+
+
+def relative_asset_path(source: Path, target: Path) -> str:
+    """Asset path by which a layer at `target` refers to the file `source`: relative, with forward slashes.
+
+    Raises SOURCE_UNREFERABLE for names that USD cannot refer to.
+    """
+    path = os.path.relpath(source.resolve(), target.parent.resolve()).replace(os.sep, "/")
+    if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
+        raise refuse("SOURCE_UNREFERABLE", str(source), "its name has a meaning of its own in USD")
+    return path if path.startswith("../") else f"./{path}"
+
+
+def layer_bytes(layer: Sdf.Layer, suffix: str) -> bytes:
+    """The content of a layer as a file of that suffix: ``.usda`` as text, ``.usdc`` and ``.usd`` as crate.
+
+    Raises FILE_TARGET for any other suffix.
+    """
+    if suffix == ".usda":
+        return str(layer.ExportToString()).encode()
+    if suffix not in (".usd", ".usdc"):
+        raise refuse("FILE_TARGET", suffix, "a layout layer ends in .usda, .usdc or .usd")
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "layout.usdc"
+        layer.Export(str(path))
+        return path.read_bytes()
+
+
+def _verified(path: Path) -> bool:
+    """Whether the file is a layer with a layout in it."""
+    layer = Sdf.Layer.OpenAsAnonymous(str(path))
+    found: list[Sdf.Path] = []
+    layer.Traverse(Sdf.Path.absoluteRootPath, lambda where: found.append(where) if where.name == schema.SCOPE else None)
+    return bool(found)
+
+
+# --- the layer ---------------------------------------------------------------------------------------
+
+
+def _author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any]) -> None:
+    root = layer.pseudoRoot
+    for key in _METADATA:
+        if key in metadata:
+            value = metadata[key]
+            # Some exporters write metersPerUnit as float, which USD's own API then refuses to read.
+            number = isinstance(value, (int, float)) and not isinstance(value, bool)
+            root.SetInfo(key, float(value) if number else value)
+    root.SetInfo("customLayerData", {"usdrigui": {"version": usdrigui.__version__}})
+
+
+def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
+    """The Scope of one character with all its elements."""
+    root = Sdf.CreatePrimInLayer(layer, layout.root)
+    scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT, schema.SOLUTION))
+    author.put(scope, "purpose", "token", "guide", uniform=True)
+    _author_layout_api(scope, rig, layout)
+    _author_solution_api(scope, layout)
+    carriage = Carriage(rig, layout)
+    taken: set[str] = set()
+    names = {element.name: author.identifier(element.name, taken) for element in layout.elements}
+    for element in layout.elements:
+        _author_element(scope, rig, layout, carriage, element, names)
+
+
+def _author_layout_api(scope: Sdf.PrimSpec, rig: Rig, layout: Layout) -> None:
+    author.declare(
+        scope,
+        schema.LAYOUT,
+        {
+            "version": schema.VERSION,
+            "skeleton": [skeleton.path for skeleton in rig.skeletons],
+            "space": layout.space,
+            "viewDirection": layout.view,
+            "planeOrigin": layout.plane_origin,
+            "planeNormal": layout.plane_normal,
+            "handleWidth": layout.handle_width,
+            "baseControls": [control.name for control in rig.controls],
+            "baseValues": layout.base_values,
+            "leftOffControls": [left.control for left in layout.left_off],
+            "leftOffStages": [left.stage for left in layout.left_off],
+            "leftOffReasons": [left.reason for left in layout.left_off],
+        },
+    )
+
+
+def _author_solution_api(scope: Sdf.PrimSpec, layout: Layout) -> None:
+    author.declare(
+        scope,
+        schema.SOLUTION,
+        {
+            "solver": layout.method,
+            "status": layout.status,
+            "cost": layout.cost,
+            "bound": layout.bound,
+            "inPlay": layout.in_play,
+            "weightNames": [name for name, _ in layout.weights],
+            "weightValues": [value for _, value in layout.weights],
+        },
+    )
+
+
+def _author_element(
+    scope: Sdf.PrimSpec, rig: Rig, layout: Layout, carriage: Carriage, element: Element, names: Mapping[str, str]
+) -> None:
+    """One element: its Xform, what it says about itself, and what is drawn of it."""
+    # An instance may not be called like a property of its schema.
+    taken = set(author.properties(schema.CONTROL))
+    instances = {member.control: author.identifier(member.control, taken) for member in element.members}
+    applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
+    apis = (schema.ELEMENT, schema.ANCHOR, *applied, "AccessibilityAPI:default")
+    xform = author.prim(scope, names[element.name], "Xform", apis)
+    xform.SetInfo("displayName", element.label)
+    author.put(xform, "accessibility:default:label", "string", element.label)
+    _author_element_api(xform, element, instances, names)
+    _author_anchor_api(xform, element)
+    parts = _part_names(drawn_parts(carriage, element, layout.handle_width), instances)
+    for member in element.members:
+        control = carriage.control(member.control)
+        track = next(name for name, part in parts if part.role == "track" and part.controls == (member.control,))
+        figures = {"arcLength": member.arc_length, "gain": member.gain, "track": [xform.path.AppendChild(track)]}
+        _author_control_api(xform, rig, control, instances[member.control], figures)
+    for name, part in parts:
+        author_part(xform, name, part, rig, element, instances, layout.handle_width)
+
+
+def _part_names(parts: Iterable[Drawn], instances: Mapping[str, str]) -> list[tuple[str, Drawn]]:
+    """``track``, ``area`` and ``handle``; the tracks of several controls are told apart by their instances."""
+    several = len(instances) > 1
+    return [
+        (f"track_{instances[part.controls[0]]}" if several and part.role == "track" else part.role, part)
+        for part in parts
+    ]
+
+
+def _author_element_api(
+    xform: Sdf.PrimSpec, element: Element, instances: Mapping[str, str], names: Mapping[str, str]
+) -> None:
+    mirror = names.get(element.mirror)
+    author.declare(
+        xform,
+        schema.ELEMENT,
+        {
+            "name": "" if element.name == xform.name else element.name,
+            "elementType": element.kind,
+            "controls": list(instances.values()),
+            "opposed": element.opposed,
+            "side": element.side,
+            "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
+            "family": element.family,
+            "reason": element.reason,
+        },
+    )
+
+
+def _author_anchor_api(xform: Sdf.PrimSpec, element: Element) -> None:
+    anchor = element.anchor
+    author.declare(
+        xform,
+        schema.ANCHOR,
+        {
+            "carrier" if anchor.beside else "prim": [anchor.mesh],
+            "pointIndex": anchor.point,
+            "pointCount": anchor.point_count,
+            "topologyHash": anchor.topology_hash,
+            "position": anchor.position,
+            "normal": anchor.normal,
+        },
+    )
+
+
+# --- controls ----------------------------------------------------------------------------------------
+
+
+def _author_control_api(
+    xform: Sdf.PrimSpec, rig: Rig, control: Control, instance: str, figures: Mapping[str, Any]
+) -> None:
+    """What any client needs to show a control and to drive it."""
+    author.declare(
+        xform,
+        schema.CONTROL,
+        {
+            "name": "" if control.name == instance else control.name,
+            "kind": control.kind,
+            "label": "" if control.label == control.name else control.label,
+            "source": "" if control.source == control.name else control.source,
+            "minimum": control.minimum,
+            "default": control.default,
+            "maximum": control.maximum,
+            "mesh": _deformed_meshes(rig, control),
+            **figures,
+            **_driven_weights(rig, control),
+            **_driven_joints(rig, control),
+        },
+        instance,
+    )
+
+
+def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
+    drive = control.drive
+    channels = [rig.channels[channel] for channel in drive.channels]
+    animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
+    which = [animations.index(channel.animation) if channel.animation else 0 for channel in channels]
+    found: dict[str, Any] = {
+        "blendShapes": [channel.token for channel in channels],
+        "animation": animations,
+        "blendShapeAnimations": which if any(which) else [],
+    }
+    if not _is_plain(rig, control):
+        found |= {"keys": drive.values, "blendShapeWeights": drive.weights.ravel()}
+    return found
+
+
+def _is_plain(rig: Rig, control: Control) -> bool:
+    """Whether the value of the control is the weight of one blend shape, neither more nor less."""
+    drive = control.drive
+    if len(drive.joints) or len(drive.channels) != 1:
+        return False
+    absolute = rig.base_weights[drive.channels[0]] + drive.weights[:, 0]
+    return bool(abs(absolute - drive.values).max() < 1e-12)
+
+
+def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
+    drive = control.drive
+    joints = [rig.joints[joint] for joint in drive.joints]
+    if not joints:
+        return {}
+    skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
+    which = [skeletons.index(joint.skeleton) for joint in joints]
+    found: dict[str, Any] = {
+        "skeleton": [rig.skeletons[skeleton].path for skeleton in skeletons],
+        "joints": [joint.path for joint in joints],
+        "jointSkeletons": which if any(which) else [],
+        "jointRotations": drive.rotations.reshape(-1, 3),
+    }
+    if drive.translations.any():
+        found["jointTranslations"] = drive.translations.reshape(-1, 3)
+    if drive.scales.any():
+        found["jointScales"] = drive.scales.reshape(-1, 3)
+    return found
+
+
+def _deformed_meshes(rig: Rig, control: Control) -> list[str]:
+    channels = set(control.drive.channels.tolist())
+    return [mesh.path for mesh in rig.meshes if any(shape.channel in channels for shape in mesh.shapes)]

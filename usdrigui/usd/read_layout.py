@@ -1,0 +1,291 @@
+"""From a layer back to layouts, whoever wrote it.
+
+Reads through composition, so that a layout in a sublayer of the asset, or one that stronger layers have
+changed, is found as USD sees it.  The schema plug-in need not be registered: fallback values come from
+the schema's own file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, Usd, UsdGeom
+
+from usdrigui.errors import refuse
+from usdrigui.model import Anchor, Element, Floats, Layout, LeftOff, Member
+from usdrigui.usd import author, schema
+from usdrigui.usd.stage import open_stage
+
+
+def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
+    """All layouts that a layer or stage holds, one per character, in stage order.
+
+    What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the order in which
+    the layer names the controls (`base_controls`).
+
+    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYOUT_MISSING (no prim has
+    RigUILayoutAPI), LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
+    """
+    stage, name = _stage(source)
+    layouts = tuple(_layout(scope) for scope in layout_scopes(stage))
+    if not layouts:
+        raise refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
+    return layouts
+
+
+def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
+    """The prims below which layouts stand, defined or not: a layout is there even when its source is not."""
+    walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
+    for prim in walk:
+        if schema.LAYOUT in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
+            walk.PruneChildren()
+            if prim.IsActive():
+                yield prim
+
+
+def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
+    """Names of the controls whose values `Layout.base_values` lists, of the layout at `scope`."""
+    return tuple(_strings(_value(scope, schema.LAYOUT, "baseControls")))
+
+
+def source_of(path: Path) -> str:
+    """The asset that a layout layer stands over: its first sublayer, anchored; empty if it has none.
+
+    Raises FILE_NOT_FOUND and FILE_NOT_USD.
+    """
+    layer = Sdf.Layer.FindOrOpen(str(path)) if path.is_file() else None
+    if layer is None:
+        raise refuse("FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer")
+    paths = list(layer.subLayerPaths)
+    return str(Sdf.ComputeAssetPathRelativeToLayer(layer, paths[0])) if paths else ""
+
+
+def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
+    if isinstance(source, Usd.Stage):
+        return source, str(source.GetRootLayer().identifier)
+    if isinstance(source, Sdf.Layer):
+        return Usd.Stage.Open(source), str(source.identifier)
+    return open_stage(Path(source)), str(source)
+
+
+# --- records -----------------------------------------------------------------------------------------
+
+
+def _layout(scope: Usd.Prim) -> Layout:
+    def get(name: str) -> Any:
+        return _value(scope, schema.LAYOUT, name)
+
+    def solution(name: str) -> Any:
+        return _value(scope, schema.SOLUTION, name)
+
+    if get("version") > schema.VERSION:
+        raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"version {get('version')}; known: {schema.VERSION}")
+    _check_equal(scope, "baseValues", get("baseControls"), get("baseValues"))
+    elements = tuple(_element(prim) for prim in scope.GetAllChildren() if _has(prim, schema.ELEMENT))
+    return Layout(
+        root=str(scope.GetPath().GetParentPath()),
+        elements=elements,
+        left_off=_left_off(scope),
+        handle_width=float(get("handleWidth")) or _drawn_width(scope),
+        space=get("space"),
+        view=_floats(get("viewDirection")),
+        plane_origin=_floats(get("planeOrigin")),
+        plane_normal=_floats(get("planeNormal")),
+        base_values=_floats(get("baseValues")),
+        method=str(solution("solver")),
+        status=solution("status"),
+        cost=float(solution("cost")),
+        bound=float(solution("bound")),
+        in_play=float(solution("inPlay")),
+        weights=_weights(scope),
+    )
+
+
+def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
+    columns = [_strings(_value(scope, schema.LAYOUT, f"leftOff{name}")) for name in ("Controls", "Stages", "Reasons")]
+    _check_equal(scope, "leftOffReasons", *columns)
+    return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
+
+
+def _weights(scope: Usd.Prim) -> tuple[tuple[str, float], ...]:
+    names = _strings(_value(scope, schema.SOLUTION, "weightNames"))
+    values = _floats(_value(scope, schema.SOLUTION, "weightValues"))
+    _check_equal(scope, "weightValues", names, values)
+    return tuple(zip(names, values.tolist(), strict=True))
+
+
+def _element(prim: Usd.Prim) -> Element:
+    def get(name: str) -> Any:
+        return _value(prim, schema.ELEMENT, name)
+
+    instances = _strings(get("controls")) or _instances(prim)
+    mirror = _targets(prim, schema.ELEMENT, "mirror")
+    name = str(get("name")) or prim.GetName()
+    return Element(
+        name=name,
+        label=prim.GetMetadata("displayName") or name,
+        kind=get("elementType"),
+        members=tuple(_member(prim, instance, len(instances)) for instance in instances),
+        opposed=_pairs(prim, get("opposed"), len(instances)),
+        anchor=_anchor(prim),
+        side=get("side"),
+        mirror=_element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
+        family=str(get("family")),
+        reason=str(get("reason")),
+        adapt=_adapt(prim),
+    )
+
+
+def _member(prim: Usd.Prim, instance: str, count: int) -> Member:
+    def get(name: str) -> Any:
+        return _value(prim, schema.CONTROL, name, instance)
+
+    if f"{schema.CONTROL}:{instance}" not in _applied(prim):
+        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"names the control {instance!r}, but does not apply it")
+    track = _track_of(prim, instance, count)
+    points = _track_points(track)
+    values = _floats(_value(track, schema.TRACK, "weights"))
+    if not len(values):
+        values = np.linspace(get("minimum"), get("maximum"), len(points))
+    _check_equal(track, "rigUI:track:weights", values, points)
+    if len(points) < 2:
+        raise refuse("LAYOUT_INVALID", str(track.GetPath()), "a track has two points at least")
+    return Member(
+        control=str(get("name")) or instance,
+        values=values,
+        track=points,
+        arc_length=float(get("arcLength")),
+        gain=float(get("gain")),
+    )
+
+
+def _track_of(prim: Usd.Prim, instance: str, count: int) -> Usd.Prim:
+    """The track that a control names, or the only one that shows it."""
+    for target in _targets(prim, schema.CONTROL, "track", instance):
+        track = prim.GetStage().GetPrimAtPath(target)
+        if track and _has(track, schema.TRACK):
+            return track
+    for child in prim.GetAllChildren():
+        if _has(child, schema.TRACK):
+            shown = _strings(_value(child, schema.TRACK, "controls"))
+            if shown == [instance] or (not shown and count == 1):
+                return child
+    raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"has no track for the control {instance!r}")
+
+
+def _track_points(track: Usd.Prim) -> Floats:
+    points = _floats(_value(track, schema.TRACK, "basePoints"))
+    if not len(points):
+        points = _floats(track.GetAttribute("points").Get())
+    return points.reshape(-1, 3)
+
+
+def _anchor(prim: Usd.Prim) -> Anchor:
+    def get(name: str) -> Any:
+        return _value(prim, schema.ANCHOR, name)
+
+    on_face = _targets(prim, schema.ANCHOR, "prim")
+    targets = on_face or _targets(prim, schema.ANCHOR, "carrier")
+    if on_face and get("pointIndex") < 0:
+        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "stands on a mesh, but rigUI:anchor:pointIndex is missing")
+    return Anchor(
+        mesh=str(targets[0]) if targets else "",
+        point=int(get("pointIndex")),
+        point_count=int(get("pointCount")),
+        topology_hash=str(get("topologyHash")),
+        position=_floats(get("position")),
+        normal=_floats(get("normal")),
+        beside=not on_face,
+    )
+
+
+def _adapt(prim: Usd.Prim) -> Any:
+    for child in prim.GetAllChildren():
+        if _has(child, schema.HANDLE):
+            return _value(child, schema.HANDLE, "adapt")
+    return author.properties(schema.HANDLE)["adapt"].fallback
+
+
+def _drawn_width(scope: Usd.Prim) -> float:
+    """Width of the first handle drawn, for layers that do not say it."""
+    for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
+        if _has(prim, schema.HANDLE):
+            extent = UsdGeom.Boundable(prim).GetExtentAttr().Get()
+            points = _floats(extent or prim.GetAttribute("points").Get()).reshape(-1, 3)
+            if len(points):
+                return float(np.ptp(points, axis=0).max())
+    return 0.0
+
+
+# --- properties --------------------------------------------------------------------------------------
+
+
+def _applied(prim: Usd.Prim) -> list[str]:
+    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
+
+
+def _has(prim: Usd.Prim, api: str) -> bool:
+    return api in _applied(prim)
+
+
+def _instances(prim: Usd.Prim) -> list[str]:
+    """Controls in the order in which they are applied, for layers that do not list them."""
+    prefix = f"{schema.CONTROL}:"
+    return [name.removeprefix(prefix) for name in _applied(prim) if name.startswith(prefix)]
+
+
+def _value(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
+    """Value of a property of one of our schemas, or its fallback.
+
+    Raises LAYOUT_INVALID for a value of another type or outside the allowed ones.
+    """
+    declared = author.properties(api)[name]
+    attribute = prim.GetAttribute(declared.name.replace("__INSTANCE_NAME__", instance))
+    value = attribute.Get() if attribute else None
+    if value is None:
+        return declared.fallback
+    if attribute.GetTypeName() != Sdf.ValueTypeNames.Find(declared.type_name):
+        raise _invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
+    if declared.allowed and value not in declared.allowed:
+        raise _invalid(attribute, f"is {value!r}, not one of {', '.join(declared.allowed)}")
+    if declared.type_name not in ("token", "string", "token[]", "string[]") and np.isnan(value).any():
+        raise _invalid(attribute, "holds NaN")
+    return value
+
+
+def _invalid(attribute: Usd.Attribute, message: str) -> Exception:
+    return refuse("LAYOUT_INVALID", str(attribute.GetPath()), message)
+
+
+def _targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf.Path]:
+    declared = author.properties(api)[name]
+    relationship = prim.GetRelationship(declared.name.replace("__INSTANCE_NAME__", instance))
+    return list(relationship.GetTargets()) if relationship else []
+
+
+def _element_name(prim: Usd.Prim) -> str:
+    return (str(_value(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""
+
+
+def _pairs(prim: Usd.Prim, values: Any, count: int) -> tuple[tuple[int, int], ...]:
+    pairs = tuple((int(a), int(b)) for a, b in values)
+    if any(not (0 <= a < count and 0 <= b < count) or a == b for a, b in pairs):
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:opposed", f"{pairs} for {count} controls")
+    return pairs
+
+
+def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
+    lengths = [len(column) for column in columns]
+    if len(set(lengths)) > 1:
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
+
+
+def _strings(values: Any) -> list[str]:
+    return [str(value) for value in values]
+
+
+def _floats(values: Any) -> Floats:
+    return np.array(values, dtype=np.float64)

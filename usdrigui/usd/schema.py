@@ -1,0 +1,56 @@
+"""The usdrigui schema: its names, where it lies, and how to register it.
+
+Importing this module loads no USD, and neither does `schema_path`.  Nobody needs the schema registered
+to read, write or show a layout: registration serves hosts that want fallback values, documentation and
+`HasAPI` queries.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from usdrigui.errors import refuse
+
+SCOPE = "RigUI"
+"""Name of the prim below the SkelRoot that holds a layout."""
+VERSION = 1
+"""Version of the contract that written layers keep (schemas/CONTRACT.md)."""
+
+LAYOUT = "RigUILayoutAPI"
+SOLUTION = "RigUISolutionAPI"
+ELEMENT = "RigUIElementAPI"
+ANCHOR = "RigUIAnchorAPI"
+CONTROL = "RigUIControlAPI"
+TRACK = "RigUITrackAPI"
+HANDLE = "RigUIHandleAPI"
+APIS = (LAYOUT, SOLUTION, ELEMENT, ANCHOR, CONTROL, TRACK, HANDLE)
+
+
+def schema_path() -> Path:
+    """Folder with plugInfo.json and generatedSchema.usda, for ``PXR_PLUGINPATH_NAME``.
+
+    In an installed package it lies inside the package, in a source tree beside it.  Raises
+    SCHEMA_MISSING when it is in neither place.
+    """
+    package = Path(__file__).resolve().parents[1]
+    for folder in (package / "schemas", package.parent / "schemas"):
+        if (folder / "plugInfo.json").is_file():
+            return folder
+    raise refuse("SCHEMA_MISSING", str(package / "schemas"), "has no plugInfo.json")
+
+
+def register() -> None:
+    """Register the schema with the USD of this process; does nothing if it is registered already.
+
+    USD builds its schema registry once, when the first stage is opened, and ignores plug-ins that come
+    later without a word.  Raises SCHEMA_TOO_LATE in that case, SCHEMA_MISSING where the folder is not
+    found.
+    """
+    from pxr import Plug, Usd
+
+    # Asking the schema registry would build it, so register first and look afterwards.
+    Plug.Registry().RegisterPlugins(str(schema_path()))
+    registry = Usd.SchemaRegistry()
+    lacking = [name for name in APIS if registry.FindAppliedAPIPrimDefinition(name) is None]
+    if lacking:
+        raise refuse("SCHEMA_TOO_LATE", str(schema_path()), f"USD does not know {', '.join(lacking)}")
