@@ -95,7 +95,7 @@ class Skin(Record):
         count = max(1, len(self.joints))
         points, slots = np.nonzero(self.weights)
         keys, place = np.unique(self.joints[points, slots] * count + points, return_inverse=True)
-        weights: Floats = np.bincount(place, weights=self.weights[points, slots], minlength=len(keys))
+        weights = np.bincount(place, self.weights[points, slots], len(keys)).astype(np.float64)
         joints, starts = np.unique(keys // count, return_index=True)
         return keys % count, weights, joints.astype(np.int64), np.append(starts, len(keys)).astype(np.int64)
 

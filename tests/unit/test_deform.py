@@ -1,0 +1,135 @@
+"""`usdrigui.deform` gives UsdSkel's points on a stage that has everything."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from skel_stages import character
+from usdskel_oracle import baked
+
+from usdrigui.deform import channel_state, deform, knots, posed, sweep
+from usdrigui.settings import load
+from usdrigui.usd.rig import read_rigs
+
+CONFIG = {
+    "poses": {
+        "shout": {"frame": 10.0},
+        "story": {"clip": [0.0, 10.0]},
+        "grin": {"weights": {"smile": 0.8, "blink": -0.2}},
+    },
+    "joints": {"neck/jaw/lip": {"axes": ["x", "z"], "minimum": -50.0, "maximum": 70.0}},
+    "read": {"joints": "all"},
+}
+
+
+@pytest.fixture(scope="module")
+def stage_path(tmp_path_factory):
+    return character(tmp_path_factory.mktemp("stage") / "char.usda")
+
+
+@pytest.fixture(scope="module")
+def rig(stage_path):
+    (rig,) = read_rigs(stage_path, load(CONFIG))
+    return rig
+
+
+def defaults(rig):
+    return np.array([control.default for control in rig.controls])
+
+
+def diagonal(rig):
+    return float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+
+
+def test_the_stage_has_every_kind_of_control(rig):
+    assert {control.kind for control in rig.controls} == {"blendShape", "joint", "pose"}
+    assert {mesh.skin.method for mesh in rig.meshes if mesh.skin} == {"classicLinear", "dualQuaternion"}
+
+
+def test_base_pose_equals_usdskel(rig, stage_path):
+    expected = baked(stage_path, rig, *channel_state(rig, None))
+    assert np.abs(deform(rig) - expected).max() < 1e-6 * diagonal(rig)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.3, 0.77, 1.0])
+def test_every_control_equals_usdskel(rig, stage_path, share):
+    for index, control in enumerate(rig.controls):
+        values = defaults(rig)
+        values[index] = control.minimum + share * (control.maximum - control.minimum)
+        expected = baked(stage_path, rig, *channel_state(rig, values))
+        assert np.abs(deform(rig, values) - expected).max() < 1e-6 * diagonal(rig), control.name
+
+
+def test_random_poses_equal_usdskel(rig, stage_path):
+    rng = np.random.default_rng(5)
+    for _ in range(8):
+        values = np.array([rng.uniform(control.minimum, control.maximum) for control in rig.controls])
+        expected = baked(stage_path, rig, *channel_state(rig, values))
+        assert np.abs(deform(rig, values) - expected).max() < 1e-6 * diagonal(rig)
+
+
+@pytest.mark.parametrize("elsewhere", [False, True])
+def test_sweep_equals_deform(rig, elsewhere):
+    """A sweep from any pose gives the differences of single evaluations, and all points that move."""
+    rng = np.random.default_rng(1)
+    start = defaults(rig)
+    if elsewhere:
+        start = np.array([rng.uniform(control.minimum, control.maximum) for control in rig.controls])
+    base = posed(rig, start)
+    for index, control in enumerate(rig.controls):
+        at = np.linspace(control.minimum, control.maximum, 4)
+        # A sweep puts the control at its values in a pose where it was at its default.
+        start_here = start.copy()
+        start_here[index] = control.default
+        base = posed(rig, start_here)
+        points, offsets = sweep(rig, base, index, at)
+        for row, value in enumerate(at):
+            values = start_here.copy()
+            values[index] = value
+            expected = deform(rig, values) - base.points
+            moved = np.zeros_like(expected)
+            moved[points] = offsets[row]
+            assert np.abs(moved - expected).max() < 1e-6 * diagonal(rig), control.name
+
+
+def test_posed_points_are_the_deformed_ones(rig):
+    values = np.array([control.maximum for control in rig.controls])
+    assert np.allclose(posed(rig, values).points, deform(rig, values), atol=1e-9)
+
+
+def test_knots_make_exact_polylines(rig):
+    """Between neighbouring knots a blend-shape control moves every point along a straight line."""
+    base = posed(rig)
+    for index, control in enumerate(rig.controls):
+        if control.kind != "blendShape":
+            continue
+        at = knots(rig, index)
+        assert at[0] == control.minimum
+        assert at[-1] == control.maximum
+        assert control.default in at
+        inner = (at[:-1] * 2 + at[1:]) / 3
+        _, ends = sweep(rig, base, index, at)
+        _, middle = sweep(rig, base, index, inner)
+        assert np.abs(middle - (ends[:-1] * 2 + ends[1:]) / 3).max() < 1e-6 * diagonal(rig)
+
+
+def test_knots_of_the_jaw_are_its_shapes(rig):
+    jaw = next(i for i, control in enumerate(rig.controls) if control.name == "jaw")
+    assert knots(rig, jaw).tolist() == [-0.5, 0.0, 0.5, 1.0, 1.5]
+
+
+def test_a_pose_with_inbetweens_has_their_knots(rig):
+    """At value v the pose `shout` sets smile to -0.7 v and blink to v; blink bends at 0.25."""
+    shout = next(i for i, control in enumerate(rig.controls) if control.name == "shout")
+    assert np.isclose(knots(rig, shout), 0.25).any()
+
+
+def test_nothing_is_extrapolated_wrongly_beyond_the_range(rig, stage_path):
+    """Weights beyond the last shape go on along the last piece, as UsdSkel's do."""
+    weights, local = channel_state(rig, None)
+    weights = weights.copy()
+    weights[[each.token for each in rig.channels].index("jaw")] = 2.5
+    expected = baked(stage_path, rig, weights, local)
+    values = defaults(rig)
+    values[[each.name for each in rig.controls].index("jaw")] = 2.5
+    assert np.abs(deform(rig, values) - expected).max() < 1e-6 * diagonal(rig)
