@@ -1,0 +1,204 @@
+"""Pictures: what is where, what is hidden, and that both ways of casting rays give the same picture."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import laid_out
+import makers
+import numpy as np
+import pytest
+from PIL import Image
+
+from usdrigui.errors import RigUIError
+from usdrigui.pose.evaluate import elements_at, prepare, values_of
+from usdrigui.rays import GridCaster
+from usdrigui.view import lettering, overlay, picture, shading
+from usdrigui.view.picture import contact_sheet, render
+
+SMALL = (640, 400)
+BLUE, RED, VIOLET = (overlay.SIDES[side] for side in ("left", "right", "beside"))
+
+
+def sided(rig, **given):
+    """A layout of the mask whose elements know on which side they are."""
+    layout = laid_out.layout_of(rig, **given)
+    elements = tuple(replace(each, side="left" if each.anchor.position[0] > 0 else "right") for each in layout.elements)
+    return replace(layout, elements=elements, handle_width=0.06)
+
+
+@pytest.fixture(scope="module")
+def rig():
+    return makers.face()
+
+
+@pytest.fixture(scope="module")
+def layout(rig):
+    return sided(rig)
+
+
+@pytest.fixture(scope="module")
+def front(rig, layout):
+    return render(rig, layout, views=["front"], size=SMALL)
+
+
+def pixels_like(image, colour, tolerance=40):
+    """Columns of the pixels of a colour, above the legend."""
+    away = np.abs(np.asarray(image, dtype=np.int64)[: image.height - 60] - np.array(colour)).max(axis=2)
+    return np.nonzero(away < tolerance)[1]
+
+
+def test_the_picture_has_the_size_asked_for_and_shows_clay_on_a_light_ground(front):
+    assert front.size == SMALL
+    assert front.mode == "RGB"
+    pixels = np.asarray(front, dtype=np.float64)
+    assert pixels[150, 30].min() > 215
+    clay = pixels[200, 320]
+    assert 60 < clay.mean() < 235
+    assert clay[0] > clay[2]
+
+
+def test_the_same_input_gives_the_same_pixels(rig, layout, front):
+    assert render(rig, layout, views=["front"], size=SMALL).tobytes() == front.tobytes()
+
+
+def test_the_characters_left_is_on_the_right_and_blue(front):
+    blue, red = pixels_like(front, BLUE), pixels_like(front, RED)
+    assert len(blue) > 100
+    assert len(red) > 100
+    assert blue.min() > red.max() - 40
+    assert np.median(blue) > 320 > np.median(red)
+
+
+def test_a_view_of_one_side_shows_that_side(rig, layout):
+    left = render(rig, layout, views=["left"], size=SMALL)
+    right = render(rig, layout, views=["right"], size=SMALL)
+    assert len(pixels_like(left, BLUE)) > 3 * len(pixels_like(left, RED))
+    assert len(pixels_like(right, RED)) > 3 * len(pixels_like(right, BLUE))
+
+
+def test_elements_beside_the_face_are_drawn_and_named_in_front_only(rig):
+    layout = sided(rig, beside=("chin",))
+    moved = [
+        replace(
+            each,
+            anchor=replace(each.anchor, position=np.array([1.4, 0.5, 0.5])),
+            members=tuple(
+                replace(member, track=member.track - each.anchor.position + [1.4, 0.5, 0.5]) for member in each.members
+            ),
+        )
+        if each.anchor.beside
+        else each
+        for each in layout.elements
+    ]
+    layout = replace(layout, elements=tuple(moved))
+    assert len(pixels_like(render(rig, layout, views=["front"], size=SMALL), VIOLET, 20)) > 20
+    assert len(pixels_like(render(rig, layout, views=["left34"], size=SMALL), VIOLET, 20)) == 0
+
+
+def test_what_the_face_hides_is_drawn_faintly(rig, layout):
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    subject = shading.body(rig, np.concatenate([mesh.points for mesh in rig.meshes]))
+    depth = shading.shade(subject, camera).depth
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
+    behind = replace(
+        at, tracks=tuple(track - [0.0, 0.0, 1.0] for track in at.tracks), handle=at.handle - [0.0, 0.0, 1.0]
+    )
+    seen = overlay.mark(element, at, camera, depth, 0.06)
+    hidden = overlay.mark(element, behind, camera, depth, 0.06)
+    assert seen.handle_seen
+    assert not hidden.handle_seen
+    assert not hidden.seen[0].any()
+    ground = Image.new("RGB", (300, 300), (255, 255, 255))
+    faint = np.asarray(overlay.draw(ground, [hidden], layout, camera))
+    strong = np.asarray(overlay.draw(ground, [seen], layout, camera))
+    assert strong.min() < 60 < faint.min() < 220
+
+
+def test_a_pose_moves_face_and_elements(rig, layout, front):
+    posed = render(rig, layout, values_of(rig, {"smile_L": 1.0, "jawLeft": 1.0}), views=["front"], size=SMALL)
+    assert (np.asarray(posed) != np.asarray(front)).any(axis=2).mean() > 0.01
+
+
+def test_labels_are_drawn_on_request(rig, layout, front):
+    named = render(rig, layout, views=["front"], size=SMALL, labels=True)
+    assert (np.asarray(named) != np.asarray(front)).any(axis=2).mean() > 0.01
+
+
+def test_pictures_without_embree_look_the_same(rig, layout, front, monkeypatch):
+    monkeypatch.setattr(shading, "make_caster", GridCaster)
+    other = render(rig, layout, views=["front"], size=SMALL)
+    apart = np.abs(np.asarray(front, dtype=np.int64) - np.asarray(other, dtype=np.int64)).max(axis=2)
+    assert (apart > 8).mean() < 0.005
+
+
+def test_patches_and_fans_span_fields_and_axes_do_not(rig):
+    layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin"), ("jawLeft", "jawRight"), ("brow_L",)])
+    posed = elements_at(prepare(rig, layout), layout.base_values)
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    depth = np.full((300, 300), -np.inf)
+    marks = [overlay.mark(*pair, camera, depth, 0.06) for pair in zip(layout.elements, posed, strict=True)]
+    assert [len(each.fields) for each in marks] == [1, 0, 0]
+    assert [each.form for each in marks] == ["patch", "patch", "slider"]
+
+
+def test_a_field_is_the_parallelogram_of_its_members(rig):
+    layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
+    at = elements_at(prepare(rig, layout), layout.base_values)[0]
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    outline = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields[0]
+    corner = at.tracks[0][-1] + at.tracks[1][-1] - at.rest
+    assert np.linalg.norm(outline - camera.project(corner)[:2], axis=1).min() < 1e-6
+
+
+def test_camera_turns_points_to_pixels_and_back():
+    rows = shading.look(np.array([0.3, -0.2, 0.9]), np.array([0.0, 1.0, 0.0]))
+    assert rows @ rows.T == pytest.approx(np.eye(3), abs=1e-12)
+    camera = shading.Camera(rows, np.array([1.0, 2.0, 3.0]), 50.0, 200, 100)
+    at = camera.project(camera.unproject(np.array([[13.0, 77.0]]), 0.4))
+    assert at[0] == pytest.approx([13.0, 77.0, 0.4])
+    above = shading.look(np.array([0.0, 1.0, 0.0]), np.array([0.0, 1.0, 0.0]))
+    assert above @ above.T == pytest.approx(np.eye(3), abs=1e-12)
+
+
+def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
+    points = np.concatenate([mesh.points for mesh in rig.meshes])
+    points[5] = np.nan
+    points[100:140] = 0.0
+    camera = shading.Camera(np.eye(3), np.zeros(3), 60.0, 120, 120)
+    shaded = shading.shade(shading.body(rig, points), camera)
+    assert np.isfinite(shaded.colour).all()
+    assert shaded.cover.max() == 1.0
+
+
+def test_rows_of_names_never_touch():
+    rows = lettering._spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
+    assert np.diff(rows).min() >= 10.0 - 1e-9
+    assert abs(rows.mean() - 100) < 3
+    assert lettering._spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
+
+
+def test_contact_sheets_hold_every_picture(front):
+    sheet = contact_sheet([front, front, front], ["one", "two", "three"], columns=2, width=900)
+    assert sheet.width == 900
+    assert sheet.height > 2 * 400 * 430 / 640
+
+
+def test_refuses_what_it_cannot_draw(rig, layout, front):
+    with pytest.raises(RigUIError, match="CONFIG_VALUE views"):
+        render(rig, layout, views=["above"])
+    with pytest.raises(RigUIError, match="CONFIG_VALUE views"):
+        render(rig, layout, views=[])
+    with pytest.raises(RigUIError, match="CONFIG_VALUE size"):
+        render(rig, layout, size=(100, 100))
+    with pytest.raises(RigUIError, match="LAYOUT_STALE"):
+        render(makers.face(columns=21), layout, size=SMALL)
+    with pytest.raises(ValueError, match="contact sheet"):
+        contact_sheet([front], [])
+    with pytest.raises(ValueError, match="contact sheet"):
+        contact_sheet([], [])
+
+
+def test_a_layout_without_elements_shows_the_character(rig, layout):
+    image = picture.render(rig, replace(layout, elements=()), views=["front"], size=SMALL)
+    assert image.size == SMALL

@@ -1,0 +1,258 @@
+"""The elements of a layout drawn over a picture: tracks, handles and the fields of patches and fans.
+
+Drawn in the plane of the picture at three times its resolution and reduced, so that lines stay crisp;
+what the character hides is drawn faintly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from usdrigui.model import Element, Flags, Floats, Layout, Record
+from usdrigui.pose.evaluate import PosedElement
+from usdrigui.view.shading import Camera
+
+Colour = tuple[int, int, int]
+
+SIDES: dict[str, Colour] = {
+    "left": (29, 98, 214),
+    "right": (208, 49, 40),
+    "middle": (226, 160, 8),
+    "none": (226, 160, 8),
+    "beside": (112, 84, 178),
+}
+"""Colours by side, as studios use them; the character's own left and right."""
+FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "fan": "fan"}
+_FINE = 3
+"""Sub-pixels along each axis."""
+_FAINT = 0.30
+_FIELD = 0.26
+_WHITE: Colour = (255, 255, 255)
+
+
+@dataclass(frozen=True, eq=False)
+class Mark(Record):
+    """One element ready to draw; pixels as `Camera.project`."""
+
+    colour: Colour
+    form: str
+    """A key of `FORMS`."""
+    tracks: tuple[Floats, ...]
+    """Per member (k, 3), finely resampled."""
+    seen: tuple[Flags, ...]
+    """Per member (k,) whether the character leaves it in view."""
+    handle: Floats
+    """(3,)."""
+    handle_seen: bool
+    fields: tuple[Floats, ...]
+    """Closed outlines (k, 2) of what two neighbouring members span."""
+
+
+def colour_of(element: Element) -> Colour:
+    """The colour in which an element is drawn."""
+    return SIDES["beside" if element.anchor.beside else element.side]
+
+
+def form_of(element: Element) -> str:
+    """Which handle an element gets: a key of `FORMS`."""
+    if element.kind == "slider":
+        signed = any(member.values[0] < 0.0 < member.values[-1] for member in element.members)
+        return "two-way" if element.opposed or signed else "slider"
+    return element.kind
+
+
+def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, handle_width: float) -> Mark:
+    """Project an element and decide what of it the character hides."""
+    tracks = tuple(_resampled(camera.project(track)) for track in posed.tracks)
+    handle = camera.project(posed.handle)
+    slack = 0.5 * handle_width
+    fields = _fields(posed, camera) if element.kind != "slider" else ()
+    return Mark(
+        colour_of(element),
+        form_of(element),
+        tracks,
+        tuple(_seen(track, depth, slack) for track in tracks),
+        handle,
+        bool(_seen(handle[None], depth, slack)[0]),
+        fields,
+    )
+
+
+def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera) -> Image.Image:
+    """The picture with all marks over it: hidden parts, fields, tracks, then handles from far to near."""
+    radius = max(0.5 * layout.handle_width * camera.scale, 3.2)
+    ordered = sorted(marks, key=lambda each: float(each.handle[2]))
+    picture = _over(picture, _hidden(picture.size, ordered, radius), _FAINT)
+    picture = _over(picture, _spans(picture.size, ordered), _FIELD)
+    picture = _over(picture, _lines(picture.size, ordered, radius), 1.0)
+    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0)
+
+
+@cache
+def knob(form: str, colour: Colour, radius: float) -> Image.Image:
+    """A handle as a small square picture at the fine resolution: a lit ball, block or diamond with a white rim."""
+    reach = int(np.ceil(radius * _FINE * 1.5)) + 2
+    y, x = np.mgrid[-reach : reach + 1, -reach : reach + 1] / (radius * _FINE)
+    if form == "patch":
+        away = np.maximum(np.abs(x), np.abs(y)) * 0.5 + np.hypot(x, y) * 0.5
+        away = away * 1.08
+    elif form == "fan":
+        away = (np.abs(x) + np.abs(y)) * 0.60 + np.hypot(x, y) * 0.28
+    else:
+        away = np.hypot(x, y)
+    depth = np.sqrt(np.clip(1.0 - np.minimum(away / 0.86, 1.0) ** 2, 0.0, 1.0))
+    light = 0.62 + 0.30 * depth + 0.34 * np.clip(-0.45 * x - 0.6 * y, -0.6, 1.0)
+    rgb = np.clip(np.array(colour) * light[..., None], 0, 255)
+    shine = np.clip(1.0 - np.hypot(x + 0.30, y + 0.34) / 0.34, 0.0, 1.0) ** 2
+    rgb += (255.0 - rgb) * (0.75 * shine[..., None])
+    inside = np.clip((0.86 - away) * radius * _FINE + 0.5, 0.0, 1.0)[..., None]
+    rgb = rgb * inside + 255.0 * (1.0 - inside)
+    alpha = np.clip((1.06 - away) * radius * _FINE + 0.5, 0.0, 1.0)
+    if form == "two-way":
+        ring = np.clip((0.08 - np.abs(away - 1.28)) * radius * _FINE + 0.5, 0.0, 1.0)
+        rgb = np.where(away[..., None] > 1.1, np.array(colour, dtype=np.float64), rgb)
+        alpha = np.maximum(alpha, ring)
+    return Image.fromarray(np.dstack([rgb, 255.0 * alpha]).round().astype(np.uint8), "RGBA")
+
+
+def paste_knob(picture: Image.Image, form: str, colour: Colour, radius: float, at: tuple[float, float]) -> None:
+    """Put one handle on an RGB picture, for legends."""
+    fine = knob(form, colour, radius)
+    small = fine.resize((round(fine.width / _FINE), round(fine.height / _FINE)), Image.Resampling.BOX)
+    corner = (round(at[0] - small.width / 2), round(at[1] - small.height / 2))
+    picture.paste(small, corner, small)
+
+
+# --- geometry ----------------------------------------------------------------------------------------
+
+
+def _resampled(line: Floats) -> Floats:
+    """A projected polyline (k, 3) with vertices at most two pixels apart."""
+    parts = [line[:1]]
+    for start, end in pairwise(line):
+        steps = int(np.clip(np.ceil(np.linalg.norm((end - start)[:2]) / 2.0), 1, 2000))
+        share = np.arange(1, steps + 1)[:, None] / steps
+        parts.append(start + share * (end - start))
+    return np.concatenate(parts)
+
+
+def _seen(at: Floats, depth: Floats, slack: float) -> Flags:
+    """(k,) whether projected points (k, 3) lie in front of the depth buffer, give or take `slack` scene units."""
+    column = np.clip(at[:, 0].astype(np.int64), 0, depth.shape[1] - 1)
+    row = np.clip(at[:, 1].astype(np.int64), 0, depth.shape[0] - 1)
+    return np.asarray(at[:, 2] >= depth[row, column] - slack)
+
+
+def _fields(posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+    """Outlines of the parallelograms between members next to each other by angle (paper section 4.2).
+
+    Pairs more than 180 degrees apart, and the two ends of one axis, span nothing.
+    """
+    arms = [track - posed.rest for track in posed.tracks]
+    tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
+    east = np.cross(posed.normal, np.eye(3)[int(np.argmin(np.abs(posed.normal)))])
+    angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
+    order = np.argsort(angle, kind="stable")
+    found = []
+    for i, j in zip(order, np.roll(order, -1), strict=True):
+        span = (angle[j] - angle[i]) % (2.0 * np.pi)
+        if 1e-3 < span < np.pi - 1e-3:
+            out = np.concatenate([arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]])
+            found.append(camera.project(posed.rest + out)[:, :2])
+    return tuple(found)
+
+
+# --- layers ------------------------------------------------------------------------------------------
+
+
+def _over(picture: Image.Image, layer: Image.Image, opacity: float) -> Image.Image:
+    """Reduce a fine layer and lay it over the picture."""
+    small = layer.resize(picture.size, Image.Resampling.BOX)
+    if opacity < 1.0:
+        small.putalpha(small.getchannel("A").point([round(value * opacity) for value in range(256)]))
+    return Image.alpha_composite(picture.convert("RGBA"), small).convert("RGB")
+
+
+def _layer(size: tuple[int, int]) -> Image.Image:
+    return Image.new("RGBA", (size[0] * _FINE, size[1] * _FINE), (255, 255, 255, 0))
+
+
+def _spans(size: tuple[int, int], marks: list[Mark]) -> Image.Image:
+    layer = _layer(size)
+    pen = ImageDraw.Draw(layer)
+    for each in marks:
+        for outline in each.fields:
+            points = [(float(x) * _FINE, float(y) * _FINE) for x, y in outline]
+            pen.polygon(points, fill=(*each.colour, 255))
+    return layer
+
+
+def _lines(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+    """Tracks with a light casing, all casings below all cores; a dot at the end of each."""
+    layer = _layer(size)
+    pen = ImageDraw.Draw(layer)
+    core = float(np.clip(0.34 * radius, 1.5, 4.0))
+    for width, plain in ((core + 2.2, True), (core, False)):
+        for each in marks:
+            ink = (255, 255, 255, 215) if plain else (*_deep(each.colour), 255)
+            for track, seen in zip(each.tracks, each.seen, strict=True):
+                for run in _runs(track, seen):
+                    _stroke(pen, run, width, ink)
+                if seen[-1]:
+                    _dot(pen, track[-1], 0.5 * width + 0.12 * radius, ink)
+    return layer
+
+
+def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+    """What the character hides, without casings."""
+    layer = _layer(size)
+    pen = ImageDraw.Draw(layer)
+    for each in marks:
+        for track, seen in zip(each.tracks, each.seen, strict=True):
+            for run in _runs(track, ~seen):
+                _stroke(pen, run, float(np.clip(0.3 * radius, 1.2, 3.0)), (*_deep(each.colour), 255))
+        if not each.handle_seen:
+            _dot(pen, each.handle, radius, (*each.colour, 255))
+            _dot(pen, each.handle, 0.7 * radius, (*_WHITE, 140))
+    return layer
+
+
+def _knobs(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+    layer = _layer(size)
+    for each in marks:
+        ball = knob(each.form, each.colour, round(radius, 2))
+        x, y = (round(float(value) * _FINE - ball.width / 2) for value in each.handle[:2])
+        if -ball.width < x < layer.width and -ball.height < y < layer.height:
+            box = (max(-x, 0), max(-y, 0), min(ball.width, layer.width - x), min(ball.height, layer.height - y))
+            layer.alpha_composite(ball.crop(box), (max(x, 0), max(y, 0)))
+    return layer
+
+
+def _runs(track: Floats, wanted: Flags) -> list[Floats]:
+    """The stretches (k >= 2 vertices) of a track whose vertices are all wanted."""
+    borders = np.flatnonzero(np.diff(wanted.astype(np.int8))) + 1
+    parts = zip(np.split(track, borders), np.split(wanted, borders), strict=True)
+    return [part for part, flags in parts if flags[0] and len(part) > 1]
+
+
+def _stroke(pen: ImageDraw.ImageDraw, line: Floats, width: float, ink: tuple[int, int, int, int]) -> None:
+    points = [(float(x) * _FINE, float(y) * _FINE) for x, y in line[:, :2]]
+    pen.line(points, fill=ink, width=max(round(width * _FINE), 1), joint="curve")
+    for end in (line[0], line[-1]):
+        _dot(pen, end, 0.5 * width, ink)
+
+
+def _dot(pen: ImageDraw.ImageDraw, at: Floats, radius: float, ink: tuple[int, int, int, int]) -> None:
+    x, y, r = float(at[0]) * _FINE, float(at[1]) * _FINE, radius * _FINE
+    pen.ellipse((x - r, y - r, x + r, y + r), fill=ink)
+
+
+def _deep(colour: Colour) -> Colour:
+    """The darker tone of a colour in which its tracks are drawn."""
+    red, green, blue = (round(0.82 * value) for value in colour)
+    return red, green, blue

@@ -1,0 +1,268 @@
+"""Pictures of a layout for reports and review pages, made without a display.
+
+`render` draws one character with its elements from several sides, `contact_sheet` puts many such
+pictures on one page.  The same input gives the same pixels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from PIL import Image, ImageDraw
+
+from usdrigui.errors import refuse
+from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
+from usdrigui.view import lettering, overlay, shading
+from usdrigui.view.shading import Body, Camera
+
+VIEWS = {"front": 0.0, "left34": 35.0, "right34": -35.0, "left": 90.0, "right": -90.0, "back": 180.0}
+"""Degrees about the up axis from `Layout.view` toward the character's own left."""
+
+_TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
+"""Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
+_MARGIN = 0.20
+"""Space around the elements on the face, as a share of their extent."""
+_LEAST_FRAME = 22.0
+"""Least extent of a frame, in handle widths."""
+_TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
+"""Background of the panels."""
+_PAPER, _INK, _QUIET = (250, 250, 251), (38, 42, 48), (104, 110, 120)
+
+
+def render(
+    rig: Rig,
+    layout: Layout,
+    values: ArrayLike | None = None,
+    views: Sequence[str] = ("front", "left34", "right34"),
+    size: tuple[int, int] = (1800, 1000),
+    labels: bool = False,
+    title: str = "",
+) -> Image.Image:
+    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels.
+
+    ``values`` (controls,) is the pose, by default the layout's base pose.  Elements beside the face are
+    drawn and named in front views only; ``labels`` names those on the face as well.  Raises RigUIError
+    CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
+    belong to the rig, POSE_VALUE for a pose that is not one.
+    """
+    _check(views, size)
+    posed = evaluate(prepare(rig, layout), values)
+    subject = shading.body(rig, posed.points)
+    panels = [_framed(layout, posed, rig.up, view, labels) for view in views]
+    cameras, corners = _arranged(panels, size)
+    page = Image.new("RGB", size, _PAPER)
+    for panel, camera, corner in zip(panels, cameras, corners, strict=True):
+        page.paste(_panel(subject, layout, posed, panel, camera), corner)
+        middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
+        ImageDraw.Draw(page).text(middle, _CAPTIONS[panel.view], fill=_QUIET, font=lettering.font(13), anchor="mm")
+    _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout))
+    _legend(page, layout)
+    return page
+
+
+def contact_sheet(
+    images: Sequence[Image.Image], titles: Sequence[str], columns: int = 2, width: int = 1800
+) -> Image.Image:
+    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title.
+
+    Raises ValueError when there are no images or not one title for each.
+    """
+    if not images or len(images) != len(titles):
+        raise ValueError(f"{len(images)} images and {len(titles)} titles do not make a contact sheet")
+    columns = min(columns, len(images))
+    cell = (width - _GAP * (columns + 1)) // columns
+    small = [
+        each.resize((cell, max(1, round(each.height * cell / each.width))), Image.Resampling.LANCZOS) for each in images
+    ]
+    rows = [small[start : start + columns] for start in range(0, len(small), columns)]
+    heights = [max(each.height for each in row) + 26 for row in rows]
+    page = Image.new("RGB", (width, sum(heights) + _GAP * (len(rows) + 1)), _PAPER)
+    pen = ImageDraw.Draw(page)
+    top = _GAP
+    for number, (row, height) in enumerate(zip(rows, heights, strict=True)):
+        for column, each in enumerate(row):
+            left = _GAP + column * (cell + _GAP)
+            page.paste(each, (left, top))
+            text = titles[number * columns + column]
+            pen.text((left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14))
+        top += height + _GAP
+    return page
+
+
+@dataclass(frozen=True)
+class _Framed:
+    """What one panel shows, before the scale is known."""
+
+    view: str
+    rows: Floats
+    low: Floats
+    """(2,) lower left corner of the frame along the rows' right and up, scene units."""
+    high: Floats
+    beside: bool
+    """Whether the elements beside the face are shown."""
+    columns: tuple[float, float]
+    """Pixels kept free on the left and on the right for names."""
+    labels: bool
+
+
+# --- arrangement -------------------------------------------------------------------------------------
+
+
+def _check(views: Sequence[str], size: tuple[int, int]) -> None:
+    unknown = [view for view in views if view not in VIEWS]
+    if unknown or not views:
+        raise refuse("CONFIG_VALUE", "views", f"expected some of {', '.join(VIEWS)}, got {', '.join(views) or 'none'}")
+    if size[0] < 320 or size[1] < 240:
+        raise refuse("CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small")
+
+
+def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: bool) -> _Framed:
+    """The rectangle around the elements, with a margin; the same height for every view of a layout."""
+    angle = np.radians(VIEWS[view])
+    ahead = layout.view - (layout.view @ up) * up
+    left = np.cross(up, ahead)
+    rows = shading.look(np.cos(angle) * layout.view + np.sin(angle) * left, up)
+    beside = VIEWS[view] == 0.0 and any(element.anchor.beside for element in layout.elements)
+    low, high = _extent(layout, posed, rows, False)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low)
+    half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
+    half[0] = max(half[0], 0.62 * half[1])
+    low, high = middle - half, middle + half
+    columns = (0.0, 0.0)
+    if beside:
+        more = _extent(layout, posed, rows, True)
+        pad = 1.5 * layout.handle_width
+        low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
+        columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
+    if labels and view == "front":
+        wide = lettering.widest([each.label for each in layout.elements if not each.anchor.beside]) + 16.0
+        columns = (columns[0] + wide, columns[1] + wide)
+    return _Framed(view, rows, low, high, beside, columns, labels and view == "front")
+
+
+def _extent(layout: Layout, posed: PosedLayout, rows: Floats, beside: bool) -> tuple[Floats, Floats]:
+    """Corners (2,) of the box around the tracks on the face, or beside it, in the view's plane."""
+    lines = [
+        track
+        for element, at in zip(layout.elements, posed.elements, strict=True)
+        if element.anchor.beside == beside
+        for track in at.tracks
+    ]
+    points = np.concatenate(lines) if lines else posed.points[np.isfinite(posed.points).all(axis=1)]
+    across = points @ rows[:2].T
+    return across.min(axis=0), across.max(axis=0)
+
+
+def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Camera], list[tuple[int, int]]]:
+    """One scale for all panels, their cameras, and where each goes on the page."""
+    low = min(float(panel.low[1]) for panel in panels)
+    high = max(float(panel.high[1]) for panel in panels)
+    height = size[1] - _TITLE - _CAPTION - _LEGEND
+    names = sum(sum(panel.columns) for panel in panels)
+    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
+    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
+    scale = max(min(height / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
+    widths = [round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels]
+    # Space that is left over widens the panels: more of the character is better than a broad border.
+    spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
+    widths = [width + max(spare, 0) for width in widths]
+    left = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2
+    cameras, corners = [], []
+    for panel, width in zip(panels, widths, strict=True):
+        lean = 0.5 * (panel.columns[1] - panel.columns[0]) / scale
+        middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, 0.5 * (low + high)])
+        cameras.append(Camera(panel.rows, middle @ panel.rows[:2], scale, width, height))
+        corners.append((left, _TITLE))
+        left += width + _GAP
+    return cameras, corners
+
+
+# --- one panel ---------------------------------------------------------------------------------------
+
+
+def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera) -> Image.Image:
+    shaded = shading.shade(subject, camera)
+    picture = _developed(shaded)
+    shown = [
+        (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width))
+        for element, at in zip(layout.elements, posed.elements, strict=True)
+        if panel.beside or not element.anchor.beside
+    ]
+    picture = overlay.draw(picture, [drawn for _, drawn in shown], layout, camera)
+    beside = [(element, drawn) for element, drawn in shown if element.anchor.beside]
+    lettering.name_beside(picture, beside)
+    if panel.labels:
+        lettering.call_out(picture, [(element, drawn) for element, drawn in shown if not element.anchor.beside])
+    return picture
+
+
+_CAPTIONS = {
+    "front": "front",
+    "left34": "three-quarter, character's left",
+    "right34": "three-quarter, character's right",
+    "left": "character's left",
+    "right": "character's right",
+    "back": "back",
+}
+
+
+def _developed(shaded: shading.Shaded) -> Image.Image:
+    """Linear light to an sRGB picture over the background."""
+    down = np.linspace(0.0, 1.0, len(shaded.depth))[:, None, None]
+    behind = (1.0 - down) * _TOP + down * _BOTTOM
+    cover = shaded.cover[..., None]
+    linear = np.clip(shaded.colour, 0.0, 1.0)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
+    mixed = cover * encoded + (1.0 - cover) * behind
+    return Image.fromarray((255.0 * mixed).round().astype(np.uint8), "RGB")
+
+
+# --- title and legend --------------------------------------------------------------------------------
+
+
+def _numbers(rig: Rig, layout: Layout) -> str:
+    on_face = sum(not element.anchor.beside for element in layout.elements)
+    beside = len(layout.elements) - on_face
+    parts = [f"{len(rig.controls)} controls", f"{on_face} elements on the face"]
+    parts += [f"{beside} beside it"] if beside else []
+    parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
+    if np.isfinite(layout.bound) and np.isfinite(layout.cost):
+        gap = max(0.0, layout.cost - layout.bound) / max(abs(layout.cost), 1e-12)
+        parts.append(
+            f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at gap {gap:.2g}"
+        )
+    return "   ·   ".join(parts)
+
+
+def _title(page: Image.Image, title: str, numbers: str) -> None:
+    pen = ImageDraw.Draw(page)
+    pen.text((_EDGE, 12), title, fill=_INK, font=lettering.font(25))
+    pen.text((_EDGE, 43), numbers, fill=_QUIET, font=lettering.font(14))
+
+
+def _legend(page: Image.Image, layout: Layout) -> None:
+    """Colours by side and forms by kind, of what the layout holds."""
+    pen, font = ImageDraw.Draw(page), lettering.font(13)
+    x, y = float(_EDGE + 8), page.height - _LEGEND / 2
+    for form, colour, text in _legend_entries(layout.elements):
+        overlay.paste_knob(page, form, colour, 7.5, (x, y))
+        pen.text((x + 15, y), text, fill=_QUIET, font=font, anchor="lm")
+        x += 15 + font.getlength(text) + 30
+    note = "faint: hidden by the character"
+    if x + font.getlength(note) + _EDGE < page.width:
+        pen.text((page.width - _EDGE, y), note, fill=_QUIET, font=font, anchor="rm")
+
+
+def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, overlay.Colour, str]]:
+    used = {"beside" if each.anchor.beside else "middle" if each.side == "none" else each.side for each in elements}
+    names = {"left": "character's left", "right": "character's right", "middle": "middle", "beside": "beside the face"}
+    entries = [("slider", overlay.SIDES[side], text) for side, text in names.items() if side in used]
+    forms = {overlay.form_of(each) for each in elements}
+    grey = (128, 134, 142)
+    if forms == {"slider"}:
+        return entries
+    return entries + [(form, grey, text) for form, text in overlay.FORMS.items() if form in forms]

@@ -1,0 +1,209 @@
+"""The character as a clay model: an orthographic camera, three lights and smooth normals, by ray casting.
+
+Needs no graphics card, no display and no GL library.  One ray is cast per pixel and four more where an
+outline passes through it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
+
+from usdrigui.model import Flags, Floats, Indices, Record, Rig
+from usdrigui.rays import Caster, make_caster
+from usdrigui.surface import components, mesh_triangles, vertex_normals, weld
+
+CLAY = (0.60, 0.53, 0.47)
+"""Linear albedo of the character's main surface."""
+_TRIM = (0.66, 0.63, 0.60)
+"""Of its separate pieces: eyes, teeth, lashes, hair."""
+_LIGHTS = (((-0.55, 0.60, 0.75), (0.84, 0.81, 0.77)), ((0.85, 0.05, 0.55), (0.20, 0.23, 0.28)))
+"""Key and fill: direction in the camera's frame (right, up, toward) and linear colour."""
+_SKY, _GROUND = (0.25, 0.26, 0.28), (0.10, 0.09, 0.085)
+_RIM = 0.16
+_SUBPIXELS = np.array([[-0.125, -0.375], [0.375, -0.125], [0.125, 0.375], [-0.375, 0.125]])
+
+
+@dataclass(frozen=True, eq=False)
+class Camera(Record):
+    """An orthographic view of a rectangle."""
+
+    rows: Floats
+    """(3, 3): right, up and toward the viewer, unit vectors in root space."""
+    centre: Floats
+    """(3,) what the middle of the picture shows."""
+    scale: float
+    """Pixels per scene unit."""
+    width: int
+    height: int
+
+    def project(self, points: Floats) -> Floats:
+        """Pixels (x to the right, y down) and depth (scene units, growing toward the viewer) of (..., 3)."""
+        at = (points - self.centre) @ self.rows.T
+        x = self.width / 2.0 + self.scale * at[..., 0]
+        y = self.height / 2.0 - self.scale * at[..., 1]
+        return np.stack([x, y, at[..., 2]], axis=-1)
+
+    def unproject(self, pixels: Floats, depth: float) -> Floats:
+        """(n, 3) points at ``pixels`` (n, 2) and one depth."""
+        across = (pixels - [self.width / 2.0, self.height / 2.0]) * [1.0, -1.0] / self.scale
+        return np.asarray(self.centre + across @ self.rows[:2] + depth * self.rows[2])
+
+
+@dataclass(frozen=True, eq=False)
+class Body(Record):
+    """The visible surface of a character at one pose, ready for ray casting."""
+
+    points: Floats
+    corners: Indices
+    """(t, 3)."""
+    normals: Floats
+    """(n, 3) smooth; zero where undefined."""
+    trim: Flags
+    """(t,) triangles of separate pieces, shaded a little lighter."""
+    caster: Caster
+
+
+@dataclass(frozen=True, eq=False)
+class Shaded(Record):
+    """A picture of the body alone."""
+
+    colour: Floats
+    """(height, width, 3) linear, where covered."""
+    cover: Floats
+    """(height, width) share of the pixel that the body covers."""
+    depth: Floats
+    """(height, width) as `Camera.project`, at pixel centres; -inf beside the body."""
+
+
+def look(toward: Floats, up: Floats) -> Floats:
+    """(3, 3) camera rows for a view against `toward`; `up` need not be perpendicular to it."""
+    ahead = toward / np.linalg.norm(toward)
+    right = np.cross(up, ahead)
+    if np.linalg.norm(right) < 1e-6:
+        right = np.cross(np.roll(up, 1), ahead)
+    right = right / np.linalg.norm(right)
+    return np.stack([right, np.cross(ahead, right), ahead])
+
+
+def body(rig: Rig, points: Floats) -> Body:
+    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space."""
+    corners = mesh_triangles(rig.meshes, visible_only=True)
+    if not len(corners):
+        corners = mesh_triangles(rig.meshes)
+    finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
+    corners = corners[finite[corners].all(axis=1)]
+    points = np.where(finite[:, None], points, 0.0)
+    places = weld(points)
+    pieces = components(corners, places)[corners[:, 0]]
+    trim = np.zeros(len(corners), dtype=bool)
+    if len(corners):
+        trim = pieces != np.bincount(pieces).argmax()
+    return Body(points, corners, vertex_normals(points, corners, places), trim, make_caster(points[corners]))
+
+
+def shade(subject: Body, camera: Camera) -> Shaded:
+    """Render the body: clay under three lights, darkened in hollows."""
+    y, x = np.mgrid[: camera.height, : camera.width]
+    pixels = np.stack([x.ravel(), y.ravel()], axis=1) + 0.5
+    colour, depth = _samples(subject, camera, pixels)
+    cover = np.isfinite(depth).astype(np.float64)
+    grid = depth.reshape(camera.height, camera.width)
+    edge = np.flatnonzero(_outlines(grid, camera).ravel())
+    if len(edge):
+        finer = (pixels[edge][:, None] + _SUBPIXELS).reshape(-1, 2)
+        fine, fine_depth = _samples(subject, camera, finer)
+        met = np.isfinite(fine_depth).reshape(-1, len(_SUBPIXELS))
+        cover[edge] = met.mean(axis=1)
+        total = (fine.reshape(*met.shape, 3) * met[..., None]).sum(axis=1)
+        colour[edge] = total / np.maximum(met.sum(axis=1), 1)[:, None]
+    shape = (camera.height, camera.width)
+    colour = colour.reshape(*shape, 3) * _openness(grid, camera)[..., None]
+    return Shaded(colour, cover.reshape(shape), grid)
+
+
+def _samples(subject: Body, camera: Camera, pixels: Floats) -> tuple[Floats, Floats]:
+    """Linear colours (n, 3) and depths (n,) where rays through ``pixels`` (n, 2) meet the body."""
+    colour, depth = np.zeros((len(pixels), 3)), np.full(len(pixels), -np.inf)
+    if not len(subject.corners):
+        return colour, depth
+    reach = (subject.points[subject.corners.ravel()] - camera.centre) @ camera.rows[2]
+    front = float(reach.max()) + 0.01 * subject.caster.size
+    hits = subject.caster.first_hits(camera.unproject(pixels, front), -camera.rows[2])
+    met = np.flatnonzero(hits.triangle >= 0)
+    depth[met] = front - hits.distance[met]
+    triangle = hits.triangle[met]
+    weights = _barycentric(camera.project(subject.points[subject.corners[triangle]])[..., :2], pixels[met])
+    normals = np.einsum("nk,nkd->nd", weights, subject.normals[subject.corners[triangle]]) @ camera.rows.T
+    colour[met] = _lit(normals) * np.where(subject.trim[triangle, None], _TRIM, CLAY)
+    return colour, depth
+
+
+def _barycentric(corners: Floats, at: Floats) -> Floats:
+    """(n, 3) weights of the corners (n, 3, 2) that give the points (n, 2)."""
+    x, y = (corners[..., axis] - at[:, axis, None] for axis in (0, 1))
+    areas = np.stack([x[:, i] * y[:, j] - x[:, j] * y[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1)
+    total = areas.sum(axis=1, keepdims=True)
+    return np.asarray(np.divide(areas, total, out=np.full_like(areas, 1.0 / 3.0), where=np.abs(total) > 1e-30))
+
+
+def _lit(normals: Floats) -> Floats:
+    """Linear light (n, 3) on surfaces with ``normals`` (n, 3) in the camera's frame, seen from either side."""
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    facing = np.where(normals[:, 2:] < 0.0, -1.0, 1.0)
+    n = facing * normals / np.maximum(length, 1e-30)
+    height = 0.5 + 0.5 * n[:, 1:2]
+    light = height * np.array(_SKY) + (1.0 - height) * np.array(_GROUND)
+    for direction, colour in _LIGHTS:
+        toward = np.array(direction) / np.linalg.norm(direction)
+        # Light that wraps a little round the form keeps the turn to the shadow soft, as on skin.
+        light = light + np.clip((n @ toward + 0.15) / 1.15, 0.0, None)[:, None] * np.array(colour)
+        half = toward + np.array([0.0, 0.0, 1.0])
+        shine = np.clip(n @ (half / np.linalg.norm(half)), 0.0, None) ** 24
+        light = light + 0.10 * shine[:, None] * np.array(colour)
+    rim = (1.0 - np.clip(n[:, 2:], 0.0, 1.0)) ** 3 * np.clip(0.4 + 0.6 * n[:, 1:2], 0.0, 1.0)
+    return np.asarray(light + _RIM * rim)
+
+
+def _outlines(depth: Floats, camera: Camera) -> Flags:
+    """Pixels next to a jump in depth, or to the border of the body."""
+    known = np.isfinite(depth)
+    low = float(depth[known].min()) if known.any() else 0.0
+    filled = np.where(known, depth, low - 1e3 / camera.scale)
+    jump = maximum_filter(filled, 3) - minimum_filter(filled, 3)
+    return np.asarray(jump > 8.0 / camera.scale)
+
+
+def _openness(depth: Floats, camera: Camera) -> Floats:
+    """(height, width) factor on the light: less than 1 where the surface lies below its surroundings.
+
+    The depth buffer is compared with blurred copies of itself, after Luft, Colditz and Deussen 2006,
+    "Image enhancement by unsharp masking the depth buffer".
+    """
+    known = np.isfinite(depth)
+    if not known.any():
+        return np.ones_like(depth)
+    weight = known.astype(np.float32)
+    values = np.where(known, depth - depth[known].mean(), 0.0).astype(np.float32)
+    open_sky: Floats = np.ones_like(depth)
+    for share, strength in ((0.007, 0.30), (0.03, 0.42)):
+        sigma = share * camera.height
+        around = _blurred(values, sigma) / np.maximum(_blurred(weight, sigma), 1e-6)
+        below = (around - values) * camera.scale / sigma
+        open_sky = open_sky * (1.0 - strength * np.clip(below, 0.0, 1.0))
+    return np.where(known, open_sky, 1.0)
+
+
+def _blurred(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
+    """Gaussian blur by way of a smaller picture, where the blur is wide enough for that not to show."""
+    step = max(1, int(sigma / 3.0))
+    tall, wide = -(-image.shape[0] // step), -(-image.shape[1] // step)
+    padded = np.pad(image, ((0, tall * step - image.shape[0]), (0, wide * step - image.shape[1])), mode="edge")
+    small = padded.reshape(tall, step, wide, step).mean(axis=(1, 3))
+    soft = gaussian_filter(small, sigma / step)
+    large = Image.fromarray(soft).resize((wide * step, tall * step), Image.Resampling.BILINEAR)
+    return np.asarray(large)[: image.shape[0], : image.shape[1]]
