@@ -101,10 +101,10 @@ def _view(arguments: argparse.Namespace) -> Exit:
 
 
 def _schema_path(arguments: argparse.Namespace) -> Exit:
-    from usdrigui.schema_folder import schema_folder
+    from usdrigui.usd.schema import schema_path
 
     del arguments
-    print(schema_folder())
+    print(schema_path())
     return Exit.OK
 
 

@@ -295,8 +295,13 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 
 def environment_settings() -> dict[str, str]:
-    """The environment variables that `load` understands."""
-    return {name: value for name, value in sorted(os.environ.items()) if name.startswith("USDRIGUI_")}
+    """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a part of `Settings`."""
+    parts = {each.name.upper() for each in fields(Settings)}
+    return {
+        name: value
+        for name, value in sorted(os.environ.items())
+        if name.startswith("USDRIGUI_") and name.split("_")[1] in parts
+    }
 
 
 def _from_environment(environment: Mapping[str, str]) -> dict[str, Any]:

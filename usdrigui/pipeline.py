@@ -1,0 +1,391 @@
+"""process(): from an asset to its layout layer; the only owner of the order of the stages.
+
+    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
+
+`process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer back.
+Nothing here prints; what a run has to say is in the record that it returns.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from usdrigui.errors import Issue, refuse
+from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
+from usdrigui.layout import candidates as candidates_stage
+from usdrigui.layout import elements as elements_stage
+from usdrigui.layout import groups as groups_stage
+from usdrigui.layout import problem as problem_stage
+from usdrigui.layout import symmetry as symmetry_stage
+from usdrigui.layout import trajectory as trajectory_stage
+from usdrigui.layout import visibility as visibility_stage
+from usdrigui.layout.terms import Context
+from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
+from usdrigui.report import CharacterReport, Outcome, Report, rows_of, to_json
+from usdrigui.settings import Settings
+
+if TYPE_CHECKING:
+    from usdrigui.solve.watch import Progress
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something worth showing while a run goes on."""
+
+    stage: str
+    detail: str = ""
+    seconds: float | None = None
+    """Given when the stage has ended."""
+    can_stop: bool = False
+    """True while a request to stop is answered with the best layout so far."""
+
+
+Watch = Callable[[Event], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A layout problem with everything needed to turn its solution into a layout."""
+
+    context: Context
+    candidates: Candidates
+    groups: tuple[Group, ...]
+    problem: LayoutProblem
+    choices: tuple[problem_stage.Choice, ...]
+    base_values: Floats
+
+
+@dataclass(frozen=True, slots=True)
+class Loaded:
+    """A layer read back with the characters that it stands over."""
+
+    characters: tuple[tuple[Rig, Layout], ...]
+    source: str
+
+
+def process(
+    asset: Path,
+    settings: Settings,
+    *,
+    output: Path | None = None,
+    dry_run: bool = False,
+    progress: Watch | None = None,
+    stop: Callable[[], bool] | None = None,
+) -> Report:
+    """Lay out every character of `asset` and write the layer.
+
+    Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
+    search, which then ends with the best layout so far.  Raises `usdrigui.errors.RigUIError`; then
+    nothing has been written.
+    """
+    clock = _Clock(progress)
+    target = output if output is not None else default_output(asset)
+    _check_target(asset, target)
+    with clock.stage("read"):
+        source = _read(asset, settings)
+    laid = [_lay_out(rig, settings, clock, stop, source.cameras) for rig in source.rigs]
+    outcome: Outcome = "dry run"
+    if not dry_run:
+        with clock.stage("write"):
+            outcome = _written(asset, target, settings, source, laid)
+    return Report(
+        asset=str(asset),
+        output="" if dry_run else str(target),
+        outcome=outcome,
+        characters=tuple(laid),
+        issues=tuple(found for rig in source.rigs for found in rig.issues),
+        seconds=clock.seconds,
+        settings=_plain(asdict(settings)),
+    )
+
+
+def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -> Inspection:
+    """What the stages before the search find out about `asset`; writes nothing."""
+    clock = _Clock(progress)
+    with clock.stage("read"):
+        source = _read(asset, settings)
+    characters = [_facts(posed(rig, settings, clock, source.cameras)) for rig in source.rigs]
+    issues = tuple(found for rig in source.rigs for found in rig.issues)
+    return Inspection(str(asset), tuple(characters), issues, clock.seconds)
+
+
+def posed(rig: Rig, settings: Settings, clock: _Clock | None = None, cameras: Any = None) -> Posed:
+    """The layout problem of one rig: every stage between reading and solving."""
+    clock = clock or _Clock(None)
+    base_values = _base_values(rig, settings)
+    with clock.stage("trajectories"):
+        found = trajectory_stage.trajectories(rig, settings.trajectories, base_values)
+    if not found.motions:
+        raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
+    with clock.stage("symmetry"):
+        symmetry = symmetry_stage.find_symmetry(rig, found, settings)
+    with clock.stage("candidates"):
+        views = visibility_stage.find_views(
+            rig,
+            found,
+            symmetry,
+            settings.candidates.view,
+            settings.candidates.occlusion,
+            _camera(settings, cameras, rig),
+        )
+        context = Context(rig, found, symmetry, views, settings)
+        candidates = candidates_stage.candidates(context)
+    with clock.stage("problem"):
+        groups = groups_stage.find_groups(context, candidates)
+        problem, choices = problem_stage.layout_problem(context, candidates, groups)
+    return Posed(context, candidates, groups, problem, choices, base_values)
+
+
+def load_layer(layer: Path, settings: Settings) -> Loaded:
+    """A layout layer and the rigs that it stands over, for viewers and checks.
+
+    Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING and everything that reading an asset can raise.
+    """
+    from usdrigui.usd import read_layout
+
+    layouts = {each.root: each for each in read_layout.read_layout(layer)}
+    source = read_layout.source_of(layer)
+    if not source:
+        raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
+    rigs = _read(Path(source), settings).rigs
+    missing = set(layouts) - {each.root for each in rigs}
+    if missing:
+        raise refuse("LAYOUT_STALE", sorted(missing)[0], f"{source} has no such character any more")
+    return Loaded(tuple((each, layouts[each.root]) for each in rigs if each.root in layouts), source)
+
+
+def default_output(asset: Path) -> Path:
+    """``char.usda`` → ``char.rigui.usda``, beside it."""
+    return asset.with_name(asset.stem + ".rigui.usda")
+
+
+def write_extras(report: Report, *, report_path: Path | None, picture_path: Path | None) -> tuple[str, ...]:
+    """Write the report and the picture that were asked for; returns one line for each."""
+    lines = []
+    if report_path is not None:
+        lines.append(f"{write_file(to_json(report).encode(), report_path)} {report_path}")
+    if picture_path is not None:
+        lines.append(f"{write_file(_picture(report), picture_path)} {picture_path}")
+    return tuple(lines)
+
+
+def write_file(content: bytes, target: Path) -> str:
+    """Write a file all or nothing; returns ``written`` or ``unchanged``."""
+    from usdrigui.usd.safe_write import commit
+
+    target.parent.mkdir(parents=True, exist_ok=True)
+    return commit(content, target)
+
+
+# --- one character -----------------------------------------------------------------------------------
+
+
+def _lay_out(
+    rig: Rig, settings: Settings, clock: _Clock, stop: Callable[[], bool] | None, cameras: Any
+) -> CharacterReport:
+    from usdrigui.solve import solve
+
+    ready = posed(rig, settings, clock, cameras)
+    with clock.stage("solve", can_stop=True):
+        assignment = solve(ready.problem, settings.solve, clock.solving, stop)
+    with clock.stage("layout"):
+        layout = elements_stage.layout(
+            ready.context,
+            ready.candidates,
+            ready.groups,
+            ready.problem,
+            ready.choices,
+            assignment,
+            ready.base_values,
+        )
+    return _character(ready, layout, assignment)
+
+
+def _character(ready: Posed, layout: Layout, assignment: Assignment) -> CharacterReport:
+    rig = ready.context.rig
+    controls = rig.controls
+    motions = ready.context.trajectories.motions
+    peaks = {controls[each.control].name: float(each.arc_length.max()) for each in motions}
+    laid = {member.control for element in layout.elements for member in element.members}
+    return CharacterReport(
+        root=rig.root,
+        rig=rig,
+        layout=layout,
+        assignment=assignment,
+        rows=rows_of(rig, layout, peaks, _twin_names(ready)),
+        notes=tuple(note for note in _notes(ready) if note.control in laid),
+    )
+
+
+def _notes(ready: Posed) -> tuple[LeftOff, ...]:
+    return (*ready.context.trajectories.left_off, *ready.candidates.left_off)
+
+
+def _twin_names(ready: Posed) -> dict[str, str]:
+    controls = ready.context.rig.controls
+    twins = ready.context.symmetry.twins
+    return {
+        control.name: controls[twin].name
+        for control, twin in zip(controls, twins, strict=True)
+        if twin >= 0 and controls[twin] is not control
+    }
+
+
+def _base_values(rig: Rig, settings: Settings) -> Floats:
+    """(controls,) the base pose (paper: P)."""
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    values = np.array([control.default for control in rig.controls], dtype=np.float64)
+    for name, value in settings.read.pose.items():
+        if name not in index:
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', f"{rig.root} has no control of this name")
+        values[index[name]] = value
+    return values
+
+
+def _camera(settings: Settings, cameras: Any, rig: Rig) -> Floats | None:
+    """(3,) direction to the viewer of the camera prim that the view names, in root space."""
+    del settings, cameras, rig
+    return None
+
+
+def _facts(ready: Posed) -> CharacterFacts:
+    rig, trajectories, symmetry = ready.context.rig, ready.context.trajectories, ready.context.symmetry
+    sets = {trajectories.motions[each.motion].control: each for each in ready.candidates.sets}
+    motions = {each.control: each for each in trajectories.motions}
+    twins = _twin_names(ready)
+    said: dict[str, list[str]] = {}
+    for note in (*rig.left_off, *_notes(ready)):
+        said.setdefault(note.control, []).append(note.reason)
+    rows = []
+    for index, control in enumerate(rig.controls):
+        chosen, motion = sets.get(index), motions.get(index)
+        flags = list(said.get(control.name, ()))
+        if chosen is not None:
+            marks = (("global", chosen.globally), ("hidden", chosen.hidden), ("composite", chosen.composite))
+            flags += [name for name, on in marks if on]
+        rows.append(
+            ControlFacts(
+                control=control.name,
+                kind=control.kind,
+                source=control.source,
+                minimum=control.minimum,
+                default=control.default,
+                maximum=control.maximum,
+                range_source=control.range_source,
+                points=0 if motion is None else len(motion.points),
+                coverage=0.0 if chosen is None else chosen.coverage,
+                peak=0.0 if motion is None else float(motion.arc_length.max()) / trajectories.typical_length,
+                twin=twins.get(control.name, "self" if symmetry.twins[index] == index else ""),
+                twin_source=symmetry.sources[index],
+                flags=tuple(flags),
+            )
+        )
+    return CharacterFacts(
+        root=rig.root,
+        points=len(trajectories.base),
+        meshes=len(rig.meshes),
+        joints=len(rig.joints),
+        symmetric=float((symmetry.partner >= 0).mean()),
+        controls=tuple(rows),
+        groups=_group_lines(ready),
+    )
+
+
+def _group_lines(ready: Posed) -> tuple[str, ...]:
+    names = [control.name for control in ready.context.rig.controls]
+    return tuple(
+        f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)} ({group.reason})"
+        for group in ready.groups
+        if len(group.controls) > 1
+    )
+
+
+# --- the two ends ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class _Source:
+    rigs: tuple[Rig, ...]
+    metadata: Any
+    cameras: Any = None
+
+
+def _read(asset: Path, settings: Settings) -> _Source:
+    from pxr import Sdf
+
+    from usdrigui.usd import layer
+    from usdrigui.usd import rig as reader
+
+    rigs = reader.read_rigs(asset, settings)
+    return _Source(rigs, layer.stage_metadata(Sdf.Layer.FindOrOpen(str(asset))))
+
+
+def _check_target(asset: Path, target: Path) -> None:
+    if target.resolve() == asset.resolve():
+        raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
+
+
+def _written(asset: Path, target: Path, settings: Settings, source: Any, laid: list[CharacterReport]) -> Outcome:
+    from usdrigui.usd import layer
+
+    target.parent.mkdir(parents=True, exist_ok=True)
+    pairs = [(character.rig, character.layout) for character in laid]
+    return layer.write_layout(pairs, asset, target, settings.output, source.metadata)
+
+
+def _picture(report: Report) -> bytes:
+    import io
+
+    from usdrigui.view.picture import contact_sheet, render
+
+    images = [render(character.rig, character.layout) for character in report.characters]
+    titles = [character.root for character in report.characters]
+    image = images[0] if len(images) == 1 else contact_sheet(images, titles)
+    buffer = io.BytesIO()
+    image.save(buffer, format="PNG")
+    return buffer.getvalue()
+
+
+def _plain(value: Any) -> Any:
+    """Settings as JSON-ready values."""
+    if isinstance(value, dict) or hasattr(value, "items"):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
+
+
+@dataclass
+class _Clock:
+    """Times the stages and tells the watcher."""
+
+    watch: Watch | None
+    _seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def seconds(self) -> tuple[tuple[str, float], ...]:
+        return tuple(self._seconds.items())
+
+    @contextmanager
+    def stage(self, name: str, *, can_stop: bool = False) -> Iterator[None]:
+        self._tell(Event(name, can_stop=can_stop))
+        start = time.perf_counter()
+        yield
+        spent = time.perf_counter() - start
+        self._seconds[name] = self._seconds.get(name, 0.0) + spent
+        self._tell(Event(name, seconds=spent))
+
+    def solving(self, progress: Progress) -> None:
+        detail = f"{progress.step}: cost {progress.cost:.4f}, bound {progress.bound:.4f}, gap {progress.gap:.1e}"
+        self._tell(Event("solve", detail, can_stop=True))
+
+    def _tell(self, event: Event) -> None:
+        if self.watch is not None:
+            self.watch(event)
