@@ -1,0 +1,1 @@
+"""Procedural model of the sample character; `make_char.py` beside this package runs it."""
