@@ -13,13 +13,13 @@ import sys
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, Self
 
 from usdrigui import __version__
 from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
-    from usdrigui import terminal
+    from usdrigui import report, terminal
     from usdrigui.settings import Settings
 
 
@@ -35,11 +35,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(Exit.FILE)
     except KeyboardInterrupt:
-        error = refuse("INTERRUPTED", "", "stopped by the user before there was a result")
-        _refused(error, arguments)
-        return int(error.exit_code)
-    except Exception as error:
-        return _bug(error, arguments)
+        stopped = refuse("INTERRUPTED", "", "stopped by the user before there was a result")
+        _refused(stopped, arguments)
+        return int(stopped.exit_code)
+    except Exception as bug:
+        return _bug(bug, arguments)
 
 
 # --- the commands ------------------------------------------------------------------------------------
@@ -64,7 +64,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
             progress=watch,
             stop=interruption.requested,
         )
-        written = pipeline.write_extras(result, report_path=arguments.report, picture_path=arguments.preview)
+        written = _extras(result, arguments)
     if arguments.json:
         sys.stdout.write(report.to_json(result))
     else:
@@ -134,6 +134,7 @@ def _add_process(commands: Any) -> None:
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
+    parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
     parser.add_argument("--bare", action="store_true", help="leave CHAR out of the layer's sublayers")
     _add_settings(parser)
 
@@ -246,7 +247,7 @@ class _Interruption:
     def requested(self) -> bool:
         return self._asked
 
-    def __enter__(self) -> _Interruption:
+    def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):
             self._previous[number] = signal.signal(number, self._on_signal)
         return self
@@ -268,6 +269,23 @@ def _screen(arguments: argparse.Namespace) -> terminal.Screen:
     from usdrigui import terminal
 
     return terminal.Screen(quiet=arguments.quiet, machine=arguments.json)
+
+
+def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, ...]:
+    """Write the report and the picture that were asked for; one line for each."""
+    from usdrigui import pipeline, report
+
+    lines = []
+    if arguments.report is not None:
+        content = report.to_json(result).encode()
+        lines.append(f"{pipeline.write_file(content, arguments.report)} {arguments.report}")
+    if arguments.preview is not None:
+        from usdrigui.view import sheet
+
+        characters = [(each.rig, each.layout) for each in result.characters]
+        content = sheet.sheet_png(characters, labels=arguments.labels)
+        lines.append(f"{pipeline.write_file(content, arguments.preview)} {arguments.preview}")
+    return tuple(lines)
 
 
 def _strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
@@ -303,8 +321,3 @@ def _bug(error: Exception, arguments: argparse.Namespace) -> int:
 def _say(line: str, arguments: argparse.Namespace) -> None:
     if not arguments.json:
         print(line)
-
-
-def run() -> NoReturn:
-    """Console-script entry."""
-    sys.exit(main())

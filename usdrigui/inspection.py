@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from usdrigui.errors import Issue
-from usdrigui.report import issue_document
 
 FORMAT = "usdrigui.inspection"
 VERSION = 1
@@ -69,7 +68,7 @@ def to_json(found: Inspection) -> str:
         "version": VERSION,
         "asset": found.asset,
         "characters": [asdict(each) for each in found.characters],
-        "issues": [issue_document(each) for each in found.issues],
+        "issues": [asdict(each) for each in found.issues],
         "seconds": dict(found.seconds),
     }
     return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"

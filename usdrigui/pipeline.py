@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from usdrigui.errors import Issue, refuse
+from usdrigui.errors import refuse
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
 from usdrigui.layout import candidates as candidates_stage
 from usdrigui.layout import elements as elements_stage
@@ -28,7 +28,7 @@ from usdrigui.layout import trajectory as trajectory_stage
 from usdrigui.layout import visibility as visibility_stage
 from usdrigui.layout.terms import Context
 from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
-from usdrigui.report import CharacterReport, Outcome, Report, rows_of, to_json
+from usdrigui.report import CharacterReport, Outcome, Report, rows_of
 from usdrigui.settings import Settings
 
 if TYPE_CHECKING:
@@ -157,23 +157,13 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     rigs = _read(Path(source), settings).rigs
     missing = set(layouts) - {each.root for each in rigs}
     if missing:
-        raise refuse("LAYOUT_STALE", sorted(missing)[0], f"{source} has no such character any more")
+        raise refuse("LAYOUT_STALE", min(missing), f"{source} has no such character any more")
     return Loaded(tuple((each, layouts[each.root]) for each in rigs if each.root in layouts), source)
 
 
 def default_output(asset: Path) -> Path:
     """``char.usda`` → ``char.rigui.usda``, beside it."""
     return asset.with_name(asset.stem + ".rigui.usda")
-
-
-def write_extras(report: Report, *, report_path: Path | None, picture_path: Path | None) -> tuple[str, ...]:
-    """Write the report and the picture that were asked for; returns one line for each."""
-    lines = []
-    if report_path is not None:
-        lines.append(f"{write_file(to_json(report).encode(), report_path)} {report_path}")
-    if picture_path is not None:
-        lines.append(f"{write_file(_picture(report), picture_path)} {picture_path}")
-    return tuple(lines)
 
 
 def write_file(content: bytes, target: Path) -> str:
@@ -338,19 +328,6 @@ def _written(asset: Path, target: Path, settings: Settings, source: Any, laid: l
     target.parent.mkdir(parents=True, exist_ok=True)
     pairs = [(character.rig, character.layout) for character in laid]
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata)
-
-
-def _picture(report: Report) -> bytes:
-    import io
-
-    from usdrigui.view.picture import contact_sheet, render
-
-    images = [render(character.rig, character.layout) for character in report.characters]
-    titles = [character.root for character in report.characters]
-    image = images[0] if len(images) == 1 else contact_sheet(images, titles)
-    buffer = io.BytesIO()
-    image.save(buffer, format="PNG")
-    return buffer.getvalue()
 
 
 def _plain(value: Any) -> Any:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from usdrigui.errors import Exit, Issue
@@ -108,17 +108,6 @@ def to_json(report: Report) -> str:
     return json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def issue_document(found: Issue) -> dict[str, Any]:
-    """One issue as JSON-ready values."""
-    return {
-        "code": found.code,
-        "severity": found.severity,
-        "path": found.path,
-        "message": found.message,
-        "repair": found.repair,
-    }
-
-
 def failure_json(asset: str, found: Issue, exit_code: Exit) -> str:
     """The report of a run that ended in an error."""
     document = {
@@ -127,7 +116,7 @@ def failure_json(asset: str, found: Issue, exit_code: Exit) -> str:
         "asset": asset,
         "outcome": "refused",
         "exit": int(exit_code),
-        "issues": [issue_document(found)],
+        "issues": [asdict(found)],
     }
     return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
 
@@ -147,7 +136,7 @@ def _document(report: Report) -> dict[str, Any]:
         "outcome": report.outcome,
         "exit": int(report.exit_code),
         "characters": [_character(each) for each in report.characters],
-        "issues": [issue_document(each) for each in report.issues],
+        "issues": [asdict(each) for each in report.issues],
         "settings": dict(report.settings),
         "seconds": dict(report.seconds),
     }
@@ -177,8 +166,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
             "gap_in_play": assignment.gap_in_play,
             "weights": dict(layout.weights),
             "steps": [
-                {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds}
-                for step in assignment.steps
+                {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds} for step in assignment.steps
             ],
         },
     }

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from usdrigui.pipeline import Event
     from usdrigui.report import CharacterReport, ControlRow, Report
 
+_LOG_WIDTH = 160
+"""Columns where the output is not a terminal."""
+
 Watch = Callable[["Event"], None]
 
 
@@ -32,14 +35,14 @@ class Screen:
     def __init__(self, *, quiet: bool = False, machine: bool = False) -> None:
         self._quiet = quiet
         self._silent = machine
-        self._out = Console(markup=False, highlight=False, soft_wrap=not sys.stdout.isatty())
+        self._out = Console(markup=False, highlight=False, width=None if sys.stdout.isatty() else _LOG_WIDTH)
         self._side = Console(stderr=True, markup=False, highlight=False)
 
     @contextmanager
     def progress(self) -> Iterator[Watch]:
         """A live line on a terminal, one plain line a stage elsewhere, nothing when quiet."""
         if self._quiet or self._silent:
-            yield lambda event: None
+            yield _ignore
         elif self._side.is_terminal:
             with self._side.status("starting") as status:
                 yield lambda event: self._live(status, event)
@@ -106,11 +109,16 @@ class Screen:
         self._out.print(f"  seconds: {parts}; in all {sum(value for _, value in seconds):.2f}")
 
 
+def _ignore(event: Event) -> None:
+    del event
+
+
 def _rows_table(rows: Sequence[ControlRow]) -> Table:
     table = _table("control", "kind", "place", "element", "twin", "kept", "why")
     for row in rows:
         kept = _percent(row.kept) if math.isfinite(row.kept) else ""
-        table.add_row(*map(Text, (row.control, row.kind, row.place, row.element, row.twin, kept, row.reason)))
+        element = row.element if row.element != row.control else ""
+        table.add_row(*map(Text, (row.control, row.kind, row.place, element, row.twin, kept, row.reason)))
     return table
 
 
@@ -135,7 +143,7 @@ def _facts_table(controls: Sequence[ControlFacts]) -> Table:
 def _table(*columns: str) -> Table:
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     for column in columns:
-        table.add_column(column, overflow="fold", no_wrap=column in ("control", "kind", "place", "kept", "range"))
+        table.add_column(column, overflow="fold", no_wrap=column not in ("why", "flags"))
     return table
 
 
