@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -33,6 +34,7 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "string": str,
     "bool": bool,
 }
+_NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
 
@@ -85,7 +87,7 @@ def put(
 ) -> None:
     """Author an attribute that USD's own schemas declare."""
     variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
-    attribute = Sdf.AttributeSpec(spec, name, Sdf.ValueTypeNames.Find(type_name), variability)
+    attribute = Sdf.AttributeSpec(spec, name, _type(type_name), variability)
     attribute.default = usd_value(type_name, value)
     if interpolation:
         attribute.SetInfo("interpolation", interpolation)
@@ -93,9 +95,9 @@ def put(
         attribute.SetInfo("elementSize", element_size)
 
 
-def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Any]) -> None:
+def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Sdf.Path | str]) -> None:
     """Author a relationship; an empty one is left out."""
-    paths = [Sdf.Path(str(target)) for target in targets]
+    paths = [target if isinstance(target, Sdf.Path) else Sdf.Path(target) for target in targets]
     if paths:
         relationship = Sdf.RelationshipSpec(spec, name, custom=False)
         relationship.targetPathList.explicitItems = paths
@@ -126,6 +128,11 @@ def usd_value(type_name: str, value: Any) -> Any:
     return _SCALARS[type_name](value)
 
 
+@functools.cache
+def _type(name: str) -> Any:
+    return Sdf.ValueTypeNames.Find(name)
+
+
 def _is_fallback(declared: Property, value: Any) -> bool:
     if declared.type_name.endswith("[]"):
         return len(value) == 0 and len(declared.fallback or ()) == 0
@@ -134,7 +141,7 @@ def _is_fallback(declared: Property, value: Any) -> bool:
 
 def identifier(text: str, taken: set[str]) -> str:
     """A valid prim or instance name made from any text, ASCII only, not in `taken`, to which it is added."""
-    plain = "".join(char if char.isascii() and (char.isalnum() or char == "_") else "_" for char in text)
+    plain = _NOT_PLAIN.sub("_", text)
     if not plain or plain[0].isdigit():
         plain = f"_{plain}"
     name, count = plain, 1

@@ -73,6 +73,8 @@ class PointShape(Record):
 
     def at(self, weight: float) -> Floats:
         """Offset (3,) or (q, 3) at a weight, piecewise linear and extrapolated."""
+        if weight == 0.0:
+            return np.zeros_like(self.offsets[0])
         nodes = np.append(self.weights, 0.0)
         order = np.argsort(nodes)
         nodes = nodes[order]
@@ -111,8 +113,10 @@ class Carriage:
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.meshes}
         self._size = _size(rig)
-        self._rigid = _rigid_carrier(rig, [self._anchored(each) for each in layout.elements if not each.anchor.beside])
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
+        on_face = [self._anchored(each) for each in layout.elements if not each.anchor.beside]
+        self._rigid = _rigid_carrier(rig, on_face)
+        self._shapes = _shapes_of(rig, on_face, self._size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -134,7 +138,7 @@ class Carriage:
         if element.adapt == "static" and self._rigid >= 0:
             influences = np.array([self._rigid]), np.ones(1)
         own = _own_joints(controls, self._size)
-        fixed = _without(self.rig, *influences, own)
+        fixed = _without(self.rig, influences, own)
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)
         rest = np.append(mesh.points[point], 1.0) @ to_rest
@@ -143,7 +147,7 @@ class Carriage:
             rest=rest,
             handle=self._hold(mesh, skeleton, influences) if deforms and turning else track,
             track=track,
-            shapes=_point_shapes(mesh, point, to_rest[:3], self._size) if deforms else (),
+            shapes=self._shapes[mesh.path, point] if deforms else (),
             own_channels=frozenset(int(c) for control in controls for c in control.drive.channels),
             turning=turning,
             deforms=deforms,
@@ -240,15 +244,16 @@ def _own_joints(controls: list[Control], size: float) -> set[int]:
     return own
 
 
-def _without(rig: Rig, joints: Indices, weights: Floats, own: set[int]) -> tuple[Indices, Floats]:
+def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tuple[Indices, Floats]:
     """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest joint above.
 
     Where there is none above, the others take its share; without others nothing moves the point any more.
-    Returns the very arguments when nothing has to change.
+    Returns the very `influences` when nothing has to change.
     """
+    joints, weights = influences
     moved = {int(joint): _free_ancestor(rig, int(joint), own) for joint in joints}
     if all(joint == target for joint, target in moved.items()):
-        return joints, weights
+        return influences
     shares: dict[int, float] = {}
     for joint, weight in zip(joints.tolist(), weights.tolist(), strict=True):
         shares[moved[joint]] = shares.get(moved[joint], 0.0) + weight
@@ -298,13 +303,19 @@ def _depths(rig: Rig) -> Indices:
     return depth
 
 
-def _point_shapes(mesh: RigMesh, point: int, to_rest: Floats, size: float) -> tuple[PointShape, ...]:
-    """The shapes that move one point of a mesh, in the order of their channels."""
-    found = []
-    for shape in mesh.shapes:
-        place = int(np.searchsorted(shape.points, point))
-        if place < len(shape.points) and shape.points[place] == point:
-            offsets = shape.offsets[:, place].astype(np.float64) @ to_rest
-            if np.abs(offsets).max() > _NO_OFFSET * size:
-                found.append(PointShape(shape.channel, shape.weights, offsets))
-    return tuple(sorted(found, key=lambda shape: shape.channel))
+def _shapes_of(
+    rig: Rig, anchors: list[tuple[RigMesh, int]], size: float
+) -> dict[tuple[str, int], tuple[PointShape, ...]]:
+    """The shapes that move each anchor, by mesh and point, in the order of their channels."""
+    found: dict[tuple[str, int], list[PointShape]] = {(mesh.path, point): [] for mesh, point in anchors}
+    for mesh in {mesh.path: mesh for mesh, _ in anchors}.values():
+        points = np.array(sorted(point for path, point in found if path == mesh.path))
+        to_rest = _to_rest(rig, mesh)[:3]
+        for shape in mesh.shapes:
+            place = np.searchsorted(shape.points, points)
+            hit = np.flatnonzero(np.append(shape.points, -1)[place] == points)
+            offsets = shape.offsets[:, place[hit]].astype(np.float64) @ to_rest
+            for column in np.flatnonzero(np.abs(offsets).max(axis=(0, 2), initial=0.0) > _NO_OFFSET * size):
+                point = int(points[hit[column]])
+                found[mesh.path, point].append(PointShape(shape.channel, shape.weights, offsets[:, column]))
+    return {key: tuple(sorted(shapes, key=lambda shape: shape.channel)) for key, shapes in found.items()}

@@ -6,6 +6,7 @@ Positions come in as the layout has them, in the base pose, and go out in the re
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from typing import Literal
 
@@ -222,6 +223,7 @@ def _uniform(shape: PointShape, count: int) -> PointShape:
     return PointShape(shape.channel, shape.weights, np.repeat(shape.offsets[:, None], count, axis=1))
 
 
+@functools.cache
 def _ball() -> tuple[Floats, Indices]:
     """A unit icosahedron about the origin: 12 points whose mean is the centre, and 20 triangles."""
     golden = (1.0 + 5.0**0.5) / 2.0

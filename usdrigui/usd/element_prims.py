@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from pxr import Sdf
+from pxr import Sdf, Vt
 
 from usdrigui.model import Element, Floats, Rig, Side
 from usdrigui.usd import author, schema
@@ -22,6 +22,7 @@ _COLOURS: Mapping[Side, tuple[float, float, float]] = {
 _TRACK_WIDTH = 0.15
 """Of a handle's."""
 _AREA_OPACITY = 0.4
+_VECTORS = Sdf.ValueTypeNames.Vector3fArray
 
 
 def author_part(
@@ -123,17 +124,24 @@ def _author_shapes(prim: Sdf.PrimSpec, rig: Rig, shapes: tuple[PointShape, ...])
     taken: set[str] = set()
     targets = []
     for shape in shapes:
-        child = author.prim(prim, author.identifier(rig.channels[shape.channel].token, taken), "BlendShape")
-        targets.append(child.path)
-        between: set[str] = set()
-        for weight, offsets in zip(shape.weights.tolist(), shape.offsets, strict=True):
-            name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
-            author.put(child, name, "vector3f[]", offsets, uniform=True)
-            if weight != 1.0:
-                child.properties[name].SetInfo("weight", weight)
+        name = author.identifier(rig.channels[shape.channel].token, taken)
+        targets.append(prim.path.AppendChild(name))
+        _author_shape(Sdf.PrimSpec(prim, name, Sdf.SpecifierDef, "BlendShape"), shape)
     tokens = [rig.channels[shape.channel].token for shape in shapes]
     author.put(prim, "skel:blendShapes", "token[]", tokens, uniform=True)
     author.link(prim, "skel:blendShapeTargets", targets)
+
+
+def _author_shape(child: Sdf.PrimSpec, shape: PointShape) -> None:
+    """A layer has thousands of these, so nothing is looked up here."""
+    between: set[str] = set()
+    table = shape.offsets.astype(np.float32)
+    for weight, offsets in zip(shape.weights.tolist(), table, strict=True):
+        name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
+        attribute = Sdf.AttributeSpec(child, name, _VECTORS, Sdf.VariabilityUniform)
+        attribute.default = Vt.Vec3fArray.FromNumpy(offsets)
+        if weight != 1.0:
+            attribute.SetInfo("weight", weight)
 
 
 def _weight_name(weight: float, taken: set[str]) -> str:
