@@ -1,0 +1,98 @@
+"""Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
+
+settings.md comes from usdrigui/settings.py, issue-codes.md from usdrigui/errors.py.  With ``--check``
+nothing is written and the exit code says whether the pages are up to date.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import sys
+from pathlib import Path
+
+from usdrigui import errors, settings
+
+ROOT = Path(__file__).resolve().parents[1]
+NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
+
+
+def main() -> int:
+    """Write or check every page; returns 1 when a page was out of date."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    stale = [name for name, text in pages().items() if _differs(ROOT / "docs" / name, text)]
+    for name in stale:
+        if arguments.check:
+            print(f"docs/{name} is out of date: run python docs/generate.py")
+        else:
+            (ROOT / "docs" / name).write_text(pages()[name], encoding="utf-8")
+            print(f"wrote docs/{name}")
+    return int(arguments.check and bool(stale))
+
+
+def pages() -> dict[str, str]:
+    """File name below docs/ to its text."""
+    return {"settings.md": settings_page(), "issue-codes.md": codes_page()}
+
+
+def settings_page() -> str:
+    """Every setting with its type, default and meaning."""
+    tree = ast.parse(Path(settings.__file__).read_text(encoding="utf-8"))
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    parts = [
+        "# Settings\n",
+        NOTE,
+        "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with `--config`, in an\n"
+        "environment variable (`USDRIGUI_SOLVE_GAP=1e-3`) or on the command line (`--set solve.gap=1e-3`).\n"
+        "Strongest first: command line, configuration file, environment, preset, default. Unknown keys are errors.\n",
+    ]
+    for field in (node for node in classes["Settings"].body if isinstance(node, ast.AnnAssign)):
+        name = ast.unparse(field.target)
+        kind = ast.unparse(field.annotation)
+        inner = kind.removeprefix("Mapping[str, ").removesuffix("]")
+        table = f'[{name}."NAME"]' if kind.startswith("Mapping") else f"[{name}]"
+        parts.append(f"\n## `{table}`\n\n{ast.get_docstring(classes[inner]) or ''}\n\n" + _table(classes[inner]))
+    parts.append("\n## Presets\n\n")
+    for name, values in settings.PRESETS.items():
+        changed = [f"`{part}.{key}` = `{value}`" for part, keys in values.items() for key, value in keys.items()]
+        parts.append(f"- `{name}`: {', '.join(changed) or 'the defaults above'}\n")
+    return "".join(parts)
+
+
+def codes_page() -> str:
+    """Every issue code with its severity, meaning and repair."""
+    rows = [
+        f"| `{name}` | {code.severity} | {int(code.exit) if code.severity == 'error' else 0} "
+        f"| {code.meaning} | {code.repair} |\n"
+        for name, code in sorted(errors.CODES.items())
+    ]
+    head = "| code | severity | exit | meaning | how to repair |\n|---|---|---|---|---|\n"
+    intro = "Codes are stable: never renamed, never reused. An error ends the run; the exit code is the one given.\n\n"
+    return "# Issue codes\n\n" + NOTE + intro + head + "".join(rows)
+
+
+def _table(node: ast.ClassDef) -> str:
+    rows = ["| key | type | default | meaning |\n|---|---|---|---|\n"]
+    body = node.body
+    for position, statement in enumerate(body):
+        if not isinstance(statement, ast.AnnAssign):
+            continue
+        following = body[position + 1] if position + 1 < len(body) else None
+        text = ""
+        if isinstance(following, ast.Expr) and isinstance(following.value, ast.Constant):
+            text = " ".join(str(following.value.value).split())
+        kind = ast.unparse(statement.annotation).replace("|", "or")
+        default = "" if statement.value is None else ast.unparse(statement.value)
+        default = "{}" if default.startswith("field(") else default
+        rows.append(f"| `{ast.unparse(statement.target)}` | `{kind}` | `{default}` | {text.replace('|', 'or')} |\n")
+    return "".join(rows)
+
+
+def _differs(path: Path, text: str) -> bool:
+    return not path.is_file() or path.read_text(encoding="utf-8") != text
+
+
+if __name__ == "__main__":
+    sys.exit(main())

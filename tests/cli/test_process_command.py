@@ -1,0 +1,145 @@
+"""`usdrigui process` as a rigger, a pipeline TD and a farm use it."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+import skinned_stages
+
+from usdrigui.cli import main
+
+
+@pytest.fixture
+def character(tmp_path):
+    return skinned_stages.character(tmp_path / "char.usda")
+
+
+def test_writes_the_layer_beside_the_source_and_leaves_the_source_alone(character, capsys):
+    before = character.read_bytes()
+    assert main(["process", str(character)]) == 0
+    layer = character.with_name("char.rigui.usda")
+    assert layer.is_file()
+    assert character.read_bytes() == before
+    assert capsys.readouterr().out.splitlines()[-1].startswith(f"usdrigui: written {layer}")
+
+
+def test_again_gives_the_same_bytes_and_says_unchanged(character, capsys):
+    layer = character.with_name("char.rigui.usda")
+    main(["process", str(character)])
+    first = layer.read_bytes()
+    capsys.readouterr()
+    assert main(["process", str(character)]) == 0
+    assert layer.read_bytes() == first
+    assert "usdrigui: unchanged" in capsys.readouterr().out
+
+
+def test_dry_run_writes_nothing(character, tmp_path, capsys):
+    files = sorted(tmp_path.iterdir())
+    assert main(["process", str(character), "--dry-run"]) == 0
+    assert sorted(tmp_path.iterdir()) == files
+    assert "dry run" in capsys.readouterr().out
+
+
+def test_quiet_prints_the_verdict_only(character, capsys):
+    assert main(["process", str(character), "--quiet"]) == 0
+    printed = capsys.readouterr()
+    assert len(printed.out.splitlines()) == 1
+    assert printed.err == ""
+
+
+def test_json_accounts_for_every_control(character, capsys):
+    assert main(["process", str(character), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert (document["format"], document["version"], document["exit"]) == ("usdrigui.report", 1, 0)
+    (only,) = document["characters"]
+    laid = {name for element in only["elements"] for name in element["controls"]}
+    assert laid == {row["control"] for row in only["controls"] if row["place"] != "left off"}
+    assert all(row["reason"] for row in only["controls"] if row["place"] == "left off")
+    assert only["solution"]["bound"] <= only["solution"]["cost"] + 1e-9
+
+
+def test_report_and_preview_are_written(character, tmp_path):
+    report, picture = tmp_path / "deep" / "out.json", tmp_path / "out.png"
+    assert main(["process", str(character), "--report", str(report), "--preview", str(picture)]) == 0
+    assert json.loads(report.read_text())["outcome"] == "written"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_refuses_to_write_over_the_source(character, capsys):
+    before = character.read_bytes()
+    assert main(["process", str(character), "-o", str(character)]) == 3
+    assert character.read_bytes() == before
+    assert "FILE_TARGET" in capsys.readouterr().err
+
+
+def test_a_missing_file_is_one_error_with_code_and_repair(tmp_path, capsys):
+    assert main(["process", str(tmp_path / "none.usda")]) == 3
+    printed = capsys.readouterr()
+    assert "FILE_NOT_FOUND" in printed.err
+    assert "repair:" in printed.err
+    assert printed.err.splitlines()[-1].endswith("nothing was written")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_refusal_is_json_too(tmp_path, capsys):
+    assert main(["process", str(tmp_path / "none.usda"), "--json"]) == 3
+    document = json.loads(capsys.readouterr().out)
+    assert document["outcome"] == "refused"
+    assert document["issues"][0]["code"] == "FILE_NOT_FOUND"
+
+
+@pytest.mark.parametrize("argument", ["solve.gapp=1", "nothing.gap=1"])
+def test_an_unknown_setting_is_a_usage_error(character, argument, capsys):
+    assert main(["process", str(character), "--set", argument]) == 2
+    assert "CONFIG_UNKNOWN_KEY" in capsys.readouterr().err
+
+
+def test_the_configuration_beside_the_asset_is_read(character, capsys):
+    character.with_suffix(".rigui.toml").write_text("[solve]\nnonsense = 1\n")
+    assert main(["process", str(character)]) == 2
+    assert "solve.nonsense" in capsys.readouterr().err
+
+
+def test_an_unexpected_exception_is_called_a_bug_without_traceback(character, monkeypatch, capsys):
+    from usdrigui import pipeline
+
+    def broken(*_args, **_kwargs):
+        raise ZeroDivisionError("by nothing")
+
+    monkeypatch.setattr(pipeline, "process", broken)
+    assert main(["process", str(character)]) == 5
+    printed = capsys.readouterr()
+    assert "BUG" in printed.err
+    assert "Traceback" not in printed.err
+
+
+def test_inspect_lists_every_control_and_writes_nothing(character, tmp_path, capsys):
+    files = sorted(tmp_path.iterdir())
+    assert main(["inspect", str(character), "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert sorted(tmp_path.iterdir()) == files
+    assert all(facts["minimum"] <= facts["default"] <= facts["maximum"] for facts in document["characters"][0]["controls"])
+
+
+@pytest.mark.parametrize("argument", ["--help", "--version"])
+def test_help_and_version_load_nothing_heavy(argument):
+    code = (
+        "import sys\nfrom usdrigui.cli import main\n"
+        f"try:\n    main([{argument!r}])\nexcept SystemExit:\n    pass\n"
+        "print([name for name in ('pxr', 'scipy', 'highspy', 'numpy') if name in sys.modules], file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stderr.strip() == "[]"
+
+
+def test_importing_the_package_loads_no_usd():
+    code = "import sys, usdrigui; usdrigui.Settings; usdrigui.process; print('pxr' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"
+
+
+def test_schema_path_is_a_folder_with_a_plugin(capsys):
+    assert main(["schema-path"]) == 0
+    from pathlib import Path
+
+    assert (Path(capsys.readouterr().out.strip()) / "plugInfo.json").is_file()
