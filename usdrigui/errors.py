@@ -87,7 +87,55 @@ _CODES: dict[str, Code] = {
     "FILE_NOT_USD": Code(
         "error", "USD cannot read the file as a layer.", "Re-export the asset as .usd, .usda, .usdc or .usdz."
     ),
+    # --- the process that reads the asset --------------------------------------------------------
+    "SOURCE_NOT_A_FILE": Code("error", "The asset is not a regular file.", "Name the asset's root layer.", Exit.FILE),
+    "SOURCE_LFS_POINTER": Code(
+        "error",
+        "The file is a Git LFS pointer: the asset itself was never fetched.",
+        "Run `git lfs pull` in its repository.",
+        Exit.FILE,
+    ),
+    "SOURCE_TOO_LARGE": Code(
+        "error", "The file is larger than the limit.", "Raise `read.size_limit` (MiB).", Exit.LIMIT
+    ),
+    "SOURCE_CRASHES_USD": Code(
+        "error",
+        "USD crashed, or gave an answer without sense, while it read the asset.",
+        "Export the asset again; if a sound file does this, report it to the makers of USD.",
+    ),
+    "SOURCE_USD_ERROR": Code(
+        "error", "USD raised an error while it read the asset.", "Check the asset with usdchecker, or export it again."
+    ),
+    "SOURCE_TIME_LIMIT": Code(
+        "error",
+        "Reading the asset took longer than the limit.",
+        "Raise `read.time_limit` (seconds), or export the asset as .usdc.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_MEMORY_LIMIT": Code(
+        "error",
+        "Reading the asset took more memory than the limit.",
+        "Raise `read.memory_limit` (MiB), or export the asset as .usdc.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_READER_LOST": Code(
+        "error",
+        "The process that reads the asset could not be started, or was ended from outside.",
+        "Look for a memory limit of the machine or the farm, and run again.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_CHANGED": Code(
+        "error",
+        "A file of the asset changed while usdrigui was at work; nothing was written.",
+        "Run again when the asset is complete.",
+        Exit.FILE,
+    ),
     # --- reading the asset -----------------------------------------------------------------------
+    "FILE_NAME": Code("error", "No layer could refer to a file of this name.", "Rename the file."),
+    "USD_ERROR": Code(
+        "error", "USD failed while the asset was read.", "Check the asset with `usdchecker`, or export it again."
+    ),
+    "ARRAY_TYPE": Code("error", "An attribute holds values of another type.", "Author it with its schema's type."),
     "FILE_CORRUPT": Code("error", "The archive is damaged.", "Copy or export the asset again."),
     "LAYER_MISSING": Code(
         "error",

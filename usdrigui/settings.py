@@ -86,6 +86,12 @@ class ReadSettings:
     """Time code whose pose is the base pose; none takes the rest transforms and zero weights."""
     pose: Mapping[str, float] = field(default_factory=dict)
     """Base pose as control values by name, on top of `time`; paper: P."""
+    time_limit: float = 300.0
+    """Seconds that the process which reads the asset may take."""
+    memory_limit: int = 8192
+    """MiB of private memory that it may take."""
+    size_limit: int = 8192
+    """MiB that the asset's file may have."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,299 @@
+"""Reading USD that nobody has vouched for, in a process of its own.
+
+A file of a few kilobytes can make USD crash, take gigabytes or never return, and nothing inside the same
+process can prevent that.  So the asset is parsed by a child with limits on time and memory, which answers
+with plain records; whatever becomes of it is an issue code here.  `usdrigui.usd.inside` is the child's side.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import mmap
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Any, Literal, TypeVar
+
+from usdrigui.errors import Exit, Issue, RigUIError, refuse
+from usdrigui.model import Floats, Layout, Record, Rig
+from usdrigui.settings import Settings
+from usdrigui.usd import wire
+from usdrigui.usd.source import SourceFile, admit
+
+Task = Literal["rigs", "layouts"]
+
+_KEPT_TEXT = 1 << 16
+"""Bytes kept of what the child prints: USD can complain without end."""
+_OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Memory allocation", b"Cannot allocate memory")
+"""What C++, Python, OpenBLAS and the C library print when there is no more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the reading process may take."""
+
+    seconds: float = 300.0
+    """Wall clock."""
+    memory: int = 8192
+    """MiB of private memory."""
+    size: int = 8192
+    """MiB of the asset's file."""
+
+    @classmethod
+    def of(cls, settings: Settings) -> Limits:
+        """The limits that the settings name."""
+        read = settings.read
+        return cls(read.time_limit, read.memory_limit, read.size_limit)
+
+
+@dataclass(frozen=True, eq=False)
+class ReadResult(Record):
+    """What an asset holds."""
+
+    rigs: tuple[Rig, ...]
+    metadata: Mapping[str, Any]
+    """What a layer over the asset must repeat (`usdrigui.usd.layer.stage_metadata`), as JSON values."""
+    cameras: Mapping[str, Floats]
+    """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by SkelRoot."""
+    sources: tuple[SourceFile, ...]
+    """Every file that composed it, the asset first."""
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutsResult(Record):
+    """What a layout layer holds."""
+
+    layouts: tuple[Layout, ...]
+    source: str
+    """The asset it stands over; empty if it has none."""
+    sources: tuple[SourceFile, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What the child is asked; JSON on its standard input."""
+
+    task: Task
+    path: str
+    settings: Settings
+    limits: Limits
+    parent: int
+    """Process id: the child ends with its parent."""
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """What the child answers: one of the results, or a refusal with its exit code."""
+
+    rigs: ReadResult | None = None
+    layouts: LayoutsResult | None = None
+    refusal: Issue | None = None
+    exit_code: int = 0
+
+
+def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> ReadResult:
+    """As `usdrigui.usd.rig.read_rigs`, in a child process that may crash or hang without harm.
+
+    Raises RigUIError with what the reader raises, unchanged, and FILE_NOT_FOUND, SOURCE_NOT_A_FILE,
+    SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT, SOURCE_MEMORY_LIMIT,
+    SOURCE_READER_LOST, SOURCE_CHANGED.
+    """
+    limits = limits or Limits.of(settings)
+    before = admit(path, limits.size)
+    result = _answer("rigs", path, settings, limits).rigs
+    return _with_first(_given(result, path), before, path)
+
+
+def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
+    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a child; raises as `read_rigs_isolated`."""
+    limits = limits or Limits.of(settings)
+    admit(path, limits.size)
+    return _given(_answer("layouts", path, settings, limits).layouts, path)
+
+
+_R = TypeVar("_R")
+
+
+def _given(result: _R | None, path: Path) -> _R:
+    if result is None:
+        raise _garbled(path)
+    return result
+
+
+def _with_first(result: ReadResult, before: SourceFile, path: Path) -> ReadResult:
+    """The asset must be, after all was read, what it was before."""
+    if before not in result.sources:
+        raise refuse("SOURCE_CHANGED", str(path), "was written while it was read")
+    return result
+
+
+def _garbled(path: Path) -> RigUIError:
+    return refuse("SOURCE_CRASHES_USD", str(path), "what USD made of it cannot be understood")
+
+
+def _answer(task: Task, path: Path, settings: Settings, limits: Limits) -> Answer:
+    request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100 (keeps links)
+    with _private_file() as letter, _private_file() as mailbox:
+        letter.writelines(wire.encode(request))
+        letter.seek(0)
+        end = _run(letter, mailbox, path, limits.seconds)
+        answer = _opened(mailbox)
+    if answer is None:
+        raise _death(end, path, limits)
+    if answer.refusal is not None:
+        raise RigUIError(answer.refusal, Exit(answer.exit_code))
+    return answer
+
+
+# --- the process -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """How the child ended."""
+
+    code: int
+    """Exit code, or minus the signal."""
+    late: bool
+    """Killed because its time was up."""
+    peak: int
+    """MiB resident at most; 0 where that cannot be told."""
+    text: bytes
+    """The last of what it printed."""
+
+
+def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _End:
+    """Start the child, wait for its end, and be sure that it is gone whatever happens here."""
+    deadline = time.monotonic() + seconds
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", "usdrigui.usd.inside"],
+            stdin=letter,
+            stdout=mailbox,
+            stderr=subprocess.PIPE,
+            env=_environment(),
+            start_new_session=True,
+        )
+    except (OSError, TypeError) as error:
+        raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
+    printed = _Printed(process)
+    late = False
+    try:
+        late = not printed.ended(deadline - time.monotonic())
+    finally:
+        _kill(process)
+        code, peak = _reaped(process)
+        printed.close()
+    return _End(code, late, peak, printed.text)
+
+
+def _environment() -> dict[str, str]:
+    """The child's environment: ours, our module path, and few threads, whose stacks would count as memory.
+
+    With positional reads a crate file that shrinks under us is an error instead of a bus error.
+    """
+    own = {
+        "PYTHONPATH": os.pathsep.join(each for each in sys.path if each),
+        "USDC_USE_PREAD": "1",
+        "OPENBLAS_NUM_THREADS": "1",
+        "MALLOC_ARENA_MAX": "2",
+    }
+    return {"PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)), **os.environ, **own}
+
+
+class _Printed:
+    """Keeps the last of what a process prints; that it prints no more means that it has ended."""
+
+    def __init__(self, process: subprocess.Popen[bytes]) -> None:
+        assert process.stderr is not None
+        self._stream = process.stderr
+        self._kept = bytearray()
+        self._thread = threading.Thread(target=self._drain, daemon=True)
+        self._thread.start()
+
+    @property
+    def text(self) -> bytes:
+        return bytes(self._kept)
+
+    def ended(self, seconds: float) -> bool:
+        self._thread.join(max(0.0, seconds))
+        return not self._thread.is_alive()
+
+    def close(self) -> None:
+        self._thread.join(1.0)
+        self._stream.close()
+
+    def _drain(self) -> None:
+        with contextlib.suppress(OSError, ValueError):
+            while block := os.read(self._stream.fileno(), _KEPT_TEXT):
+                self._kept += block
+                del self._kept[:-_KEPT_TEXT]
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    with contextlib.suppress(OSError):
+        if sys.platform == "win32":
+            process.kill()
+        else:
+            os.killpg(process.pid, signal.SIGKILL)
+
+
+def _reaped(process: subprocess.Popen[bytes]) -> tuple[int, int]:
+    """Exit code and peak memory in MiB of an ended process."""
+    if sys.platform == "win32":
+        return process.wait(), 0
+    import resource
+
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    # Until it loads its own program a child counts as its parent, so a smaller figure says nothing.
+    own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    per_mib = 1 << 20 if sys.platform == "darwin" else 1 << 10
+    return process.returncode, usage.ru_maxrss // per_mib if usage.ru_maxrss > own else 0
+
+
+# --- the answer --------------------------------------------------------------------------------------
+
+
+def _private_file() -> IO[bytes]:
+    """A file without a name, in memory where the system can."""
+    if sys.platform == "linux":
+        return os.fdopen(os.memfd_create("usdrigui"), "w+b")
+    return tempfile.TemporaryFile()
+
+
+def _opened(mailbox: IO[bytes]) -> Answer | None:
+    """The child's answer, or none if it is not whole; its arrays stay in the mailbox's pages."""
+    if not os.fstat(mailbox.fileno()).st_size:
+        return None
+    try:
+        return wire.decode(mmap.mmap(mailbox.fileno(), 0, access=mmap.ACCESS_READ), Answer)
+    except wire.WireError:
+        return None
+
+
+def _death(end: _End, path: Path, limits: Limits) -> RigUIError:
+    """What it means that the child ended without an answer."""
+    if end.late or end.code == -signal.SIGALRM:
+        return refuse("SOURCE_TIME_LIMIT", str(path), f"was not read within {limits.seconds:g} s")
+    if _is_memory(end, limits):
+        return refuse("SOURCE_MEMORY_LIMIT", str(path), f"needs more than {limits.memory} MiB to be read")
+    if end.code == -signal.SIGKILL:
+        return refuse("SOURCE_READER_LOST", str(path), "the reading process was killed from outside")
+    if end.code < 0:
+        return refuse("SOURCE_CRASHES_USD", str(path), f"USD crashed ({signal.Signals(-end.code).name})")
+    if end.code > 0:
+        last = end.text.decode(errors="replace").strip().rpartition("\n")[2]
+        return refuse("SOURCE_READER_LOST", str(path), f"the reading process ended with code {end.code}: {last}")
+    return _garbled(path)
+
+
+def _is_memory(end: _End, limits: Limits) -> bool:
+    return any(cry in end.text for cry in _OUT_OF_MEMORY) or end.peak > 0.8 * limits.memory

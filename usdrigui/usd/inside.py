@@ -1,0 +1,230 @@
+"""The child's side of `usdrigui.usd.child`: ``python -m usdrigui.usd.inside``.
+
+Takes one request on standard input and writes one answer to standard output, both in the format of
+`usdrigui.usd.wire`.  While foreign data is being parsed, the process can write no file, open no
+connection from Python, and is bound to end: by its alarm, or with its parent.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NoReturn
+
+from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.settings import Settings
+from usdrigui.usd import wire
+from usdrigui.usd.child import Answer, LayoutsResult, Limits, ReadResult, Request
+from usdrigui.usd.source import SourceFile, hashed
+
+_GRACE = 1.0
+"""Seconds after the limit at which the alarm ends the child, should its parent not have done so."""
+
+
+def main() -> NoReturn:
+    """Answer one request and leave without the interpreter's farewell, which may crash on what was read."""
+    outbox = os.fdopen(os.dup(1), "wb", buffering=0)
+    os.dup2(2, 1)
+    request = wire.decode(sys.stdin.buffer.read(), Request)
+    _bind_to(request.parent)
+    _load()
+    bound(request.limits)
+    answered = answer(request)
+    _allow_output(request.limits)
+    deliver(answered, outbox.fileno())
+    os._exit(0)
+
+
+def answer(request: Request) -> Answer:
+    """Do what is asked; every exception becomes a refusal."""
+    path = Path(request.path)
+    try:
+        if request.task == "layouts":
+            return Answer(layouts=_layouts(path))
+        return Answer(rigs=_rigs(path, request.settings))
+    except RigUIError as error:
+        return _refusal(error)
+    except MemoryError:
+        limit = f"needs more than {request.limits.memory} MiB to be read"
+        return _refusal(refuse("SOURCE_MEMORY_LIMIT", request.path, limit))
+    except Exception as error:
+        return _refusal(_unexpected(error, request.path))
+
+
+def deliver(answered: Answer, descriptor: int) -> None:
+    """Write the whole answer."""
+    for chunk in wire.encode(answered):
+        rest = chunk
+        while rest:
+            rest = rest[os.write(descriptor, rest) :]
+
+
+def bound(limits: Limits) -> None:
+    """Limit this process: private memory, no core dump, no file that grows, an alarm that ends it."""
+    sys.addaudithook(_offline)
+    if sys.platform == "win32":
+        return
+    import resource
+
+    data = limits.memory << 20
+    # Address space is only loosely tied to memory: libraries reserve far more than they touch.
+    for kind, value in ((resource.RLIMIT_DATA, data), (resource.RLIMIT_AS, data + (4 << 30))):
+        _lower(kind, value)
+    _lower(resource.RLIMIT_CORE, 0)
+    _lower(resource.RLIMIT_FSIZE, 0, data)
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.setitimer(signal.ITIMER_REAL, limits.seconds + _GRACE)
+
+
+# --- the tasks ---------------------------------------------------------------------------------------
+
+
+def _rigs(path: Path, settings: Settings) -> ReadResult:
+    from usdrigui.usd.layer import stage_metadata
+    from usdrigui.usd.rig import read_rigs
+
+    with _kept_stages() as stages:
+        rigs = read_rigs(path, settings)
+        stage = next(iter(stages.GetAllStages()))
+        cameras = _cameras(stage, rigs, settings.candidates.view)
+        metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
+        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages()))
+
+
+def _layouts(path: Path) -> LayoutsResult:
+    from usdrigui.usd.read_layout import read_layout, source_of
+
+    with _kept_stages() as stages:
+        layouts = read_layout(path)
+        return LayoutsResult(layouts, source_of(path), _sources(path, stages.GetAllStages()))
+
+
+@contextlib.contextmanager
+def _kept_stages() -> Iterator[Any]:
+    """A cache that keeps every stage opened meanwhile, to be asked for the files it used."""
+    from pxr import Usd
+
+    cache = Usd.StageCache()
+    with Usd.StageCacheContext(cache):
+        yield cache
+
+
+def _sources(path: Path, stages: Iterable[Any]) -> tuple[SourceFile, ...]:
+    """Every file behind the layers of the stages: the asset first, the others by path."""
+    from pxr import Ar
+
+    used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
+    files = {Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each for each in used}
+    others = sorted({os.path.realpath(each) for each in files} - {os.path.realpath(path)})
+    return (hashed(path), *(hashed(each) for each in others if os.path.isfile(each)))  # noqa: PTH113
+
+
+def _cameras(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:
+    """Direction to the viewer of the camera that `view` names, in the space of each SkelRoot."""
+    import numpy as np
+    from pxr import Gf, Sdf, UsdGeom
+
+    if not (view.startswith("/") and Sdf.Path.IsValidPathString(view)[0]):
+        return {}
+    camera = UsdGeom.Camera.Get(stage, view)
+    if not camera:
+        return {}
+    cache = UsdGeom.XformCache()
+    # A camera looks down its own -Z axis.
+    toward = cache.GetLocalToWorldTransform(camera.GetPrim()).TransformDir(Gf.Vec3d(0, 0, 1))
+    found = {}
+    for rig in rigs:
+        to_root = cache.GetLocalToWorldTransform(stage.GetPrimAtPath(rig.root)).GetInverse()
+        found[rig.root] = np.array(to_root.TransformDir(toward), dtype=np.float64)
+    return found
+
+
+def _as_json(value: Any) -> Any:
+    """Metadata as JSON values: dictionaries, lists, strings, numbers, truth values."""
+    if isinstance(value, dict):
+        return {str(key): _as_json(item) for key, item in value.items()}
+    if value is None or isinstance(value, (str, bool, int, float)):
+        return value
+    if hasattr(value, "__iter__"):
+        return [_as_json(item) for item in value]
+    return str(value)
+
+
+# --- failures ----------------------------------------------------------------------------------------
+
+
+def _refusal(error: RigUIError) -> Answer:
+    found = error.issue
+    clean = replace(found, path=_text(found.path), message=_text(found.message))
+    return Answer(refusal=clean, exit_code=int(error.exit_code))
+
+
+def _text(value: object) -> str:
+    return str(value).encode(errors="replace").decode(errors="replace")
+
+
+def _unexpected(error: Exception, path: str) -> RigUIError:
+    """USD's own exceptions blame the asset; all others are ours."""
+    kind = type(error)
+    if kind.__module__.partition(".")[0] in ("pxr", "Boost") or isinstance(error, UnicodeDecodeError):
+        return refuse("SOURCE_USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
+    place = error.__traceback__
+    while place is not None and place.tb_next is not None:
+        place = place.tb_next
+    where = f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})" if place is not None else ""
+    return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{where}")
+
+
+# --- the bounds --------------------------------------------------------------------------------------
+
+
+def _load() -> None:
+    """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
+    import usdrigui.usd.layer
+    import usdrigui.usd.read_layout
+    import usdrigui.usd.rig  # noqa: F401
+
+
+def _lower(kind: int, soft: int, hard: int | None = None) -> None:
+    """Lower a limit, as far as the system lets us."""
+    import resource
+
+    _, highest = resource.getrlimit(kind)
+    wanted = soft if hard is None else hard
+    top = wanted if highest == resource.RLIM_INFINITY else min(wanted, highest)
+    with contextlib.suppress(ValueError, OSError):
+        resource.setrlimit(kind, (min(soft, top), top))
+
+
+def _allow_output(limits: Limits) -> None:
+    """The answer may be written now; nothing foreign runs any more."""
+    if sys.platform != "win32":
+        import resource
+
+        _lower(resource.RLIMIT_FSIZE, limits.memory << 20)
+
+
+def _bind_to(parent: int) -> None:
+    """End when the parent does, however it ends."""
+    if sys.platform != "linux":
+        return
+    import ctypes
+
+    set_parent_death_signal = 1
+    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
+    if os.getppid() != parent:
+        os._exit(int(Exit.LIMIT))
+
+
+def _offline(event: str, _: tuple[Any, ...]) -> None:
+    if event.startswith(("socket.", "subprocess.", "os.exec", "os.posix_spawn", "os.system", "os.fork")):
+        raise PermissionError(f"{event} is not allowed while an asset is read")
+
+
+if __name__ == "__main__":
+    main()
