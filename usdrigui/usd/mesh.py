@@ -109,15 +109,12 @@ def topology_hash(points: int, counts: Indices, indices: Indices) -> str:
 
 
 def _points(mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str) -> Floats:
-    values = _value(mesh.GetPointsAttr(), time)
-    points = np.zeros((0, 3)) if values is None else np.array(values, dtype=np.float64).reshape(-1, 3)
-    _check_finite(points, path, "points")
-    return points
+    return _vectors(_value(mesh.GetPointsAttr(), time), path, "points").astype(np.float64)
 
 
 def _faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str, count: int) -> tuple[Indices, Indices]:
-    counts = _integers(_value(mesh.GetFaceVertexCountsAttr(), time))
-    indices = _integers(_value(mesh.GetFaceVertexIndicesAttr(), time))
+    counts = _integers(_value(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts")
+    indices = _integers(_value(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices")
     if (counts < 0).any() or counts.sum() != len(indices):
         raise refuse(
             "TOPOLOGY_INVALID", path, f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"
@@ -145,8 +142,8 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
     if binding is None or not binding.armature.joint_names or not binding.query.HasJointInfluences():
         return None
     query = binding.query
-    joints = _integers(_value(query.GetJointIndicesPrimvar(), time))
-    weights = _floats(_value(query.GetJointWeightsPrimvar(), time))
+    joints = _integers(_value(query.GetJointIndicesPrimvar(), time), path, "primvars:skel:jointIndices")
+    weights = _numbers(_value(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights")
     rigid = query.IsRigidlyDeformed()
     width = query.GetNumInfluencesPerComponent()
     expected = width if rigid else width * count
@@ -159,7 +156,7 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
     order = _joint_order(binding, path)
     _check_range(joints, len(order), path, "primvars:skel:jointIndices")
     _check_finite(weights, path, "primvars:skel:jointWeights")
-    weights = weights.reshape(-1, width)
+    weights = weights.astype(np.float64).reshape(-1, width)
     _note_sums(weights, path, found)
     return Skin(
         joints=np.broadcast_to(order[joints].reshape(-1, width), (count, width)),
@@ -264,7 +261,7 @@ def _assembled(
         points = np.flatnonzero(table.any(axis=(0, 2)))
         table = table if len(points) == count else table[:, points]
     else:
-        points = _integers(indices)
+        points = _integers(indices, path, "pointIndices")
         if (np.diff(points) <= 0).any():
             points, table = _merged(points, table)
         _check_range(points[[0, -1]], count, path, "pointIndices")
@@ -328,21 +325,35 @@ def _value(attribute: Any, time: Usd.TimeCode) -> Any:
     return attribute.Get(Usd.TimeCode.EarliestTime()) if value is None else value
 
 
-def _integers(values: Any) -> Indices:
-    return np.zeros(0, dtype=np.int64) if values is None else np.array(values, dtype=np.int64)
+def _integers(values: Any, path: str, name: str) -> Indices:
+    integers = np.array(_numbers(values, path, name), dtype=np.int64)
+    if values is not None and not np.issubdtype(np.asarray(values).dtype, np.integer):
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold integers")
+    return integers
 
 
-def _floats(values: Any) -> Floats:
-    return np.zeros(0) if values is None else np.array(values, dtype=np.float64)
+def _vectors(values: Any, path: str, name: str) -> NDArray[np.floating]:
+    """(p, 3) finite numbers, without a copy where they are in single precision already."""
+    vectors = _numbers(values, path, name)
+    if vectors.size % 3:
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold 3-vectors")
+    vectors = vectors.reshape(-1, 3)
+    _check_finite(vectors, path, name)
+    return vectors
+
+
+def _numbers(values: Any, path: str, name: str) -> NDArray[np.floating]:
+    if values is None:
+        return np.zeros(0, dtype=np.float32)
+    try:
+        numbers = np.asarray(values)
+        return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
+    except (TypeError, ValueError):
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold numbers") from None
 
 
 def _offsets(values: Any, path: str, name: str) -> Singles:
-    """(p, 3) single-precision view of a vector array."""
-    if values is None:
-        return np.zeros((0, 3), dtype=np.float32)
-    offsets = np.asarray(values, dtype=np.float32).reshape(-1, 3)
-    _check_finite(offsets, path, name)
-    return offsets
+    return _vectors(values, path, name).astype(np.float32, copy=False)
 
 
 def _check_finite(values: NDArray[np.floating], path: str, name: str) -> None:

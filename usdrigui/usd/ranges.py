@@ -139,7 +139,9 @@ def _limit_table(armature: Armature, issues: list[Issue]) -> Floats | None:
     try:
         limits = attribute.GetMetadata("limits")
     except (Tf.ErrorException, RuntimeError):
-        return None  # Before 25.11 USD does not know the field.
+        return None
+    # Before 25.11 USD does not know the field and hands it over wrapped.
+    limits = getattr(limits, "value", limits)
     if not isinstance(limits, Mapping):
         return None
     for kind in ("soft", "hard"):

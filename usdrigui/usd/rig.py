@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Joint, LeftOff, Rig, RigMesh
@@ -37,7 +37,7 @@ from usdrigui.usd.skeleton import (
     read_joints,
     weights_at,
 )
-from usdrigui.usd.stage import composition_issues, listening, open_stage
+from usdrigui.usd.stage import composition_issues, listening, open_stage, told
 
 
 def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
@@ -53,7 +53,7 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
         issues = composition_issues(stage, roots)
         if not roots:
             raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
-        readings = [_read(root, settings) for root in roots]
+        readings = [_guarded(root, settings) for root in roots]
     _check_names(readings, settings)
     rigs = tuple(reading.rig for reading in readings if reading.rig.controls)
     if not rigs:
@@ -86,6 +86,14 @@ class _Scene:
     clip: Clip | None
     names: FrameNames
     found: Found
+
+
+def _guarded(root: Usd.Prim, settings: Settings) -> _Reading:
+    """`_read`, with what USD itself raises turned into an error of ours."""
+    try:
+        return _read(root, settings)
+    except Tf.ErrorException as error:
+        raise refuse("USD_ERROR", str(root.GetPath()), told(error)) from None
 
 
 def _read(root: Usd.Prim, settings: Settings) -> _Reading:

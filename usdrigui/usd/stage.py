@@ -20,14 +20,14 @@ _MISSING = (
 def open_stage(path: Path) -> Usd.Stage:
     """The composed stage of a file, payloads loaded.
 
-    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong) or
+    Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong) or
     LAYER_MISSING (a sublayer of the root layer stack).
     """
     _check_file(path)
     try:
         stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
     except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), _told(error)) from None
+        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
     if stage is None:
         raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
     for fault in stage.GetCompositionErrors():
@@ -80,7 +80,10 @@ def _check_file(path: Path) -> None:
         raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror}") from error
     if empty:
         raise refuse("FILE_NOT_USD", str(path), "the file is empty")
-    if not Sdf.FileFormat.FindByExtension(path.suffix.removeprefix(".")):
+    if ":SDF_FORMAT_ARGS:" in str(path):
+        raise refuse("FILE_NAME", str(path), "USD would take what follows ':SDF_FORMAT_ARGS:' for arguments")
+    extension = path.suffix.removeprefix(".")
+    if not extension or not Sdf.FileFormat.FindByExtension(extension):
         raise refuse("FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}")
     if path.suffix.lower() == ".usdz":
         _check_archive(path)
@@ -97,7 +100,7 @@ def _check_archive(path: Path) -> None:
         raise refuse("FILE_CORRUPT", str(path), f"the checksum of {damaged} is wrong")
 
 
-def _told(error: Exception) -> str:
+def told(error: Exception) -> str:
     """Text of a USD exception, whose own str() may fail."""
     try:
         return "; ".join(str(each.commentary) for each in error.args) or type(error).__name__

@@ -1,0 +1,411 @@
+"""Every asset that cannot be read is refused with its code and prim path, and USD prints nothing."""
+
+from __future__ import annotations
+
+import zipfile
+
+import numpy as np
+import pytest
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
+from skel_stages import SIDE, add_mesh, add_shape, add_skeleton, add_skin, character, head, matrix, new_stage
+
+from usdrigui.errors import Exit, RigUIError
+from usdrigui.settings import Settings, load
+from usdrigui.usd.rig import read_rigs
+
+
+def refused(path, config=None):
+    with pytest.raises(RigUIError) as caught:
+        read_rigs(path, load(config or {}))
+    return caught.value
+
+
+def spoilt(tmp_path, edit):
+    return refused(head(tmp_path / "char.usda", edit=edit))
+
+
+# --- files -------------------------------------------------------------------------------------------
+
+
+def test_no_file(tmp_path):
+    error = refused(tmp_path / "none.usda")
+    assert (error.issue.code, error.exit_code) == ("FILE_NOT_FOUND", Exit.FILE)
+
+
+def test_a_name_that_no_layer_can_refer_to(tmp_path):
+    path = tmp_path / "char:SDF_FORMAT_ARGS:a=b.usda"
+    path.write_bytes(head(tmp_path / "char.usda").read_bytes())
+    assert refused(path).issue.code == "FILE_NAME"
+
+
+def test_a_folder(tmp_path):
+    assert refused(tmp_path).issue.code == "FILE_NOT_FOUND"
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("empty.usda", b""),
+        ("prose.usda", b"once upon a time"),
+        ("broken.usda", b'#usda 1.0\ndef SkelRoot "A" {'),
+        ("bytes.usda", b"#usda 1.0\n\xff\xfe\x00 {"),
+        ("crate.usdc", b"PXR-USDC" + bytes(200)),
+        ("short.usdc", b"PXR-USDC"),
+        ("any.usd", b"\x00\x01\x02"),
+        ("head.fbx", b"Kaydara FBX Binary"),
+        ("noextension", b"#usda 1.0\n"),
+    ],
+)
+def test_not_usd(tmp_path, capfd, name, content):
+    path = tmp_path / name
+    path.write_bytes(content)
+    error = refused(path)
+    assert error.issue.code == "FILE_NOT_USD"
+    assert error.issue.path == str(path)
+    assert error.exit_code == Exit.REFUSED
+    assert capfd.readouterr() == ("", "")
+
+
+def test_damaged_archive(tmp_path):
+    """USD does not look at the checksums of a usdz."""
+    source = head(tmp_path / "char.usda")
+    path = tmp_path / "char.usdz"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_STORED) as archive:
+        archive.write(source, "char.usda")
+    content = bytearray(path.read_bytes())
+    content[content.index(b"smile")] ^= 1
+    path.write_bytes(content)
+    assert refused(path).issue.code == "FILE_CORRUPT"
+
+
+def test_not_an_archive(tmp_path):
+    path = tmp_path / "char.usdz"
+    path.write_bytes(b"nothing of the kind")
+    assert refused(path).issue.code == "FILE_CORRUPT"
+
+
+@pytest.mark.parametrize("arc", ["subLayers", "reference", "payload"])
+def test_missing_layer(tmp_path, capfd, arc):
+    def edit(stage):
+        if arc == "subLayers":
+            stage.GetRootLayer().subLayerPaths.append("./gone.usda")
+        elif arc == "reference":
+            stage.GetPrimAtPath("/Char/Face").GetReferences().AddReference("./gone.usda", "/X")
+        else:
+            stage.DefinePrim("/Char/Hat", "Xform").GetPayloads().AddPayload("./gone.usda", "/X")
+
+    with _silent():
+        path = head(tmp_path / "char.usda", edit=edit)
+    capfd.readouterr()
+    error = refused(path)
+    assert error.issue.code == "LAYER_MISSING"
+    assert "gone.usda" in error.issue.message
+    assert capfd.readouterr() == ("", "")
+
+
+def test_a_layer_missing_elsewhere_is_a_warning(tmp_path):
+    def edit(stage):
+        stage.DefinePrim("/Room", "Xform").GetReferences().AddReference("./gone.usda", "/X")
+
+    with _silent():
+        path = head(tmp_path / "char.usda", edit=edit)
+    (rig,) = read_rigs(path, Settings())
+    assert [(each.code, each.path) for each in rig.issues if each.severity == "warning"] == [
+        ("COMPOSITION_ERROR", "/Room")
+    ]
+
+
+def test_a_missing_layer_may_be_why_there_is_no_skelroot(tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "shot.usda"))
+    with _silent():
+        stage.DefinePrim("/World", "Xform").GetReferences().AddReference("./gone.usda", "/X")
+    stage.GetRootLayer().Save()
+    assert refused(tmp_path / "shot.usda").issue.code == "LAYER_MISSING"
+
+
+class _silent:  # noqa: N801 - reads as a statement
+    """Keep what USD says while a broken stage is made."""
+
+    def __enter__(self):
+        from pxr import UsdUtils
+
+        self._delegate = UsdUtils.CoalescingDiagnosticDelegate()
+
+    def __exit__(self, *exc):
+        self._delegate.TakeUncoalescedDiagnostics()
+        del self._delegate
+
+
+# --- the stage ---------------------------------------------------------------------------------------
+
+
+def test_no_skelroot(tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "box.usda"))
+    UsdGeom.Cube.Define(stage, "/Box")
+    stage.GetRootLayer().Save()
+    assert refused(tmp_path / "box.usda").issue.code == "SKELROOT_MISSING"
+
+
+def test_another_skelroot_is_wanted(tmp_path):
+    error = refused(head(tmp_path / "char.usda"), {"read": {"skel_root": "/Other"}})
+    assert (error.issue.code, error.issue.path, error.exit_code) == ("SKELROOT_UNKNOWN", "/Other", Exit.USAGE)
+    assert "/Char" in error.issue.message
+
+
+def test_nothing_to_control(tmp_path):
+    error = refused(head(tmp_path / "char.usda", tokens=()))
+    assert (error.issue.code, error.issue.path) == ("CONTROLS_MISSING", "/Char")
+
+
+@pytest.mark.parametrize("where", ["itself", "above"])
+def test_instance(tmp_path, where):
+    """Nothing can be written below an instance."""
+    head(tmp_path / "char.usda")
+    stage = Usd.Stage.CreateNew(str(tmp_path / "shot.usda"))
+    if where == "above":
+        inner = Usd.Stage.CreateNew(str(tmp_path / "wrap.usda"))
+        inner.DefinePrim("/Wrap", "Xform")
+        inner.DefinePrim("/Wrap/Hero").GetReferences().AddReference("./char.usda", "/Char")
+        inner.GetRootLayer().Save()
+    prim = stage.DefinePrim("/Hero")
+    prim.GetReferences().AddReference(*(("./char.usda", "/Char") if where == "itself" else ("./wrap.usda", "/Wrap")))
+    prim.SetInstanceable(True)
+    stage.GetRootLayer().Save()
+    error = refused(tmp_path / "shot.usda")
+    assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Hero")
+
+
+def test_instanced_geometry(tmp_path):
+    def edit(stage):
+        prim = stage.DefinePrim("/Char/Copy")
+        prim.GetReferences().AddInternalReference("/Geo")
+        prim.SetInstanceable(True)
+        stage.DefinePrim("/Geo", "Xform")
+        mesh = add_mesh(stage, "/Geo/Nose", seed=8)
+        add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
+        UsdSkel.BindingAPI.Apply(prim).CreateSkeletonRel().SetTargets(["/Char/Skel"])
+
+    error = spoilt(tmp_path, edit)
+    assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Char/Copy/Nose")
+
+
+# --- arrays ------------------------------------------------------------------------------------------
+
+
+def _face(stage):
+    return UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face"))
+
+
+def _smile(stage):
+    return UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
+
+
+def _more_names(stage):
+    UsdSkel.BindingAPI(_face(stage)).GetBlendShapesAttr().Set(["smile", "frown", "more"])
+
+
+def _more_targets(stage):
+    UsdSkel.BindingAPI(_face(stage)).GetBlendShapeTargetsRel().AddTarget("/Char/Face/s_smile_2")
+
+
+def _no_names(stage):
+    UsdSkel.BindingAPI(_face(stage)).GetBlendShapesAttr().Block()
+
+
+def _index_too_large(stage):
+    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(2))
+    _smile(stage).CreatePointIndicesAttr().Set([0, SIDE**2])
+
+
+def _index_negative(stage):
+    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(2))
+    _smile(stage).CreatePointIndicesAttr().Set([-1, 3])
+
+
+def _offsets_short(stage):
+    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(3))
+
+
+def _offsets_and_indices(stage):
+    _smile(stage).CreateOffsetsAttr().Set(Vt.Vec3fArray(3))
+    _smile(stage).CreatePointIndicesAttr().Set([0, 1])
+
+
+def _inbetween_short(stage):
+    between = _smile(stage).CreateInbetween("half")
+    between.SetWeight(0.5)
+    between.SetOffsets(Vt.Vec3fArray(4))
+
+
+def _offset_nan(stage):
+    offsets = np.zeros((SIDE**2, 3), dtype=np.float32)
+    offsets[6, 1] = np.nan
+    _smile(stage).GetOffsetsAttr().Set(Vt.Vec3fArray.FromNumpy(offsets))
+
+
+def _point_infinite(stage):
+    points = np.zeros((SIDE**2, 3), dtype=np.float32)
+    points[2, 0] = np.inf
+    _face(stage).GetPointsAttr().Set(Vt.Vec3fArray.FromNumpy(points))
+
+
+def _weight_nan(stage):
+    UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr().Set([float("nan"), 0.0])
+
+
+def _weights_short(stage):
+    UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr().Set([0.0])
+
+
+def _sampled_weights_short(stage):
+    weights = UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim")).GetBlendShapeWeightsAttr()
+    weights.Set([0.0, 1.0], 1.0)
+    weights.Set([0.0], 2.0)
+
+
+def _offsets_of_text(stage):
+    prim = _smile(stage).GetPrim()
+    prim.RemoveProperty("offsets")
+    spec = stage.GetRootLayer().GetPrimAtPath(prim.GetPath())
+    Sdf.AttributeSpec(spec, "offsets", Sdf.ValueTypeNames.StringArray).default = ["a", "b"]
+
+
+def _indices_of_floats(stage):
+    prim = _smile(stage).GetPrim()
+    spec = stage.GetRootLayer().GetPrimAtPath(prim.GetPath())
+    Sdf.AttributeSpec(spec, "pointIndices", Sdf.ValueTypeNames.FloatArray).default = [0.5] * SIDE**2
+
+
+def _face_index(stage):
+    _face(stage).GetFaceVertexIndicesAttr().Set([0, 1, 2, 999] + [0] * (4 * (SIDE - 1) ** 2 - 4))
+
+
+def _face_counts(stage):
+    _face(stage).GetFaceVertexCountsAttr().Set([4, 4])
+
+
+@pytest.mark.parametrize(
+    ("edit", "code", "path"),
+    [
+        (_more_names, "TARGETS_LENGTH", "/Char/Face"),
+        (_more_targets, "TARGETS_LENGTH", "/Char/Face"),
+        (_no_names, "TARGETS_LENGTH", "/Char/Face"),
+        (_index_too_large, "INDEX_RANGE", "/Char/Face/s_smile"),
+        (_index_negative, "INDEX_RANGE", "/Char/Face/s_smile"),
+        (_offsets_short, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
+        (_offsets_and_indices, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
+        (_inbetween_short, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
+        (_offset_nan, "NOT_FINITE", "/Char/Face/s_smile"),
+        (_point_infinite, "NOT_FINITE", "/Char/Face"),
+        (_weight_nan, "NOT_FINITE", "/Char/Anim"),
+        (_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
+        (_sampled_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
+        (_offsets_of_text, "ARRAY_TYPE", "/Char/Face/s_smile"),
+        (_indices_of_floats, "ARRAY_TYPE", "/Char/Face/s_smile"),
+        (_face_index, "INDEX_RANGE", "/Char/Face"),
+        (_face_counts, "TOPOLOGY_INVALID", "/Char/Face"),
+    ],
+)
+def test_arrays_that_contradict(tmp_path, capfd, edit, code, path):
+    error = spoilt(tmp_path, edit)
+    assert (error.issue.code, error.issue.path) == (code, path)
+    assert error.issue.repair
+    assert error.exit_code == Exit.REFUSED
+    assert capfd.readouterr() == ("", "")
+
+
+def test_the_message_names_the_place(tmp_path):
+    assert "offsets[6]" in spoilt(tmp_path, _offset_nan).issue.message
+
+
+# --- skeletons ---------------------------------------------------------------------------------------
+
+
+def _boned(tmp_path, edit):
+    """A mesh on two joints, then `edit(stage)`."""
+    stage, _ = new_stage(tmp_path / "bones.usda")
+    add_skeleton(stage, "/Char/Skel", ("a", "a/b"), (matrix(), matrix(translation=(0, 1, 0))))
+    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
+    add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
+    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    edit(stage)
+    stage.GetRootLayer().Save()
+    return refused(tmp_path / "bones.usda")
+
+
+def _skeleton(stage):
+    return UsdSkel.Skeleton(stage.GetPrimAtPath("/Char/Skel"))
+
+
+def _binding(stage):
+    return UsdSkel.BindingAPI(stage.GetPrimAtPath("/Char/Face"))
+
+
+@pytest.mark.parametrize(
+    ("edit", "code", "path"),
+    [
+        (
+            lambda stage: _skeleton(stage).GetBindTransformsAttr().Set([Gf.Matrix4d(1)]),
+            "SKELETON_INVALID",
+            "/Char/Skel",
+        ),
+        (
+            lambda stage: _skeleton(stage).GetBindTransformsAttr().Set([Gf.Matrix4d(1), Gf.Matrix4d(0)]),
+            "SKELETON_INVALID",
+            "/Char/Skel",
+        ),
+        (lambda stage: _skeleton(stage).GetJointsAttr().Set(["a/b", "a"]), "SKELETON_INVALID", "/Char/Skel"),
+        (
+            lambda stage: _skeleton(stage).GetRestTransformsAttr().Set([Gf.Matrix4d(float("nan"))] * 2),
+            "NOT_FINITE",
+            "/Char/Skel",
+        ),
+        (
+            lambda stage: _binding(stage).GetJointIndicesPrimvar().Set([7] * (2 * SIDE**2)),
+            "INDEX_RANGE",
+            "/Char/Face",
+        ),
+        (lambda stage: _binding(stage).GetJointWeightsPrimvar().Set([1.0]), "INFLUENCES_LENGTH", "/Char/Face"),
+        (
+            lambda stage: _binding(stage).GetJointWeightsPrimvar().Set([float("nan")] * (2 * SIDE**2)),
+            "NOT_FINITE",
+            "/Char/Face",
+        ),
+        (lambda stage: _binding(stage).CreateJointsAttr(["a", "c"]), "JOINT_UNKNOWN", "/Char/Face"),
+    ],
+)
+def test_skeletons_that_contradict(tmp_path, capfd, edit, code, path):
+    error = _boned(tmp_path, edit)
+    assert (error.issue.code, error.issue.path) == (code, path)
+    assert capfd.readouterr() == ("", "")
+
+
+# --- the configuration -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("config", "code", "path"),
+    [
+        ({"controls": {"smirk": {"exclude": True}}}, "CONFIG_UNKNOWN_CONTROL", 'controls."smirk"'),
+        ({"joints": {"neck/nose": {"axes": ["x"]}}}, "CONFIG_UNKNOWN_CONTROL", 'joints."neck/nose"'),
+        ({"poses": {"p": {"weights": {"smirk": 1.0}}}}, "CONFIG_UNKNOWN_CONTROL", 'poses."p".weights'),
+        ({"poses": {"p": {"label": "nothing else"}}}, "CONFIG_VALUE", 'poses."p"'),
+        ({"poses": {"p": {"clip": [3.0, 1.0]}}}, "CONFIG_VALUE", 'poses."p"'),
+        ({"poses": {"p": {"frame": 1.0, "animation": "/No"}}}, "CONFIG_VALUE", 'poses."p".animation'),
+        ({"controls": {"smile": {"minimum": 2.0, "maximum": 1.0}}}, "CONFIG_VALUE", 'controls."smile"'),
+        ({"controls": {"smile": {"default": 3.0}}}, "CONFIG_VALUE", 'controls."smile"'),
+        ({"controls": {"smile": {"rename": "jaw"}}}, "CONFIG_VALUE", 'controls."jaw".rename'),
+    ],
+)
+def test_configuration_that_does_not_fit(tmp_path, config, code, path):
+    error = refused(character(tmp_path / "char.usda"), config)
+    assert (error.issue.code, error.issue.path, error.exit_code) == (code, path, Exit.USAGE)
+
+
+def test_usd_errors_without_utf8_do_not_escape(tmp_path):
+    """str() of such a Tf.ErrorException raises UnicodeDecodeError by itself."""
+    path = tmp_path / "bytes.usda"
+    path.write_bytes(b'#usda 1.0\ndef "\xff\xfe\xfd" {')
+    with pytest.raises(Tf.ErrorException):
+        Sdf.Layer.FindOrOpen(str(path))
+    assert refused(path).issue.code == "FILE_NOT_USD"
