@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
@@ -11,7 +12,9 @@ from PIL import Image, ImageDraw, ImageFont
 from usdrigui.model import Element, Floats
 from usdrigui.view.overlay import Mark
 
-_INK, _RULE = (52, 56, 63), (150, 155, 163)
+_INK, _QUIET, _RULE = (52, 56, 63), (104, 110, 120), (150, 155, 163)
+_HALO: dict[str, Any] = {"stroke_width": 1, "stroke_fill": (238, 240, 242)}
+_FAMILIES = {"global": "whole face", "hidden": "hidden", "composite": "composite", "crowded": "no room on the face"}
 _LARGEST, _LEAST = 12, 7
 """Sizes of names, pixels."""
 
@@ -33,22 +36,29 @@ def widest(names: Sequence[str]) -> float:
 
 
 def name_beside(picture: Image.Image, shown: Named) -> None:
-    """Write the name of each element beside the face to its right, as large as its neighbours allow."""
+    """Write the name of each element beside the face to its right, and the heading of each family above it.
+
+    Names are set as large as the rows allow and cut in the middle where the next element is too near.
+    """
     if not shown:
         return
     pen = ImageDraw.Draw(picture)
-    rights = np.array(
-        [max(float(track[:, 0].max()) for track in (*drawn.tracks, drawn.handle[None])) for _, drawn in shown]
-    )
-    middles = np.array([float(drawn.handle[1]) for _, drawn in shown])
-    type_ = font(_fitting(middles, rights))
-    for (element, _), x, y in zip(shown, rights, middles, strict=True):
-        pen.text((x + 9, y), element.label, fill=_INK, font=type_, anchor="lm")
+    boxes = np.array([_box(drawn) for _, drawn in shown])
+    rows = 0.5 * (boxes[:, 1] + boxes[:, 3])
+    pitch = _pitch(boxes, rows)
+    type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
+    for (element, _), box, y in zip(shown, boxes, rows, strict=True):
+        right = float(box[2])
+        beyond = boxes[(np.abs(rows - y) < 0.5 * pitch) & (boxes[:, 0] > right), 0]
+        free = float(min(beyond.min(initial=picture.width), picture.width)) - right - 14.0
+        pen.text((right + 9.0, float(y)), _cut(element.label, type_, free), fill=_INK, font=type_, anchor="lm", **_HALO)
+    for text, x, y in _headings(shown, boxes, rows, pitch):
+        pen.text((x, y - pitch), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
 
 def call_out(picture: Image.Image, shown: Named) -> None:
     """Name every element in a column at the nearer edge of the picture, with a line to its handle."""
-    pen = ImageDraw.Draw(picture)
+    pen = ImageDraw.Draw(picture, "RGBA")
     centre = float(np.median([drawn.handle[0] for _, drawn in shown])) if shown else 0.0
     ordered = sorted(shown, key=lambda each: (float(each[1].handle[0]), each[0].name))
     on_left = [each for each in ordered if float(each[1].handle[0]) < centre]
@@ -74,7 +84,7 @@ def _column(pen: ImageDraw.ImageDraw, size: tuple[int, int], shown: Named, left:
         start = edge + wide + 4 if left else edge - wide - 4
         bend = start + (12 if left else -12)
         handle = (float(drawn.handle[0]), float(drawn.handle[1]))
-        pen.line([(start, y), (bend, y), handle], fill=_RULE, width=1)
+        pen.line([(start, y), (bend, y), handle], fill=(*_RULE, 130), width=1)
         pen.text((edge, y), element.label, fill=_INK, font=type_, anchor="lm" if left else "rm")
 
 
@@ -96,10 +106,39 @@ def _spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
     return np.asarray(np.clip(level, low, max(low, high - steps[-1])) + steps)
 
 
-def _fitting(middles: Floats, rights: Floats) -> int:
-    """Type size at which names in one column do not touch: from the least step between rows."""
-    order = np.lexsort((middles, np.round(rights / 40.0)))
-    steps = np.diff(middles[order])
-    same = (np.diff(np.round(rights[order] / 40.0)) == 0) & (steps > 1.0)
-    least = float(steps[same].min()) if same.any() else float(_LARGEST)
-    return int(np.clip(least - 1.0, _LEAST, _LARGEST))
+def _box(drawn: Mark) -> Floats:
+    """(4,) left, top, right and bottom of a mark, pixels."""
+    points = np.concatenate([*drawn.tracks, drawn.handle[None]])[:, :2]
+    return np.concatenate([points.min(axis=0), points.max(axis=0)])
+
+
+def _pitch(boxes: Floats, rows: Floats) -> float:
+    """Least step between rows of one column, pixels."""
+    order = np.lexsort((rows, np.round(boxes[:, 0] / 20.0)))
+    steps = np.diff(rows[order])
+    same = (np.diff(np.round(boxes[order, 0] / 20.0)) == 0) & (steps > 2.0)
+    return float(steps[same].min()) if same.any() else 2.0 * _LARGEST
+
+
+def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[tuple[str, float, float]]:
+    """Text and place of the first element of each family in each column, column after column."""
+    found: list[tuple[str, float, float]] = []
+    order = np.lexsort((boxes[:, 0], rows))
+    for index in order:
+        family, x, y = shown[index][0].family, float(boxes[index, 0]), float(rows[index])
+        above = (np.abs(rows - (y - pitch)) < 0.4 * pitch) & (np.abs(boxes[:, 0] - x) < 3.0 * pitch)
+        beside = (np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0) & (boxes[:, 2] > x - 12.0 * pitch)
+        if family and not above.any() and not beside.any():
+            found.append((_FAMILIES.get(family, family), x - 4.0, y))
+    return found
+
+
+def _cut(name: str, type_: ImageFont.FreeTypeFont, free: float) -> str:
+    """The name, with its middle left out where it is wider than `free` pixels."""
+    if type_.getlength(name) <= free:
+        return name
+    for kept in range(len(name) - 1, 3, -1):
+        short = name[: (kept + 1) // 2] + "…" + name[len(name) - kept // 2 :]
+        if type_.getlength(short) <= free:
+            return short
+    return name[:2] + "…" + name[-2:]

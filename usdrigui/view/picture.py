@@ -24,8 +24,8 @@ VIEWS = {"front": 0.0, "left34": 35.0, "right34": -35.0, "left": 90.0, "right": 
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
-_MARGIN = 0.20
-"""Space around the elements on the face, as a share of their extent."""
+_MARGIN = np.array([0.10, 0.20])
+"""Space around the elements on the face, to the sides and up and down, as a share of their extent."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])

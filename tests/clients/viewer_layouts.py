@@ -1,0 +1,78 @@
+"""Layouts made by hand for the viewer's tests: every control at the point that it moves furthest."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.deform import deform, knots, posed, sweep
+from usdrigui.model import Anchor, Element, Layout, Member
+
+
+def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
+    """One slider per control; `groups` are (name, kind, control names, opposed) that share an element."""
+    base = posed(rig)
+    names = [control.name for control in rig.controls]
+    grouped = {name for group in groups for name in group[2]}
+    elements = [element(rig, base, name, "slider", (name,), (), mirrors, name in beside) for name in names if name not in grouped]
+    elements += [element(rig, base, name, kind, members, opposed, mirrors, False) for name, kind, members, opposed in groups]
+    spread = np.ptp(deform(rig), axis=0)
+    return Layout(
+        root=rig.root,
+        elements=tuple(each for each in elements if each is not None),
+        left_off=(),
+        handle_width=0.02 * float(spread.max()),
+        space="object",
+        view=np.asarray(view, dtype=np.float64),
+        plane_origin=np.zeros(3),
+        plane_normal=np.array([1.0, 0.0, 0.0]),
+        base_values=np.array([control.default for control in rig.controls]),
+        method="peak",
+        status="stopped",
+        cost=0.0,
+        bound=-np.inf,
+        in_play=0.0,
+    )
+
+
+def element(rig, base, name, kind, members, opposed, mirrors, beside):
+    mirrors = mirrors or {}
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    paths = {member: sweep(rig, base, index[member], knots(rig, index[member])) for member in members}
+    points, offsets = paths[members[0]]
+    if not len(points):
+        return None
+    peak = int(np.linalg.norm(np.ptp(offsets, axis=0), axis=1).argmax())
+    point = int(points[peak])
+    mesh, local = rig.mesh_of(point)
+    shift = np.array([1.5, 0.0, 0.0]) * float(np.ptp(base.points[:, 0])) * beside
+    return Element(
+        name=name,
+        label=name,
+        kind=kind,
+        members=tuple(member_at(rig, base, index[one], point, shift) for one in members),
+        opposed=tuple(opposed),
+        anchor=Anchor(
+            mesh=rig.meshes[mesh].path,
+            point=local,
+            point_count=len(rig.meshes[mesh].points),
+            topology_hash=rig.meshes[mesh].topology_hash,
+            position=base.points[point] + shift,
+            normal=np.array([0.0, 0.0, 1.0]),
+            beside=beside,
+        ),
+        side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle",
+        mirror=mirrors.get(name, ""),
+        family="crowded" if beside else "",
+        reason="",
+    )
+
+
+def member_at(rig, base, control, point, shift):
+    values = knots(rig, control)
+    points, offsets = sweep(rig, base, control, values)
+    track = np.tile(base.points[point] + shift, (len(values), 1))
+    row = np.flatnonzero(points == point)
+    if len(row):
+        track = track + offsets[:, row[0]]
+    length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
+    return Member(rig.controls[control].name, values, track, length, 1.0)

@@ -1,0 +1,69 @@
+"""The web viewer: characters and their layouts as one self-contained HTML file.
+
+The file needs no network and no server: script, style, geometry and layout are inside it, and its
+content security policy forbids everything else.  The script is built from `viewer/` (see its README).
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+from collections.abc import Sequence
+from importlib.resources import files
+
+from usdrigui.model import Layout, Rig
+from usdrigui.view.scene import pack
+
+_PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="usdrigui">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<div id="app"><p class="loading">Loading {title}…</p></div>
+<noscript>This page needs JavaScript.</noscript>
+<script type="text/plain" id="scene">{scene}</script>
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> str:
+    """One HTML file in which the characters can be posed by their layouts.
+
+    The same records and title always give the same text.  Raises RigUIError VIEW_MISMATCH when a layout
+    does not belong to its rig, or when there is no character at all.
+    """
+    script, style = _asset("viewer.js"), _asset("viewer.css")
+    return _PAGE.format(
+        policy=_policy(script, style),
+        title=html.escape(title),
+        style=style,
+        scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
+        script=script,
+    )
+
+
+def _asset(name: str) -> str:
+    """A built asset as text that may stand inside its element."""
+    text = (files("usdrigui.view") / "assets" / name).read_text(encoding="utf-8")
+    return text.replace("</script", "<\\/script").replace("</style", "<\\/style")
+
+
+def _policy(script: str, style: str) -> str:
+    """Content security policy: this script and this style, pictures made by them, and nothing else."""
+    return (
+        f"default-src 'none'; script-src 'sha256-{_digest(script)}'; style-src 'sha256-{_digest(style)}'; "
+        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _digest(text: str) -> str:
+    return base64.b64encode(hashlib.sha256(text.encode("utf-8")).digest()).decode("ascii")

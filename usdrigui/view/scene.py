@@ -1,0 +1,262 @@
+"""Rig and Layout records packed into one compact binary scene for the web viewer.
+
+A scene is a JSON header and a body of arrays.  Positions are quantised to 16 bits within each mesh's
+bounding box, blend-shape offsets to 16 bits within each shape's own largest offset; arrays of integers
+are stored as differences and byte planes, which is what makes them deflate well.  The same records
+always give the same bytes (docs/decisions/070-viewer-scene.md has the measured errors).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import zlib
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from usdrigui.errors import refuse
+from usdrigui.model import Control, Drive, Element, Floats, Layout, Member, Rig, RigMesh, Shape, Skin
+from usdrigui.surface import triangles
+
+Json = dict[str, Any]
+
+_POSITION_STEPS = 65535
+_OFFSET_STEPS = 32767
+_WEIGHT_STEPS = 65535
+
+
+def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
+    """Everything the viewer needs to show and pose the characters, deflated.
+
+    The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON, padded
+    with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}`` refer to
+    arrays in the body.  Raises RigUIError VIEW_MISMATCH when a layout names a mesh or a control that its
+    rig does not have.
+    """
+    body = _Body()
+    header = {"title": title, "characters": [_character(body, rig, layout) for rig, layout in rig_layouts]}
+    text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % 4)
+    return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(body.content), 9)
+
+
+class _Body:
+    """Growing store of arrays, each entered as its byte planes."""
+
+    def __init__(self) -> None:
+        self.content = bytearray()
+
+    def integers(self, array: ArrayLike, kind: str) -> Json:
+        """Store whole numbers of the little-endian `kind` (u1, u2, i2, u4, i4)."""
+        return self._planes(np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind)
+
+    def ascending(self, array: ArrayLike) -> Json:
+        """Store an ascending list of indices as differences."""
+        values = np.asarray(array, dtype=np.int64)
+        return {**self.integers(np.diff(values, prepend=0), "u4"), "sum": True}
+
+    def wandering(self, array: ArrayLike) -> Json:
+        """Store indices that stay near each other (triangle corners) as signed differences."""
+        values = np.asarray(array, dtype=np.int64)
+        stored = self.integers(np.diff(values.ravel(), prepend=0), "i4")
+        return {**stored, "sum": True, "shape": list(values.shape)}
+
+    def reals(self, array: ArrayLike, kind: str = "f4") -> Json:
+        """Store floating-point numbers as they are."""
+        return self._planes(np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind)
+
+    def _planes(self, array: NDArray[Any], kind: str) -> Json:
+        at = len(self.content)
+        width = array.dtype.itemsize
+        self.content += array.reshape(-1).view(np.uint8).reshape(-1, width).T.tobytes()
+        self.content += bytes(-len(self.content) % 4)
+        return {"at": at, "kind": kind, "shape": list(array.shape)}
+
+
+# --- the rig -----------------------------------------------------------------------------------------
+
+
+def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
+    return {
+        "root": rig.root,
+        "up": _list(rig.up),
+        "metresPerUnit": rig.metres_per_unit,
+        "meshes": [_mesh(body, mesh) for mesh in rig.meshes],
+        "skeletons": [
+            {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)} for each in rig.skeletons
+        ],
+        "joints": [{"path": each.path, "skeleton": each.skeleton, "parent": each.parent} for each in rig.joints],
+        "bind": body.reals(np.array([each.bind for each in rig.joints]).reshape(-1, 4, 4), "f8"),
+        "base": body.reals(np.array([each.base for each in rig.joints]).reshape(-1, 4, 4), "f8"),
+        "channels": [{"token": each.token, "animation": each.animation, "index": each.index} for each in rig.channels],
+        "baseWeights": _list(rig.base_weights),
+        "controls": [_control(each) for each in rig.controls],
+        "clip": _clip(body, rig),
+        "layout": _layout(rig, layout),
+    }
+
+
+def _mesh(body: _Body, mesh: RigMesh) -> Json:
+    low, step, grid = _quantised_positions(mesh.points)
+    corners = triangles(mesh.face_counts, mesh.face_indices, mesh.left_handed)
+    return {
+        "path": mesh.path,
+        "visible": mesh.visible,
+        "low": _list(low),
+        "step": _list(step),
+        "points": body.integers(grid, "u2"),
+        "triangles": body.wandering(corners),
+        "toRoot": _list(mesh.to_root),
+        "skin": None if mesh.skin is None else _skin(body, mesh.skin),
+        "shapes": [_shape(body, shape) for shape in mesh.shapes],
+    }
+
+
+def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int64]]:
+    """Bounding box corner, step per axis and whole steps of each point, all in mesh space."""
+    if not len(points):
+        return np.zeros(3), np.ones(3), np.zeros((0, 3), dtype=np.int64)
+    low, high = points.min(axis=0), points.max(axis=0)
+    step = np.where(high > low, (high - low) / _POSITION_STEPS, 1.0)
+    return low, step, np.rint((points - low) / step).astype(np.int64)
+
+
+def _shape(body: _Body, shape: Shape) -> Json:
+    """Offsets in steps of the largest; points that round to no offset at all are left out."""
+    largest = float(np.abs(shape.offsets).max(initial=0.0))
+    step = largest / _OFFSET_STEPS if largest > 0.0 else 1.0
+    grid = np.rint(shape.offsets.astype(np.float64) / step).astype(np.int64)
+    kept = np.flatnonzero(grid.any(axis=(0, 2)))
+    return {
+        "channel": shape.channel,
+        "weights": _list(shape.weights),
+        "step": step,
+        "points": body.ascending(shape.points[kept]),
+        "offsets": body.integers(grid[:, kept], "i2"),
+    }
+
+
+def _skin(body: _Body, skin: Skin) -> Json:
+    """Influences; a rigid skin stores one row, and columns without any weight are left out."""
+    rows = slice(0, 1) if skin.rigid else slice(None)
+    joints, weights = skin.joints[rows], skin.weights[rows]
+    used = np.flatnonzero((weights > 0.0).any(axis=0)) if len(weights) else np.arange(weights.shape[1])
+    return {
+        "joints": body.integers(joints[:, used], "u2"),
+        "weights": body.integers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
+        "dualQuaternion": skin.method == "dualQuaternion",
+        "geomBind": _list(skin.geom_bind),
+    }
+
+
+def _control(control: Control) -> Json:
+    return {
+        "name": control.name,
+        "label": control.label,
+        "kind": control.kind,
+        "source": control.source,
+        "minimum": control.minimum,
+        "default": control.default,
+        "maximum": control.maximum,
+        "drive": _drive(control.drive),
+    }
+
+
+def _drive(drive: Drive) -> Json:
+    return {
+        "values": _list(drive.values),
+        "channels": drive.channels.tolist(),
+        "weights": _list(drive.weights),
+        "joints": drive.joints.tolist(),
+        "rotations": _list(drive.rotations),
+        "translations": _list(drive.translations),
+        "scales": _list(drive.scales),
+    }
+
+
+def _clip(body: _Body, rig: Rig) -> Json | None:
+    if rig.clip is None or not len(rig.clip.times):
+        return None
+    return {
+        "times": _list(rig.clip.times),
+        "framesPerSecond": rig.clip.frames_per_second,
+        "weights": body.reals(rig.clip.weights),
+        "locals": body.reals(rig.clip.locals),
+    }
+
+
+# --- the layout --------------------------------------------------------------------------------------
+
+
+def _layout(rig: Rig, layout: Layout) -> Json:
+    controls = {control.name: index for index, control in enumerate(rig.controls)}
+    meshes = {mesh.path: index for index, mesh in enumerate(rig.meshes)}
+    return {
+        "handleWidth": layout.handle_width,
+        "view": _list(layout.view),
+        "planeOrigin": _list(layout.plane_origin),
+        "planeNormal": _list(layout.plane_normal),
+        "baseValues": _list(layout.base_values),
+        "elements": [_element(rig, meshes, controls, each) for each in layout.elements],
+        "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
+        "method": layout.method,
+        "status": layout.status,
+        "cost": _finite(layout.cost),
+        "bound": _finite(layout.bound),
+    }
+
+
+def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element: Element) -> Json:
+    anchor = element.anchor
+    if anchor.mesh not in meshes or not 0 <= anchor.point < len(rig.meshes[meshes[anchor.mesh]].points):
+        raise refuse("VIEW_MISMATCH", anchor.mesh, f"element {element.name} is anchored where the rig has no point")
+    return {
+        "name": element.name,
+        "label": element.label,
+        "kind": element.kind,
+        "members": [_member(element, controls, each) for each in element.members],
+        "opposed": [list(pair) for pair in element.opposed],
+        "mesh": meshes[anchor.mesh],
+        "point": anchor.point,
+        "position": _list(anchor.position),
+        "normal": _list(anchor.normal),
+        "beside": anchor.beside,
+        "side": element.side,
+        "mirror": element.mirror,
+        "family": element.family,
+        "reason": element.reason,
+        "static": element.adapt == "static",
+    }
+
+
+def _member(element: Element, controls: dict[str, int], member: Member) -> Json:
+    if member.control not in controls:
+        raise refuse("VIEW_MISMATCH", member.control, f"element {element.name} has a control that the rig lacks")
+    return {
+        "control": controls[member.control],
+        "values": _list(member.values),
+        "track": _list(member.track),
+        "gain": member.gain,
+    }
+
+
+# --- numbers -----------------------------------------------------------------------------------------
+
+
+def _list(array: ArrayLike) -> list[Any]:
+    """Nested list of floats, rounded to 9 significant digits (single precision and a bit)."""
+    values = np.asarray(array, dtype=np.float64)
+    if not np.isfinite(values).all():
+        raise refuse("VIEW_MISMATCH", "", "a record holds a number that is not finite")
+    return [_nested(each) for each in values.tolist()]
+
+
+def _nested(value: Any) -> Any:
+    return [_nested(each) for each in value] if isinstance(value, list) else float(f"{value:.9g}")
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None

@@ -1,0 +1,84 @@
+"""A loopback server for one page, behind an address that nobody can guess."""
+
+from __future__ import annotations
+
+import secrets
+import threading
+import webbrowser
+from collections.abc import Callable
+from http import HTTPStatus
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+
+def serve(
+    html: str,
+    open_browser: bool = True,
+    announce: Callable[[str], None] | None = None,
+    stop: threading.Event | None = None,
+) -> None:
+    """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
+
+    The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random port and a random token
+    of 256 bits; every other path, method or host name gets 404 and no content.  `announce` is told the
+    address before the browser opens.
+    """
+    with page_server(html) as server:
+        threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
+        if announce is not None:
+            announce(server.address)
+        if open_browser:
+            webbrowser.open(server.address)
+        try:
+            (stop or threading.Event()).wait()
+        except KeyboardInterrupt:
+            pass
+        finally:
+            server.shutdown()
+
+
+class PageServer(ThreadingHTTPServer):
+    """Server of one page; `address` is where it is."""
+
+    daemon_threads = True
+
+    def __init__(self, page: bytes) -> None:
+        super().__init__(("127.0.0.1", 0), _Handler)
+        self.page = page
+        self.path = f"/{secrets.token_urlsafe(32)}/"
+        self.host = f"127.0.0.1:{self.server_port}"
+        self.address = f"http://{self.host}{self.path}"
+
+
+def page_server(html: str) -> PageServer:
+    """A server, bound but not yet serving, of one page."""
+    return PageServer(html.encode("utf-8"))
+
+
+class _Handler(BaseHTTPRequestHandler):
+    server: PageServer
+    server_version = "usdrigui"
+    sys_version = ""
+
+    def do_GET(self) -> None:  # noqa: N802 - the name that http.server calls
+        self._answer(with_body=True)
+
+    def do_HEAD(self) -> None:  # noqa: N802
+        self._answer(with_body=False)
+
+    def _answer(self, with_body: bool) -> None:
+        """The page for its exact path and host (so that no other site's name can be pointed here), else 404."""
+        known = secrets.compare_digest(self.path.encode(), self.server.path.encode())
+        found = known and self.headers.get("Host") == self.server.host
+        content = self.server.page if found else b""
+        self.send_response(HTTPStatus.OK if found else HTTPStatus.NOT_FOUND)
+        self.send_header("Content-Type", "text/html; charset=utf-8")
+        self.send_header("Content-Length", str(len(content)))
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Referrer-Policy", "no-referrer")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.end_headers()
+        if with_body:
+            self.wfile.write(content)
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base class's name
+        """Say nothing: the terminal belongs to the command line."""

@@ -1,0 +1,33 @@
+// Bundles src/ and three.js into one script and one style sheet, committed with the Python package so
+// that installing it needs no Node.js.  `npm run check` fails when the committed files are out of date.
+import { build } from 'esbuild';
+import { readFile, writeFile } from 'node:fs/promises';
+
+const ASSETS = new URL('../usdrigui/view/assets/', import.meta.url);
+
+const result = await build({
+  entryPoints: { viewer: 'src/main.js' },
+  bundle: true,
+  minify: true,
+  write: false,
+  format: 'iife',
+  target: ['chrome100', 'firefox110'],
+  charset: 'utf8',
+  legalComments: 'inline',
+  outdir: 'out',
+});
+
+const licence = await readFile(new URL('node_modules/three/LICENSE', import.meta.url));
+const files = new Map(result.outputFiles.map((file) => [file.path.split('/').at(-1), Buffer.from(file.contents)]));
+files.set('three-LICENSE.txt', licence);
+
+let stale = false;
+for (const [name, contents] of files) {
+  const target = new URL(name, ASSETS);
+  const committed = await readFile(target).catch(() => null);
+  if (committed?.equals(contents)) continue;
+  stale = true;
+  if (process.argv.includes('--check')) console.error(`${name} is out of date: run \`npm ci && npm run build\` in viewer/`);
+  else await writeFile(target, contents);
+}
+if (stale && process.argv.includes('--check')) process.exit(1);

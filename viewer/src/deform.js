@@ -1,0 +1,238 @@
+// Evaluation of the character at a pose, on the CPU with active shapes only; mirrors usdrigui/deform.py.
+
+import * as matrix from './matrix.js';
+import { Skeletons, prepareSkin, usedJoints } from './skeleton.js';
+
+export class Deformer {
+  constructor(character) {
+    this.character = character;
+    this.controls = character.controls;
+    this.controls.forEach((control) => prepareDrive(control.drive));
+    this.baseWeights = Float64Array.from(character.baseWeights);
+    this.weights = new Float64Array(character.channels.length);
+    this.moves = new Float64Array(9 * character.joints.length);
+    this.skeletons = new Skeletons(character);
+    this.points = new Float32Array(3 * character.pointCount);
+    for (const mesh of character.meshes) prepareMesh(mesh);
+    this.jointsAt = null;
+  }
+
+  /** Take other channel weights and joint transforms (an animation's frame) as the base pose. */
+  setBase(weights, locals) {
+    this.baseWeights = Float64Array.from(weights ?? this.character.baseWeights);
+    this.skeletons.setBase(locals);
+    this.jointsAt = null;
+  }
+
+  /** Set channel weights and joint moves from control values, without computing any point. */
+  drive(values) {
+    this.weights.set(this.baseWeights);
+    this.moves.fill(0);
+    for (let i = 0; i < this.controls.length; i++) {
+      if (values[i] !== this.controls[i].default) this.addDrive(i, values[i]);
+    }
+  }
+
+  addDrive(index, value) {
+    const { drive } = this.controls[index];
+    const [key, share] = keyAt(drive.values, value);
+    drive.channels.forEach((channel, i) => {
+      this.weights[channel] += mixed(drive.weights[key][i], drive.weights[key + 1][i], share);
+    });
+    drive.joints.forEach((joint, i) => {
+      for (let axis = 0; axis < 3; axis++) {
+        const at = 9 * joint + axis;
+        this.moves[at] += mixed(drive.rotations[key][i][axis], drive.rotations[key + 1][i][axis], share);
+        this.moves[at + 3] += mixed(drive.translations[key][i][axis], drive.translations[key + 1][i][axis], share);
+        this.moves[at + 6] += mixed(drive.scales[key][i][axis], drive.scales[key + 1][i][axis], share);
+      }
+    });
+  }
+
+  /** Compute `points` (root space, 3 per point) at control values. */
+  pose(values) {
+    this.drive(values);
+    const turned = this.updateMaps();
+    for (const mesh of this.character.meshes) if (mesh.visible) this.poseMesh(mesh, turned);
+    return this.points;
+  }
+
+  /** Renew the meshes' maps when joints have moved since the last time. */
+  updateMaps() {
+    const { jointsAt, moves } = this;
+    if (jointsAt && moves.every((value, i) => value === jointsAt[i])) return false;
+    const skinning = this.skeletons.skinning(moves);
+    for (const mesh of this.character.meshes) {
+      if (mesh.skin) mesh.maps = this.skeletons.maps(mesh.skin, skinning, mesh.size);
+      mesh.plain = mesh.maps.length === 12 && isIdentity(mesh.maps);
+    }
+    this.jointsAt = moves.slice();
+    return true;
+  }
+
+  poseMesh(mesh) {
+    const out = this.points.subarray(3 * mesh.start, 3 * (mesh.start + mesh.count));
+    const blended = mesh.plain ? out : (mesh.blended ??= new Float32Array(mesh.points.length));
+    blended.set(mesh.points);
+    for (const shape of mesh.shapes) {
+      const weight = this.weights[shape.channel];
+      if (weight !== 0) addShape(shape, weight, blended);
+    }
+    if (!mesh.plain) applyMaps(blended, mesh.maps, out);
+  }
+
+  // --- single points ---------------------------------------------------------------------------------
+
+  /** Everything that is needed to evaluate one point often: its shapes, influences and joints. */
+  tracer(meshIndex, point) {
+    const mesh = this.character.meshes[meshIndex];
+    const shapes = [];
+    for (const shape of mesh.shapes) {
+      const row = indexOf(shape.points, point);
+      if (row >= 0) shapes.push({ shape, row });
+    }
+    const tracer = { mesh, point, shapes, row: 0, chain: [] };
+    if (mesh.skin) {
+      tracer.row = mesh.skin.rows === 1 ? 0 : point;
+      const from = tracer.row * mesh.skin.width;
+      const joints = mesh.skin.joints.subarray(from, from + mesh.skin.width);
+      tracer.chain = this.skeletons.chainOf(joints.filter((_, i) => mesh.skin.weights[from + i] !== 0));
+    }
+    return tracer;
+  }
+
+  /** Root-space position of a traced point at the weights and moves last driven. */
+  trace(tracer, map = this.traceMap(tracer)) {
+    const [x, y, z] = this.traceBlend(tracer);
+    return matrix.transformPoint(map, x, y, z);
+  }
+
+  traceBlend({ mesh, point, shapes }) {
+    const at = [mesh.points[3 * point], mesh.points[3 * point + 1], mesh.points[3 * point + 2]];
+    for (const { shape, row } of shapes) {
+      const weight = this.weights[shape.channel];
+      if (weight === 0) continue;
+      forShares(shape, weight, (inbetween, share) => {
+        const from = 3 * (inbetween * shape.points.length + row);
+        for (let axis = 0; axis < 3; axis++) at[axis] += share * shape.step * shape.offsets[from + axis];
+      });
+    }
+    return at;
+  }
+
+  /** Map (16) of a traced point from mesh space to root space. */
+  traceMap({ mesh, row, chain }) {
+    if (!mesh.skin) return mesh.root;
+    return this.skeletons.rowMap(mesh.skin, row, this.skeletons.skinning(this.moves, chain));
+  }
+
+  /** Run `use` with control `index` at `value` instead of `now`; the driven state is restored exactly. */
+  withControl(index, now, value, use) {
+    const { drive } = this.controls[index];
+    const weights = drive.channels.map((channel) => this.weights[channel]);
+    const moves = drive.joints.map((joint) => this.moves.slice(9 * joint, 9 * joint + 9));
+    this.subtractDrive(index, now);
+    this.addDrive(index, value);
+    const result = use();
+    drive.channels.forEach((channel, i) => (this.weights[channel] = weights[i]));
+    drive.joints.forEach((joint, i) => this.moves.set(moves[i], 9 * joint));
+    return result;
+  }
+
+  subtractDrive(index, value) {
+    const { weights, moves } = this;
+    [this.weights, this.moves] = [new Float64Array(weights.length), new Float64Array(moves.length)];
+    this.addDrive(index, value);
+    this.controls[index].drive.channels.forEach((channel) => (weights[channel] -= this.weights[channel]));
+    for (const joint of this.controls[index].drive.joints) {
+      for (let i = 9 * joint; i < 9 * joint + 9; i++) moves[i] = settled(moves[i] - this.moves[i]);
+    }
+    [this.weights, this.moves] = [weights, moves];
+  }
+}
+
+/** Differences that are rounding only count as none, so that joints at rest keep their exact transform. */
+const settled = (value) => (Math.abs(value) < 1e-14 ? 0 : value);
+
+const mixed = (a, b, share) => (1 - share) * a + share * b;
+
+function prepareDrive(drive) {
+  drive.turns = drive.joints.length > 0;
+}
+
+function prepareMesh(mesh) {
+  mesh.root = matrix.flat(mesh.toRoot);
+  mesh.size = mesh.points.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-30);
+  mesh.maps = Float64Array.from([0, 1, 2, 3].flatMap((row) => mesh.root.slice(4 * row, 4 * row + 3)));
+  mesh.plain = isIdentity(mesh.maps);
+  if (mesh.skin) {
+    prepareSkin(mesh.skin);
+    usedJoints(mesh.skin);
+  }
+  for (const shape of mesh.shapes) {
+    shape.nodes = [...shape.weights, 0].sort((a, b) => a - b);
+    shape.zero = shape.nodes.indexOf(0);
+  }
+}
+
+function isIdentity(map) {
+  return [1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0].every((value, i) => Math.abs(map[i] - value) < 1e-12);
+}
+
+/** Piece and share at `value` of ascending keys; beyond the ends the outer pieces go on. */
+function keyAt(keys, value) {
+  let i = 0;
+  while (i < keys.length - 2 && value >= keys[i + 1]) i++;
+  return [i, (value - keys[i]) / (keys[i + 1] - keys[i])];
+}
+
+/** Call `use(inbetween, share)` for the rows of offsets that act at `weight`. */
+function forShares(shape, weight, use) {
+  if (shape.weights.length === 1) {
+    use(0, weight);
+    return;
+  }
+  const [i, share] = keyAt(shape.nodes, weight);
+  for (const [node, amount] of [[i, 1 - share], [i + 1, share]]) {
+    if (node !== shape.zero && amount !== 0) use(node > shape.zero ? node - 1 : node, amount);
+  }
+}
+
+function addShape(shape, weight, blended) {
+  const { points, offsets, step } = shape;
+  const count = points.length;
+  forShares(shape, weight, (inbetween, share) => {
+    const scale = share * step;
+    let from = 3 * inbetween * count;
+    for (let i = 0; i < count; i++, from += 3) {
+      const to = 3 * points[i];
+      blended[to] += scale * offsets[from];
+      blended[to + 1] += scale * offsets[from + 1];
+      blended[to + 2] += scale * offsets[from + 2];
+    }
+  });
+}
+
+function applyMaps(points, maps, out) {
+  const stride = maps.length === 12 ? 0 : 12;
+  for (let i = 0, m = 0; i < points.length; i += 3, m += stride) {
+    const x = points[i];
+    const y = points[i + 1];
+    const z = points[i + 2];
+    out[i] = x * maps[m] + y * maps[m + 3] + z * maps[m + 6] + maps[m + 9];
+    out[i + 1] = x * maps[m + 1] + y * maps[m + 4] + z * maps[m + 7] + maps[m + 10];
+    out[i + 2] = x * maps[m + 2] + y * maps[m + 5] + z * maps[m + 8] + maps[m + 11];
+  }
+}
+
+function indexOf(sorted, value) {
+  let low = 0;
+  let high = sorted.length - 1;
+  while (low <= high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] === value) return middle;
+    if (sorted[middle] < value) low = middle + 1;
+    else high = middle - 1;
+  }
+  return -1;
+}

@@ -1,0 +1,64 @@
+// Making page elements.
+
+/** An element with properties, attributes (aria-*, data-*, role), event listeners (onX) and children. */
+export function make(tag, properties = {}, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
+    else if (name === 'class') node.className = value;
+    else if (name === 'style') Object.assign(node.style, value);
+    else if (name.includes('-') || name === 'role' || name === 'for') node.setAttribute(name, value);
+    else node[name] = value;
+  }
+  node.append(...children.filter((child) => child !== null && child !== undefined));
+  return node;
+}
+
+/** A button that is pressed or not; `icon` is short text. */
+export function toggle(label, title, isOn, press) {
+  const button = make('button', { class: 'toggle', title, type: 'button', onclick: press }, label);
+  button.update = () => button.setAttribute('aria-pressed', String(isOn()));
+  button.update();
+  return button;
+}
+
+/** A group of buttons of which one is pressed: `choices` are [value, label, title]. */
+export function segmented(name, choices, current, choose) {
+  const buttons = choices.map(([value, label, title]) =>
+    make('button', { type: 'button', title, onclick: () => choose(value) }, label),
+  );
+  const group = make('div', { class: 'segmented', role: 'group', 'aria-label': name }, ...buttons);
+  group.update = () => {
+    buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(choices[i][0] === current())));
+  };
+  group.update();
+  return group;
+}
+
+export function download(name, text, type) {
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  const link = make('a', { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(address), 10000);
+}
+
+/** Ask for a text file; resolves to {name, text}, or null when none was chosen. */
+export function askForFile(accept) {
+  return new Promise((resolve) => {
+    const input = make('input', { type: 'file', accept });
+    input.addEventListener('change', async () => {
+      const file = input.files[0];
+      resolve(file ? { name: file.name, text: await file.text() } : null);
+    });
+    input.addEventListener('cancel', () => resolve(null));
+    input.click();
+  });
+}
+
+/** A value for people: two decimals, or more where the range is small. */
+export function shownValue(value, range = 1) {
+  const digits = Math.min(6, Math.max(2, 2 - Math.floor(Math.log10(Math.max(range, 1e-6)))));
+  return value.toFixed(digits);
+}

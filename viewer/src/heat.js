@@ -1,0 +1,77 @@
+// Areas of influence: how far each point moves when a control goes through its range, and which controls
+// move a given point most.
+
+export class Influence {
+  constructor(character, deformer, rest) {
+    this.character = character;
+    this.deformer = deformer;
+    this.rest = rest;
+    this.known = new Map();
+  }
+
+  /** 0 to 255 per point: displacement at the stronger end of the range, relative to the control's largest. */
+  ofControl(index) {
+    if (!this.known.has(index)) this.known.set(index, this.measure(index));
+    return this.known.get(index);
+  }
+
+  /** The largest influence of several controls at each point. */
+  ofControls(indices) {
+    const maps = indices.map((index) => this.ofControl(index));
+    if (maps.length === 1) return maps[0];
+    return maps[0].map((value, point) => maps.reduce((most, map) => Math.max(most, map[point]), value));
+  }
+
+  measure(index) {
+    const control = this.character.controls[index];
+    const { deformer } = this;
+    const values = Float64Array.from(this.rest);
+    const shown = deformer.points;
+    const at = (value) => {
+      values[index] = value;
+      deformer.points = new Float32Array(shown.length);
+      return deformer.pose(values);
+    };
+    const still = at(this.rest[index]);
+    const squares = new Float32Array(still.length / 3);
+    for (const end of new Set([control.minimum, control.maximum])) {
+      if (end === this.rest[index]) continue;
+      const moved = at(end);
+      for (let point = 0, i = 0; point < squares.length; point++, i += 3) {
+        const x = moved[i] - still[i];
+        const y = moved[i + 1] - still[i + 1];
+        const z = moved[i + 2] - still[i + 2];
+        squares[point] = Math.max(squares[point], x * x + y * y + z * z);
+      }
+    }
+    deformer.points = shown;
+    const most = squares.reduce((a, b) => Math.max(a, b), 0);
+    return Uint8Array.from(squares, (square) => (most > 0 ? Math.round(255 * Math.sqrt(square / most)) : 0));
+  }
+
+  /** Controls that move a point of the skin, strongest first: [{control, distance, share}]. */
+  rank(corners, shares, values, tracer) {
+    const traced = corners.map(tracer);
+    const { deformer } = this;
+    const at = () => {
+      const out = [0, 0, 0];
+      traced.forEach((each, k) => deformer.trace(each).forEach((value, axis) => (out[axis] += shares[k] * value)));
+      return out;
+    };
+    deformer.drive(values);
+    const found = this.character.controls.map((control, index) => {
+      const low = deformer.withControl(index, values[index], control.minimum, at);
+      const high = deformer.withControl(index, values[index], control.maximum, at);
+      const rest = deformer.withControl(index, values[index], this.rest[index], at);
+      const distance = Math.max(apart(low, rest), apart(high, rest), apart(low, high));
+      return { control: index, distance };
+    });
+    const most = found.reduce((a, { distance }) => Math.max(a, distance), 0);
+    return found
+      .filter(({ distance }) => distance > 1e-3 * most)
+      .sort((a, b) => b.distance - a.distance || a.control - b.control)
+      .map((each) => ({ ...each, share: each.distance / most }));
+  }
+}
+
+const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);

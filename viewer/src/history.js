@@ -1,0 +1,41 @@
+// Undo and redo as pairs of functions.
+
+const MERGE_WITHIN = 900; // milliseconds
+
+export class History {
+  constructor(limit = 200) {
+    this.limit = limit;
+    this.done = [];
+    this.undone = [];
+  }
+
+  /**
+   * Record a change that has already happened.  Changes in quick succession with the same `merge` name
+   * (presses of an arrow key, steps of a list's slider) become one.
+   */
+  push(label, undo, redo, merge = null) {
+    const now = performance.now();
+    const last = this.done.at(-1);
+    if (merge && last?.merge === merge && now - last.when < MERGE_WITHIN) Object.assign(last, { redo, when: now });
+    else this.done.push({ label, undo, redo, merge, when: now });
+    if (this.done.length > this.limit) this.done.shift();
+    this.undone = [];
+  }
+
+  /** Label of the change taken back, or null. */
+  undo() {
+    const change = this.done.pop();
+    if (!change) return null;
+    change.undo();
+    this.undone.push({ ...change, merge: null });
+    return change.label;
+  }
+
+  redo() {
+    const change = this.undone.pop();
+    if (!change) return null;
+    change.redo();
+    this.done.push(change);
+    return change.label;
+  }
+}

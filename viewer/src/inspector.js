@@ -1,0 +1,311 @@
+// The panel on the right: what is selected, what acts at a clicked point, how things are shown, poses and
+// layout in and out.
+
+import { askForFile, download, make, segmented, shownValue, toggle } from './dom.js';
+import { COLOURS, familyName } from './overlay.js';
+import { framesFromUsda, poseFromJson, poseToJson, poseToUsda } from './pose_io.js';
+import { sideName } from './view.js';
+
+const MOST_RANKED = 12;
+
+export class Inspector {
+  constructor(session, view, timeline, say) {
+    Object.assign(this, { session, view, timeline, say });
+    this.updates = [];
+    this.chosen = make('div', { class: 'chosen' });
+    this.ranked = make('div', { class: 'ranked' });
+    this.influences = section('Acts here', this.ranked, false);
+    this.influences.hidden = true;
+    this.node = make(
+      'aside',
+      { class: 'inspector', 'aria-label': 'Inspector' },
+      section('Selection', this.chosen),
+      this.influences,
+      section('Display', this.display()),
+      section('Pulling the skin', this.pulling(), false),
+      section('Pose', this.poses()),
+      section('Layout', this.layout(), false),
+    );
+    view.onInfluences = (hit) => this.showInfluences(hit);
+    session.on('selection', () => this.showSelection());
+    session.on('pose', () => this.updateNumbers());
+    session.on('options', () => this.update());
+    session.on('layout', () => this.update());
+    this.showSelection();
+    this.update();
+  }
+
+  update() {
+    this.updates.forEach((update) => update());
+  }
+
+  updating(node) {
+    this.updates.push(() => node.update());
+    return node;
+  }
+
+  // --- selection -------------------------------------------------------------------------------------
+
+  showSelection() {
+    const { session } = this;
+    const elements = session.selectedElements;
+    this.numbers = [];
+    if (!elements.length) {
+      this.chosen.replaceChildren(
+        make('p', { class: 'hint' }, 'Drag a handle, or pull the skin. Click the skin to see what acts there; shift-drag selects.'),
+      );
+      return;
+    }
+    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
+    this.chosen.replaceChildren(
+      ...elements.slice(0, 8).map((element) => this.elementCard(element)),
+      ...(elements.length > 8 ? [make('p', { class: 'hint' }, `and ${elements.length - 8} more`)] : []),
+      make(
+        'div',
+        { class: 'actions' },
+        act('Zero', 'Selected controls to their defaults (0)', () => session.zero(session.chosenControls)),
+        act('Reset', 'Selected controls to the base pose (R)', () => session.reset(session.chosenControls)),
+        act('Hide', 'Hide the selected elements', () => session.hide(session.selectedElements)),
+        act('Key', 'Key the selected controls at this frame (K)', () => this.timeline.key(session.chosenControls)),
+      ),
+    );
+    this.updateNumbers();
+  }
+
+  elementCard(element) {
+    const side = [sideName(element.side), element.beside ? familyName(element.family) : ''].filter(Boolean).join(' · ');
+    return make(
+      'div',
+      { class: 'card', style: { borderLeftColor: COLOURS[element.side] } },
+      make('div', { class: 'card-title' }, element.label),
+      side ? make('div', { class: 'hint' }, side) : null,
+      ...element.members.map(({ control }) => this.numberRow(control)),
+      element.reason ? make('div', { class: 'hint' }, `${capitalised(element.reason)}.`) : null,
+    );
+  }
+
+  numberRow(index) {
+    const { session } = this;
+    const control = session.controls[index];
+    const range = control.maximum - control.minimum;
+    const input = make('input', {
+      type: 'number',
+      step: range / 100,
+      min: control.minimum,
+      max: control.maximum,
+      'aria-label': control.label,
+      onchange: () => {
+        const value = parseFloat(input.value);
+        if (Number.isFinite(value)) session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `number ${index}`);
+      },
+    });
+    this.numbers.push({ input, index, range });
+    const ends = `${shownValue(control.minimum, range)} … ${shownValue(control.maximum, range)}`;
+    return make('label', { class: 'number-row', title: `${control.name}: ${ends}` }, make('span', {}, control.label), input);
+  }
+
+  updateNumbers() {
+    for (const { input, index, range } of this.numbers ?? []) {
+      if (document.activeElement !== input) input.value = shownValue(this.session.values[index], range);
+    }
+  }
+
+  // --- influences ------------------------------------------------------------------------------------
+
+  /** The controls that move a clicked point, strongest first. */
+  showInfluences(hit) {
+    const { session, view } = this;
+    const found = session.influence.rank(hit.corners, hit.shares, session.values, (corner) => session.tracer(corner));
+    session.deformer.drive(session.values);
+    this.influences.hidden = false;
+    this.influences.open = true;
+    const elementOf = (control) => session.elements.byControl.get(control);
+    this.ranked.replaceChildren(
+      ...(found.length ? [] : [make('p', { class: 'hint' }, 'No control moves this point.')]),
+      ...found.slice(0, MOST_RANKED).map(({ control, share }) =>
+        make(
+          'button',
+          {
+            type: 'button',
+            class: 'ranked-row',
+            'data-control': session.controls[control].name,
+            onpointerenter: () => view.pointAt(control),
+            onpointerleave: () => view.pointAt(null),
+            onclick: (event) => elementOf(control) && session.select([elementOf(control)], event.shiftKey ? 'toggle' : 'replace'),
+          },
+          make('i', { style: { width: `${Math.round(100 * share)}%`, background: COLOURS[elementOf(control)?.side ?? 'none'] } }),
+          make('span', {}, session.controls[control].label),
+          make('small', {}, `${Math.round(100 * share)} %`),
+        ),
+      ),
+    );
+    this.influences.scrollIntoView({ block: 'nearest' });
+  }
+
+  // --- display ---------------------------------------------------------------------------------------
+
+  option(name, choices, label) {
+    const { session } = this;
+    const node = segmented(label, choices, () => session.options[name], (value) => session.setOption(name, value));
+    return make('div', { class: 'field' }, make('span', {}, label), this.updating(node));
+  }
+
+  check(name, label, title) {
+    const { session } = this;
+    const input = make('input', { type: 'checkbox', onchange: () => session.setOption(name, input.checked) });
+    input.update = () => (input.checked = session.options[name]);
+    this.updating(input);
+    return make('label', { class: 'check', title }, input, label);
+  }
+
+  slide(name, label, title, low, high) {
+    const { session } = this;
+    const input = make('input', {
+      type: 'range',
+      min: low,
+      max: high,
+      step: (high - low) / 100,
+      'aria-label': label,
+      oninput: () => session.setOption(name, Number(input.value)),
+    });
+    input.update = () => {
+      input.value = session.options[name];
+      input.style.setProperty('--at', `${(100 * (session.options[name] - low)) / (high - low)}%`);
+    };
+    return make('label', { class: 'field', title }, make('span', {}, label), this.updating(input));
+  }
+
+  display() {
+    const { session } = this;
+    const showAll = make('button', { type: 'button', onclick: () => session.showAll() }, 'Show hidden elements');
+    showAll.update = () => (showAll.hidden = !session.hidden.size);
+    return make(
+      'div',
+      {},
+      this.option('occlusion', [
+        ['overlay', 'Overlay', 'Draw everything on top'],
+        ['ghost', 'Ghost', 'Draw what the face covers faintly'],
+        ['hide', 'Depth', 'Do not draw what the face covers'],
+      ], 'Covered'),
+      this.option('labels', [['hover', 'Hover'], ['all', 'All']], 'Labels'),
+      this.slide('opacity', 'Opacity', 'How strongly handles and tracks are drawn', 0.1, 1),
+      this.check('fade', 'Fade the others while dragging'),
+      this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),
+      this.check('follow', 'Elements follow the skin', 'Off: they stay where they are at rest'),
+      this.updating(showAll),
+    );
+  }
+
+  pulling() {
+    const { session } = this;
+    const pins = make('div', { class: 'field' });
+    pins.update = () => {
+      const clear = make('button', {
+        type: 'button',
+        onclick: () => {
+          session.pins = [];
+          session.emit('options');
+        },
+      }, 'Remove all');
+      pins.replaceChildren(make('span', {}, `Pins: ${session.pins.length}`), session.pins.length ? clear : '');
+    };
+    return make(
+      'div',
+      {},
+      this.check('skinDrag', 'The skin can be pulled'),
+      this.slide('locality', 'Locality', 'Controls that matter less than this at the grabbed point stay as they are', 0.01, 0.6),
+      this.updating(pins),
+      make('p', { class: 'hint' }, 'Shift-click the skin to pin it; click a pin to take it out.'),
+    );
+  }
+
+  // --- poses -----------------------------------------------------------------------------------------
+
+  poses() {
+    const { session, say } = this;
+    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
+    return make(
+      'div',
+      { class: 'actions' },
+      act('Zero all', 'Every control to its default', () => session.zero()),
+      act('Reset all', 'Every control to the pose of the layout', () => session.reset()),
+      act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
+      act('Save JSON', 'Download the pose', () => download('pose.json', poseToJson(session), 'application/json')),
+      act('Save USD layer', 'Download the pose, or the keyed frames, as a USD layer', () => {
+        download('pose.usda', poseToUsda(session, this.timeline.frames(), this.timeline.rate), 'text/plain');
+      }),
+      act('Load…', 'A pose or layer saved before', async () => {
+        const file = await askForFile('.json,.usda,.usd');
+        if (file) this.load(file.text);
+      }),
+    );
+  }
+
+  async copy() {
+    try {
+      await navigator.clipboard.writeText(poseToJson(this.session));
+      this.say('Pose copied');
+    } catch {
+      this.say('The browser does not let this page write to the clipboard: use Save JSON');
+    }
+  }
+
+  /** Take over a pose (JSON) or keyed frames (usda). */
+  load(text) {
+    const { session, timeline, say } = this;
+    try {
+      if (text.startsWith('#usda')) {
+        const frames = framesFromUsda(text, session);
+        if (frames.length > 1) timeline.load(frames);
+        else session.edit('Load pose', () => session.set([...frames[0].values.entries()]));
+      } else {
+        const pose = poseFromJson(text, session);
+        session.edit('Load pose', () => session.set(pose));
+      }
+      say('Pose loaded');
+    } catch (error) {
+      say(error.message);
+    }
+  }
+
+  // --- layout ----------------------------------------------------------------------------------------
+
+  layout() {
+    const { session, view } = this;
+    const { layout } = session.character;
+    const moved = make('p', { class: 'hint' });
+    moved.update = () => {
+      const count = view.rearranging.moved.size;
+      moved.textContent = count ? `${count} element${count > 1 ? 's' : ''} moved` : 'Drag an element to another point of the face, or off it.';
+      save.disabled = !count;
+    };
+    const button = toggle('Rearrange', 'Drag elements to other points of the face', () => session.options.rearrange, () =>
+      session.setOption('rearrange', !session.options.rearrange),
+    );
+    const save = make('button', {
+      type: 'button',
+      title: 'Download the changes as a partial layout for `usdrigui process --config`',
+      onclick: () => download('layout.toml', view.rearranging.toml(), 'application/toml'),
+    }, 'Save partial layout');
+    const facts = [
+      `${layout.elements.length} elements, ${session.controls.length} controls`,
+      layout.leftOff.length ? `${layout.leftOff.length} left off` : null,
+      layout.method ? `${layout.method}: ${layout.status}` : null,
+    ].filter(Boolean);
+    const left = layout.leftOff.map(([control, , reason]) => make('li', {}, make('b', {}, control), ` ${reason}`));
+    return make(
+      'div',
+      {},
+      make('div', { class: 'actions' }, this.updating(button), save),
+      this.updating(moved),
+      make('p', { class: 'hint' }, facts.join(' · ')),
+      left.length ? make('details', { class: 'left-off' }, make('summary', {}, 'Left off'), make('ul', {}, ...left)) : null,
+    );
+  }
+}
+
+function section(title, content, open = true) {
+  return make('details', { class: 'section', open }, make('summary', {}, title), content);
+}
+
+const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1);

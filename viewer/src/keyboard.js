@@ -1,0 +1,106 @@
+// Keys: shortcuts for the whole page, and every element reachable by Tab and moved by the arrow keys.
+
+import { make, shownValue } from './dom.js';
+import { sideName } from './view.js';
+
+const STEP = 0.02;
+
+/** Invisible stops, one per element, that Tab visits inside the viewport. */
+export class Stops {
+  constructor(session, view) {
+    this.session = session;
+    this.nodes = session.elements.list.map((element) => this.makeStop(element));
+    view.node.append(make('div', { class: 'stops', role: 'group', 'aria-label': 'Elements on the face' }, ...this.nodes));
+    session.on('pose', () => this.speak());
+    this.speak();
+  }
+
+  makeStop(element) {
+    const { session } = this;
+    const side = sideName(element.side);
+    return make('div', {
+      role: 'slider',
+      tabIndex: 0,
+      'aria-label': side ? `${element.label}, ${side}` : element.label,
+      'data-element': element.name,
+      onfocus: () => {
+        session.select([element]);
+        session.setHover(element);
+      },
+      onblur: () => session.setHover(null),
+      onkeydown: (event) => this.key(event, element),
+    });
+  }
+
+  /** Keep what a screen reader says up to date, of the focused element only. */
+  speak() {
+    const index = this.nodes.indexOf(document.activeElement);
+    const spoken = index >= 0 ? [index] : this.spokenOnce ? [] : this.nodes.keys();
+    this.spokenOnce = true;
+    for (const each of spoken) {
+      const element = this.session.elements.list[each];
+      const [first] = element.members;
+      const { minimum, maximum } = this.session.controls[first.control];
+      const node = this.nodes[each];
+      node.setAttribute('aria-valuemin', minimum);
+      node.setAttribute('aria-valuemax', maximum);
+      node.setAttribute('aria-valuenow', this.session.values[first.control]);
+      node.setAttribute('aria-valuetext', element.members.map((member) => this.worded(member)).join(', '));
+    }
+  }
+
+  worded({ control }) {
+    const { label, minimum, maximum } = this.session.controls[control];
+    return `${label} ${shownValue(this.session.values[control], maximum - minimum)}`;
+  }
+
+  key(event, element) {
+    const moves = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1] };
+    const factor = event.shiftKey ? 5 : event.ctrlKey || event.metaKey ? 0.1 : 1;
+    if (moves[event.key]) {
+      const [axis, sign] = moves[event.key];
+      this.nudge(element, Math.min(axis, element.axes.length - 1), sign * STEP * factor);
+    } else if (event.key === 'Home' || event.key === 'End') this.nudge(element, 0, event.key === 'Home' ? -Infinity : Infinity);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** Move along one axis by a share of its range; an opposed pair is one axis through rest. */
+  nudge(element, axis, share) {
+    const { session } = this;
+    const controls = element.axes[axis].map((member) => element.members[member].control);
+    const changes = controls.length === 1 ? [this.nudged(controls[0], share)] : this.nudgedPair(controls, share);
+    session.edit(`Nudge ${element.label}`, () => session.set(changes), `nudge ${element.index}`);
+  }
+
+  nudged(control, share) {
+    const { minimum, maximum } = this.session.controls[control];
+    return [control, clamp(this.session.values[control] + share * (maximum - minimum), minimum, maximum)];
+  }
+
+  nudgedPair([negative, positive], share) {
+    const { values, rest, controls } = this.session;
+    const room = (control) => controls[control].maximum - rest[control];
+    const out = (control) => (values[control] - rest[control]) / room(control);
+    const at = clamp(out(positive) - out(negative) + share, -1, 1);
+    return [
+      [negative, rest[negative] + Math.max(0, -at) * room(negative)],
+      [positive, rest[positive] + Math.max(0, at) * room(positive)],
+    ];
+  }
+}
+
+const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
+
+/** Shortcuts of the page; `actions` maps names of keys to functions. */
+export function listenToKeys(actions) {
+  document.addEventListener('keydown', (event) => {
+    const typing = event.target.matches('input[type=text], input[type=number], input[type=search], textarea');
+    const name = [event.ctrlKey || event.metaKey ? 'Ctrl+' : '', event.shiftKey ? 'Shift+' : '', event.key.length === 1 ? event.key.toLowerCase() : event.key].join('');
+    const action = actions[name];
+    if (!action || (typing && name !== 'Escape')) return;
+    if (event.target.matches('button, summary, a') && (name === ' ' || name === 'Enter')) return;
+    if (action() !== false) event.preventDefault();
+  });
+}

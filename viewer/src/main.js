@@ -1,0 +1,223 @@
+// The page: reads the scene, builds the panels around the viewport, and wires them to one session.
+
+import './style.css';
+import { ControlList } from './control_list.js';
+import { make, segmented, toggle } from './dom.js';
+import { Evaluation } from './evaluate.js';
+import { Inspector } from './inspector.js';
+import { Stops, listenToKeys } from './keyboard.js';
+import { readScene } from './scene.js';
+import { Session } from './session.js';
+import { Timeline } from './timeline.js';
+import { View } from './view.js';
+
+const SHORTCUTS = [
+  ['Drag a handle', 'its control; Ctrl for fine steps'],
+  ['Drag the skin', 'best fit of the controls that act there'],
+  ['Drag empty space, Alt-drag', 'orbit; right or middle button pans, wheel zooms'],
+  ['Click the skin', 'list what acts there'],
+  ['Shift-click', 'add to the selection; on skin: pin'],
+  ['Shift-drag', 'select handles in a box'],
+  ['Double-click a handle', 'reset it'],
+  ['Tab, arrow keys', 'go through the handles, and move them (Shift: more, Ctrl: less)'],
+  ['S  H  L', 'symmetry, show or hide handles, all labels'],
+  ['0  R  K', 'zero, reset, key the selection'],
+  ['1  2  3  4  F', 'front, three-quarter, side, back, frame'],
+  ['Space', 'play'],
+  ['/', 'search'],
+  ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],
+  ['Esc', 'cancel the drag, clear the selection'],
+];
+
+class App {
+  constructor(scene) {
+    this.scene = scene;
+    this.node = document.getElementById('app');
+    this.notice = make('div', { class: 'notice', role: 'status', hidden: true });
+    this.open(0);
+    listenToKeys(this.shortcuts());
+  }
+
+  /** Show one of the scene's characters. */
+  open(index) {
+    this.index = index;
+    this.session = new Session(this.scene.characters[index]);
+    this.view = new View(this.session);
+    this.timeline = new Timeline(this.session);
+    this.list = new ControlList(this.session, this.view);
+    this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
+    this.evaluation = new Evaluation(this);
+    this.stops = new Stops(this.session, this.view);
+    this.help = this.makeHelp();
+    this.view.node.append(this.evaluation.panel, this.help, this.notice);
+    const middle = make('div', { class: 'middle' }, this.list.node, this.view.node, this.inspector.node);
+    this.node.replaceChildren(this.makeBar(), middle, this.timeline.node);
+    this.node.className = 'ready';
+  }
+
+  // --- bar -------------------------------------------------------------------------------------------
+
+  makeBar() {
+    const { session } = this;
+    const option = (name, label, title) =>
+      toggle(label, title, () => session.options[name], () => session.setOption(name, !session.options[name]));
+    const parts = [
+      segmented('Where the controls are', [
+        ['face', 'On face', 'Controls on the face'],
+        ['beside', 'Beside', 'Controls on a copy of the face, the clean face next to it'],
+      ], () => session.options.arrangement, (value) => this.setArrangement(value)),
+      option('symmetric', 'Symmetry', 'Both sides at once (S)'),
+      option('handles', 'Handles', 'Show or hide the handles (H)'),
+      option('rearrange', 'Rearrange', 'Drag elements to other points of the face'),
+    ];
+    session.on('options', () => parts.forEach((part) => part.update()));
+    const act = (label, title, onclick) => make('button', { type: 'button', title, 'aria-label': title, onclick }, label);
+    const looks = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
+    return make(
+      'header',
+      { class: 'bar' },
+      make('h1', {}, this.scene.title),
+      this.makeChooser(),
+      make('div', { class: 'group' }, ...parts),
+      make('div', { class: 'group looks' }, ...looks.map(([label, azimuth, elevation]) =>
+        act(label, `View: ${label}`, () => this.view.home(azimuth, elevation)),
+      )),
+      make('span', { class: 'space' }),
+      make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo()), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo())),
+      make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open())),
+      act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden)),
+    );
+  }
+
+  makeChooser() {
+    const { characters } = this.scene;
+    if (characters.length < 2) return null;
+    const options = characters.map(({ root }, i) => make('option', { value: i, selected: i === this.index }, root));
+    const chooser = make('select', { 'aria-label': 'Character', onchange: () => this.open(Number(chooser.value)) }, ...options);
+    return chooser;
+  }
+
+  makeHelp() {
+    const rows = SHORTCUTS.flatMap(([keys, what]) => [make('dt', {}, keys), make('dd', {}, what)]);
+    return make('div', { class: 'help', hidden: true }, make('h2', {}, 'Gestures and keys'), make('dl', {}, ...rows));
+  }
+
+  setArrangement(value) {
+    this.session.setOption('arrangement', value);
+    this.view.home(this.view.camera.azimuth, this.view.camera.elevation);
+  }
+
+  undo() {
+    const label = this.session.undo();
+    this.say(label ? `Undone: ${label}` : 'Nothing to undo');
+  }
+
+  redo() {
+    const label = this.session.redo();
+    this.say(label ? `Redone: ${label}` : 'Nothing to redo');
+  }
+
+  say(text) {
+    this.notice.textContent = text;
+    this.notice.hidden = false;
+    clearTimeout(this.silence);
+    this.silence = setTimeout(() => (this.notice.hidden = true), 2400);
+  }
+
+  // --- keys ------------------------------------------------------------------------------------------
+
+  shortcuts() {
+    const flip = (name) => () => this.session.setOption(name, !this.session.options[name]);
+    const look = (azimuth, elevation) => () => this.view.home(azimuth, elevation);
+    return {
+      'Ctrl+z': () => this.undo(),
+      'Ctrl+Shift+z': () => this.redo(),
+      'Ctrl+y': () => this.redo(),
+      'Ctrl+a': () => this.session.select(this.view.overlay.elementsIn([-1e9, -1e9, 1e9, 1e9])),
+      s: flip('symmetric'),
+      h: flip('handles'),
+      l: () => this.session.setOption('labels', this.session.options.labels === 'all' ? 'hover' : 'all'),
+      0: () => this.session.zero(this.session.chosenControls),
+      r: () => this.session.reset(this.session.chosenControls),
+      k: () => this.timeline.key(this.timeline.chosen()),
+      1: look(0, 0),
+      2: look(0.7, 0.05),
+      3: look(Math.PI / 2, 0),
+      4: look(Math.PI, 0),
+      f: () => this.view.home(this.view.camera.azimuth, this.view.camera.elevation),
+      ' ': () => this.timeline.toggle(),
+      '/': () => this.list.search.focus(),
+      Escape: () => this.escape(),
+    };
+  }
+
+  escape() {
+    if (this.view.gestures.cancel()) return;
+    if (!this.help.hidden) this.help.hidden = true;
+    else this.session.select([]);
+  }
+
+  // --- evaluation ------------------------------------------------------------------------------------
+
+  /** Show the target beside the face and one interface only. */
+  arrangeForTrial(name, targetPoints) {
+    const columns = { list: ['target', 'clean'], face: ['target', 'controls'], beside: ['target', 'clean', 'controls'] };
+    const captions = { target: 'Target', clean: 'Your face', controls: name === 'beside' ? 'Controls' : 'Your face' };
+    this.node.classList.add('trial');
+    this.node.classList.toggle('trial-list', name === 'list');
+    Object.assign(this.session.options, {
+      skinDrag: false, rearrange: false, symmetric: false, heat: false, handles: name !== 'list',
+    });
+    this.view.stage.setTarget(targetPoints);
+    this.session.emit('options');
+    this.view.setColumns(columns[name], (kind) => captions[kind]);
+  }
+
+  endTrials({ values, options }) {
+    this.node.classList.remove('trial', 'trial-list');
+    Object.assign(this.session.options, options);
+    this.view.stage.setTarget(null);
+    this.session.show(values, null, null);
+    this.session.emit('options');
+    this.view.setColumns(null);
+  }
+}
+
+/** What tests and other pages may use: the pose by control name, and where things are on the screen. */
+function publicInterface(app) {
+  const names = () => app.session.controls.map(({ name }) => name);
+  return {
+    values: () => Object.fromEntries(names().map((name, i) => [name, app.session.values[i]])),
+    set: (values) => {
+      const indices = new Map(names().map((name, i) => [name, i]));
+      const known = Object.entries(values).filter(([name]) => indices.has(name));
+      app.session.edit('Set', () => app.session.set(known.map(([name, value]) => [indices.get(name), value])));
+    },
+    points: () => Array.from(app.session.deformer.points),
+    elements: () => {
+      app.view.freshen();
+      return (app.view.overlay.drawn ?? []).map(({ element, handle, tracks, hidden }) => ({
+        name: element.name,
+        controls: element.members.map(({ control }) => app.session.controls[control].name),
+        handle: handle.slice(0, 2),
+        world: element.handle,
+        tracks: tracks.map((track) => track.map(({ at }) => at.slice(0, 2))),
+        hidden,
+      }));
+    },
+    app,
+  };
+}
+
+async function begin() {
+  const text = document.getElementById('scene').textContent;
+  try {
+    const scene = await readScene(text);
+    window.usdrigui = publicInterface(new App(scene));
+  } catch (error) {
+    document.getElementById('app').replaceChildren(make('p', { class: 'loading' }, `The scene could not be shown: ${error.message}`));
+    throw error;
+  }
+}
+
+begin();

@@ -1,0 +1,123 @@
+// 4x4 matrices in USD's row-vector convention (p' = p M), as 16 numbers row by row; rotations and
+// polar factors as 9 numbers row by row.
+
+export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+/** 16 numbers from a nested 4x4 list. */
+export const flat = (rows) => rows.flat();
+
+export function multiply(a, b) {
+  const out = new Array(16);
+  for (let i = 0; i < 16; i += 4) {
+    for (let j = 0; j < 4; j++) {
+      out[i + j] = a[i] * b[j] + a[i + 1] * b[4 + j] + a[i + 2] * b[8 + j] + a[i + 3] * b[12 + j];
+    }
+  }
+  return out;
+}
+
+/** Inverse of an affine matrix; null when it has none. */
+export function inverse(m) {
+  const r = inverse3([m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]]);
+  if (!r) return null;
+  const [x, y, z] = [m[12], m[13], m[14]];
+  return [
+    r[0], r[1], r[2], 0,
+    r[3], r[4], r[5], 0,
+    r[6], r[7], r[8], 0,
+    -(x * r[0] + y * r[3] + z * r[6]), -(x * r[1] + y * r[4] + z * r[7]), -(x * r[2] + y * r[5] + z * r[8]), 1,
+  ];
+}
+
+export function transformPoint(m, x, y, z, out = [0, 0, 0]) {
+  out[0] = x * m[0] + y * m[4] + z * m[8] + m[12];
+  out[1] = x * m[1] + y * m[5] + z * m[9] + m[13];
+  out[2] = x * m[2] + y * m[6] + z * m[10] + m[14];
+  return out;
+}
+
+export function determinant3(m) {
+  return (
+    m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6])
+  );
+}
+
+export function inverse3(m) {
+  const d = determinant3(m);
+  if (!(Math.abs(d) > 1e-300)) return null;
+  return [
+    (m[4] * m[8] - m[5] * m[7]) / d, (m[2] * m[7] - m[1] * m[8]) / d, (m[1] * m[5] - m[2] * m[4]) / d,
+    (m[5] * m[6] - m[3] * m[8]) / d, (m[0] * m[8] - m[2] * m[6]) / d, (m[2] * m[3] - m[0] * m[5]) / d,
+    (m[3] * m[7] - m[4] * m[6]) / d, (m[1] * m[6] - m[0] * m[7]) / d, (m[0] * m[4] - m[1] * m[3]) / d,
+  ];
+}
+
+export function multiply3(a, b) {
+  const out = new Array(9);
+  for (let i = 0; i < 9; i += 3) {
+    for (let j = 0; j < 3; j++) out[i + j] = a[i] * b[j] + a[i + 1] * b[3 + j] + a[i + 2] * b[6 + j];
+  }
+  return out;
+}
+
+const transposed3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+
+/** M = S R: stretch S and rotation R of positive determinant, by Higham's iteration for the polar factor. */
+export function polar(m) {
+  const linear = [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
+  let q = linear;
+  for (let step = 0; step < 60; step++) {
+    const back = inverse3(transposed3(q));
+    if (!back) return { stretch: linear, rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+    const next = q.map((value, i) => 0.5 * (value + back[i]));
+    const change = next.reduce((most, value, i) => Math.max(most, Math.abs(value - q[i])), 0);
+    q = next;
+    if (change < 1e-14) break;
+  }
+  const sign = Math.sign(determinant3(q)) || 1;
+  const rotation = q.map((value) => value * sign);
+  return { stretch: multiply3(linear, transposed3(rotation)), rotation };
+}
+
+/** Rotation matrix for row vectors of the rotation vector (x, y, z) in radians (Rodrigues). */
+export function rotationOf(x, y, z) {
+  const angle = Math.hypot(x, y, z);
+  const a = angle < 1e-8 ? 1 : Math.sin(angle) / angle;
+  const half = angle < 1e-8 ? 1 : Math.sin(angle / 2) / (angle / 2);
+  const cross = [0, z, -y, -z, 0, x, y, -x, 0];
+  const square = multiply3(cross, cross);
+  return cross.map((value, i) => (i % 4 === 0 ? 1 : 0) + a * value + 0.5 * half * half * square[i]);
+}
+
+/** Unit quaternion [w, x, y, z] of a rotation matrix for row vectors. */
+export function quaternionOf(r) {
+  const [m00, m01, m02, m10, m11, m12, m20, m21, m22] = transposed3(r);
+  const trace = m00 + m11 + m22;
+  const largest = Math.max(trace, m00, m11, m22);
+  let q;
+  if (largest === trace) q = [1 + trace, m21 - m12, m02 - m20, m10 - m01];
+  else if (largest === m00) q = [m21 - m12, 1 + 2 * m00 - trace, m01 + m10, m02 + m20];
+  else if (largest === m11) q = [m02 - m20, m01 + m10, 1 + 2 * m11 - trace, m12 + m21];
+  else q = [m10 - m01, m02 + m20, m12 + m21, 1 + 2 * m22 - trace];
+  const length = Math.hypot(...q);
+  return q.map((value) => value / length);
+}
+
+/** Hamilton product of two quaternions [w, x, y, z]. */
+export function quaternionProduct(a, b) {
+  return [
+    a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+    a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+    a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+    a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0],
+  ];
+}
+
+/** Rotation matrix (9) for row vectors of a unit quaternion. */
+export function quaternionMatrix([w, x, y, z]) {
+  return [
+    1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y),
+    2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
+    2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y),
+  ];
+}

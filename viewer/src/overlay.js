@@ -1,0 +1,381 @@
+// Tracks, handles, labels and marks, drawn on a plain canvas above the picture: crisp at any resolution,
+// and half-hidden parts can be shown as ghosts.
+
+import { alongTrack } from './elements.js';
+
+export const COLOURS = { left: '#58a6ff', right: '#ff6b6b', middle: '#f5c451', none: '#b9a7f5' };
+const AFFECTED = '#5fd6ff';
+const LEAST_HANDLE = 9;
+const MOST_HANDLE = 22;
+
+export class Overlay {
+  constructor(canvas, session) {
+    this.canvas = canvas;
+    this.pen = canvas.getContext('2d');
+    this.session = session;
+    this.marquee = null;
+    this.placing = null;
+  }
+
+  resize(width, height, ratio) {
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.ratio = ratio;
+    this.width = width;
+    this.height = height;
+  }
+
+  /**
+   * Project all elements into a column; call when pose or camera have changed.  `hides` tells whether the
+   * skin covers a projected point; null keeps what was covered before (while dragging).
+   */
+  arrange(column, camera, hides) {
+    const { session } = this;
+    const project = camera.projector(column);
+    const perUnit = 1 / camera.pixelSize(column.height);
+    const width = Math.min(MOST_HANDLE, Math.max(LEAST_HANDLE, session.elements.width * perUnit));
+    const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
+    this.drawn = session.elements.list
+      .filter((element) => !session.hidden.has(element.index))
+      .map((element) => this.arranged(element, project, hides, width, before.get(element)));
+    this.names = this.families(this.drawn);
+    this.pinned = session.pins.map((pin) => project(session.shown(pin)));
+    this.column = column;
+  }
+
+  arranged(element, project, hides, width, before) {
+    const handle = project(element.handle);
+    const tracks = element.tracks.map((track, m) => {
+      const kept = hides ? null : before?.tracks[m];
+      return this.screenTrack(element.members[m], track, project, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
+    });
+    const hidden = hides?.(handle) ?? before?.hidden ?? false;
+    return { element, handle, tracks, width, hidden, origin: project(element.origin) };
+  }
+
+  /** Corners of the drawn track between minimum and maximum, each with whether it is covered. */
+  screenTrack(member, track, project, hides) {
+    const { minimum, maximum } = this.session.controls[member.control];
+    const inside = member.values.filter((value) => value > minimum && value < maximum);
+    const knots = [minimum, ...inside, maximum];
+    const fine = knots.flatMap((knot, i) => {
+      const next = knots[i + 1];
+      return next === undefined ? [knot] : [0, 1, 2, 3].map((k) => knot + (k / 4) * (next - knot));
+    });
+    return fine.map((value, k) => {
+      const at = project(alongTrack(member.values, track, value));
+      return { at, covered: hides(at, k) };
+    });
+  }
+
+  /** Headings of the groups beside the face: the middle of the top of each family. */
+  families(drawn) {
+    const groups = new Map();
+    for (const { element, handle } of drawn) {
+      if (!element.beside || !element.family) continue;
+      const group = groups.get(element.family) ?? { left: Infinity, right: -Infinity, top: Infinity };
+      group.left = Math.min(group.left, handle[0]);
+      group.right = Math.max(group.right, handle[0]);
+      group.top = Math.min(group.top, handle[1]);
+      groups.set(element.family, group);
+    }
+    return groups;
+  }
+
+  draw() {
+    const { pen, session, ratio } = this;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, this.width, this.height);
+    if (session.options.handles && this.drawn) {
+      this.clipTo(this.column);
+      const order = [...this.drawn].sort((a, b) => b.handle[2] - a.handle[2]);
+      order.forEach((each) => this.drawTracks(each));
+      order.forEach((each) => this.drawHandle(each));
+      this.drawFamilies();
+      if (session.options.labels === 'all') this.drawLabels(order);
+      pen.restore();
+    }
+    this.drawPins();
+    this.drawPlacing();
+    if (this.marquee) this.drawMarquee(this.marquee);
+  }
+
+  clipTo({ left, top, width, height }) {
+    this.pen.save();
+    this.pen.beginPath();
+    this.pen.rect(left, top, width, height);
+    this.pen.clip();
+  }
+
+  // --- elements --------------------------------------------------------------------------------------
+
+  /** How strongly an element is drawn: options, what is being dragged, what is covered. */
+  strength(element, covered) {
+    const { session } = this;
+    const { opacity, fade, occlusion } = session.options;
+    const busy = session.dragging;
+    const involved =
+      session.selection.has(element.index) || session.hover === element || this.affectedShare(element) > 0;
+    let strength = opacity;
+    if (fade && busy && busy !== element && !involved) strength *= 0.18;
+    if (covered && occlusion !== 'overlay') strength *= occlusion === 'ghost' ? 0.2 : 0;
+    return strength;
+  }
+
+  affectedShare(element) {
+    return element.members.reduce((most, { control }) => Math.max(most, this.session.affected.get(control) ?? 0), 0);
+  }
+
+  colour(element) {
+    return this.affectedShare(element) > 0 && this.session.dragging === 'skin' ? AFFECTED : COLOURS[element.side];
+  }
+
+  drawTracks(drawn) {
+    const { element, tracks } = drawn;
+    const { pen, session } = this;
+    const marked = session.selection.has(element.index) || session.hover === element;
+    const colour = this.colour(element);
+    if (element.axes.length > 1) this.drawPatch(drawn, colour, marked);
+    pen.lineCap = 'round';
+    pen.lineJoin = 'round';
+    tracks.forEach((track) => {
+      this.strokeRuns(element, track, '#14161a', marked ? 5.5 : 4, 0.55);
+      this.strokeRuns(element, track, colour, marked ? 3 : 1.9, 0.95);
+    });
+    tracks.forEach((track) => this.drawEnd(element, track.at(-1), colour));
+    pen.globalAlpha = 1;
+  }
+
+  /** Stroke a track run by run, so that covered stretches are drawn fainter. */
+  strokeRuns(element, track, colour, width, alpha) {
+    const { pen } = this;
+    pen.strokeStyle = colour;
+    pen.lineWidth = width;
+    let i = 0;
+    while (i + 1 < track.length) {
+      const covered = track[i].covered && track[i + 1].covered;
+      pen.globalAlpha = alpha * this.strength(element, covered);
+      pen.beginPath();
+      pen.moveTo(track[i].at[0], track[i].at[1]);
+      do {
+        i++;
+        pen.lineTo(track[i].at[0], track[i].at[1]);
+      } while (i + 1 < track.length && (track[i].covered && track[i + 1].covered) === covered);
+      if (pen.globalAlpha > 0) pen.stroke();
+    }
+  }
+
+  drawEnd(element, { at, covered }, colour) {
+    const { pen } = this;
+    pen.globalAlpha = 0.9 * this.strength(element, covered);
+    pen.fillStyle = colour;
+    pen.beginPath();
+    pen.arc(at[0], at[1], 2.2, 0, 7);
+    pen.fill();
+  }
+
+  /** The area that a two-axis element spans, or the sectors of a fan. */
+  drawPatch({ element, tracks, origin, hidden }, colour, marked) {
+    const { pen } = this;
+    const ends = element.axes.map((members) => {
+      const far = tracks[members.at(-1)].at(-1).at;
+      const near = members.length > 1 ? tracks[members[0]].at(-1).at : tracks[members[0]][0].at;
+      return [near, far].map((end) => [end[0] - origin[0], end[1] - origin[1]]);
+    });
+    pen.globalAlpha = (marked ? 0.3 : 0.16) * this.strength(element, hidden);
+    pen.fillStyle = colour;
+    const ordered = ends.length > 2 ? byAngle(ends) : ends;
+    const count = ends.length > 2 ? ordered.length : 1;
+    for (let k = 0; k < count; k++) {
+      const [a, b] = [ordered[k], ordered[(k + 1) % ordered.length]];
+      if (count > 1 && turn(a[1], b[1]) > Math.PI + 1e-6) continue;
+      pen.beginPath();
+      for (const [i, j] of [[0, 0], [1, 0], [1, 1], [0, 1]]) {
+        pen.lineTo(origin[0] + a[i][0] + b[j][0], origin[1] + a[i][1] + b[j][1]);
+      }
+      pen.fill();
+    }
+  }
+
+  drawHandle({ element, handle, width, hidden }) {
+    const { pen, session } = this;
+    const strength = this.strength(element, hidden);
+    if (strength <= 0 || handle[2] <= 0) return;
+    const [x, y] = handle;
+    const hover = session.hover === element;
+    const selected = session.selection.has(element.index);
+    const moved = element.members.some(({ control }) => session.values[control] !== session.rest[control]);
+    const locked = element.members.every(({ control }) => session.locks.has(control));
+    const radius = (width / 2) * (hover ? 1.22 : 1);
+    pen.globalAlpha = strength;
+    pen.beginPath();
+    outline(pen, element.axes.length, x, y, radius);
+    pen.lineWidth = 4;
+    pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
+    pen.stroke();
+    pen.fillStyle = moved ? this.colour(element) : '#2a2d32';
+    pen.fill();
+    pen.lineWidth = selected ? 2.6 : 1.8;
+    pen.strokeStyle = selected ? '#ffffff' : this.colour(element);
+    pen.stroke();
+    if (locked) drawCross(pen, x, y, radius * 0.5, moved ? '#16181b' : this.colour(element));
+    if (hover || selected) this.drawHalo(element, x, y, radius + 4.5, selected && !hover ? 0.35 : 0.7);
+    pen.globalAlpha = 1;
+  }
+
+  drawHalo(element, x, y, radius, alpha) {
+    const { pen } = this;
+    pen.globalAlpha = alpha;
+    pen.lineWidth = 1.4;
+    pen.strokeStyle = '#ffffff';
+    pen.beginPath();
+    outline(pen, element.axes.length, x, y, radius);
+    pen.stroke();
+  }
+
+  drawFamilies() {
+    const { pen } = this;
+    pen.font = '600 11px system-ui, sans-serif';
+    pen.textAlign = 'left';
+    pen.fillStyle = '#9aa0a8';
+    for (const [family, { left, top }] of this.names) {
+      pen.globalAlpha = 0.9 * this.session.options.opacity;
+      pen.fillText(familyName(family).toUpperCase(), left - 6, top - 26);
+    }
+    pen.globalAlpha = 1;
+  }
+
+  /** Labels of all visible handles, left out where they would cover one another. */
+  drawLabels(order) {
+    const { pen } = this;
+    const taken = [];
+    pen.font = '11px system-ui, sans-serif';
+    pen.textAlign = 'left';
+    for (const { element, handle, width, hidden } of [...order].reverse()) {
+      const strength = this.strength(element, hidden);
+      if (strength < 0.3) continue;
+      const text = element.label;
+      const box = [handle[0] + width / 2 + 5, handle[1] - 7, pen.measureText(text).width + 8, 14];
+      if (taken.some((other) => overlapping(box, other))) continue;
+      taken.push(box);
+      pen.globalAlpha = 0.72 * strength;
+      pen.fillStyle = '#17191c';
+      pen.fillRect(...box);
+      pen.globalAlpha = strength;
+      pen.fillStyle = COLOURS[element.side];
+      pen.fillText(text, box[0] + 4, box[1] + 11);
+    }
+    pen.globalAlpha = 1;
+  }
+
+  // --- marks -----------------------------------------------------------------------------------------
+
+  drawPins() {
+    const { pen } = this;
+    for (const [x, y, depth] of this.pinned ?? []) {
+      if (depth <= 0) continue;
+      pen.lineWidth = 3.5;
+      pen.strokeStyle = '#14161a';
+      pen.beginPath();
+      pen.moveTo(x, y);
+      pen.lineTo(x + 5, y - 13);
+      pen.stroke();
+      pen.lineWidth = 1.6;
+      pen.strokeStyle = '#f2f3f5';
+      pen.stroke();
+      pen.beginPath();
+      pen.arc(x + 5.5, y - 15, 4.5, 0, 7);
+      pen.fillStyle = '#f08c4b';
+      pen.fill();
+      pen.stroke();
+    }
+  }
+
+  /** Where a rearranged element would go: its ghost on a line from its old place. */
+  drawPlacing() {
+    if (!this.placing) return;
+    const { pen } = this;
+    const { from, to, free } = this.placing;
+    pen.setLineDash([4, 4]);
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = free ? '#9aa0a8' : '#7ee787';
+    pen.beginPath();
+    pen.moveTo(from[0], from[1]);
+    pen.lineTo(to[0], to[1]);
+    pen.stroke();
+    pen.setLineDash([]);
+    pen.beginPath();
+    pen.arc(to[0], to[1], 8, 0, 7);
+    pen.stroke();
+  }
+
+  drawMarquee([x0, y0, x1, y1]) {
+    const { pen } = this;
+    pen.fillStyle = 'rgba(120, 170, 255, 0.12)';
+    pen.strokeStyle = 'rgba(150, 190, 255, 0.9)';
+    pen.lineWidth = 1;
+    pen.fillRect(x0, y0, x1 - x0, y1 - y0);
+    pen.strokeRect(x0 + 0.5, y0 + 0.5, x1 - x0, y1 - y0);
+  }
+
+  // --- picking ---------------------------------------------------------------------------------------
+
+  /** The element whose handle is nearest to (x, y) and within reach; covered handles only when drawn. */
+  elementAt(x, y) {
+    const { session } = this;
+    if (!session.options.handles || !this.drawn) return null;
+    let best = null;
+    for (const { element, handle, width, hidden } of this.drawn) {
+      if (handle[2] <= 0 || (hidden && session.options.occlusion !== 'overlay')) continue;
+      const off = Math.hypot(handle[0] - x, handle[1] - y);
+      if (off <= width / 2 + 4 && (!best || off < best.off)) best = { element, off };
+    }
+    return best?.element ?? null;
+  }
+
+  pinAt(x, y) {
+    const index = (this.pinned ?? []).findIndex((pin) => Math.hypot(pin[0] + 5 - x, pin[1] - 15 - y) < 9);
+    return index < 0 ? null : this.session.pins[index];
+  }
+
+  elementsIn([x0, y0, x1, y1]) {
+    const inside = ([x, y]) => x >= Math.min(x0, x1) && x <= Math.max(x0, x1) && y >= Math.min(y0, y1) && y <= Math.max(y0, y1);
+    const overlay = this.session.options.occlusion === 'overlay';
+    return (this.drawn ?? []).filter((each) => inside(each.handle) && (overlay || !each.hidden)).map((each) => each.element);
+  }
+}
+
+const FAMILIES = { global: 'Whole face', hidden: 'Inside', composite: 'Expressions', crowded: 'More' };
+
+/** The heading of a family of elements beside the face. */
+export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
+
+/** Circle for one axis, diamond for two, triangle for a fan. */
+function outline(pen, axes, x, y, radius) {
+  if (axes === 1) pen.arc(x, y, radius, 0, 7);
+  else {
+    const count = axes === 2 ? 4 : 3;
+    const reach = radius * (axes === 2 ? 1.25 : 1.4);
+    for (let k = 0; k < count; k++) {
+      const angle = -Math.PI / 2 + (2 * Math.PI * k) / count;
+      pen.lineTo(x + reach * Math.cos(angle), y + reach * Math.sin(angle));
+    }
+  }
+  pen.closePath();
+}
+
+function drawCross(pen, x, y, reach, colour) {
+  pen.lineWidth = 1.8;
+  pen.strokeStyle = colour;
+  pen.beginPath();
+  pen.moveTo(x - reach, y - reach);
+  pen.lineTo(x + reach, y + reach);
+  pen.moveTo(x + reach, y - reach);
+  pen.lineTo(x - reach, y + reach);
+  pen.stroke();
+}
+
+const overlapping = (a, b) => a[0] < b[0] + b[2] && b[0] < a[0] + a[2] && a[1] < b[1] + b[3] && b[1] < a[1] + a[3];
+const angleOf = ([x, y]) => Math.atan2(y, x);
+const byAngle = (ends) => [...ends].sort((a, b) => angleOf(a[1]) - angleOf(b[1]));
+const turn = (a, b) => (angleOf(b) - angleOf(a) + 2 * Math.PI) % (2 * Math.PI);

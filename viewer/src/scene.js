@@ -1,0 +1,82 @@
+// Decodes the packed scene that usdrigui/view/scene.py writes: inflate, read the JSON header, and turn
+// its array entries into typed arrays.
+
+const KINDS = {
+  u1: [Uint8Array, 1],
+  u2: [Uint16Array, 2],
+  i2: [Int16Array, 2],
+  u4: [Uint32Array, 4],
+  i4: [Int32Array, 4],
+  f4: [Float32Array, 4],
+  f8: [Float64Array, 8],
+};
+
+/** Scene ({title, characters}) from the page's base64 text. */
+export async function readScene(base64) {
+  const packed = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const length = new DataView(bytes.buffer).getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+  const body = bytes.subarray(4 + length);
+  header.characters.forEach((character) => decodeCharacter(character, body));
+  return header;
+}
+
+function decodeCharacter(character, body) {
+  character.bind = decodeArray(character.bind, body);
+  character.base = decodeArray(character.base, body);
+  let start = 0;
+  for (const mesh of character.meshes) {
+    mesh.points = dequantised(decodeArray(mesh.points, body), mesh.low, mesh.step);
+    mesh.count = mesh.points.length / 3;
+    mesh.start = start;
+    start += mesh.count;
+    mesh.triangles = decodeArray(mesh.triangles, body);
+    for (const shape of mesh.shapes) {
+      shape.points = decodeArray(shape.points, body);
+      shape.offsets = decodeArray(shape.offsets, body);
+    }
+    if (mesh.skin) decodeSkin(mesh.skin, body);
+  }
+  character.pointCount = start;
+  if (character.clip) {
+    character.clip.weights = decodeArray(character.clip.weights, body);
+    character.clip.locals = decodeArray(character.clip.locals, body);
+  }
+}
+
+/** Influences as Float64 weights of rows that sum to one where they did before rounding. */
+function decodeSkin(skin, body) {
+  const [rows, width] = skin.joints.shape;
+  skin.rows = rows;
+  skin.width = width;
+  skin.joints = decodeArray(skin.joints, body);
+  const steps = decodeArray(skin.weights, body);
+  skin.weights = new Float64Array(steps.length);
+  for (let row = 0; row < rows; row++) {
+    let total = 0;
+    for (let i = row * width; i < (row + 1) * width; i++) total += steps[i];
+    const unit = Math.abs(total - 65535) <= width ? total : 65535;
+    for (let i = row * width; i < (row + 1) * width; i++) skin.weights[i] = steps[i] / unit;
+  }
+}
+
+function decodeArray(entry, body) {
+  const [Type, width] = KINDS[entry.kind];
+  const count = entry.shape.reduce((product, size) => product * size, 1);
+  const bytes = new Uint8Array(count * width);
+  for (let plane = 0; plane < width; plane++) {
+    const from = entry.at + plane * count;
+    for (let i = 0; i < count; i++) bytes[i * width + plane] = body[from + i];
+  }
+  const values = new Type(bytes.buffer);
+  if (entry.sum) for (let i = 1; i < count; i++) values[i] += values[i - 1];
+  return values;
+}
+
+function dequantised(grid, low, step) {
+  const points = new Float32Array(grid.length);
+  for (let i = 0; i < grid.length; i++) points[i] = low[i % 3] + grid[i] * step[i % 3];
+  return points;
+}

@@ -1,0 +1,259 @@
+// One character in the hand: its pose, what is selected, pinned, locked and hidden, and how it is shown.
+// Everything on the page reads the session and changes it through these methods; listeners hear of it.
+
+import { Deformer } from './deform.js';
+import { Elements } from './elements.js';
+import { Influence } from './heat.js';
+import { History } from './history.js';
+
+export const DEFAULT_OPTIONS = {
+  arrangement: 'face', // 'face': controls on the face; 'beside': on a copy of it, the clean face next to it
+  handles: true,
+  labels: 'hover', // or 'all'
+  opacity: 0.9,
+  fade: true,
+  occlusion: 'ghost', // 'overlay' draws all, 'ghost' hidden ones faintly, 'hide' not at all
+  follow: true,
+  heat: true,
+  symmetric: false,
+  rearrange: false,
+  autoKey: false,
+  locality: 0.08,
+  skinDrag: true,
+};
+
+export class Session {
+  constructor(character) {
+    this.character = character;
+    this.controls = character.controls;
+    this.deformer = new Deformer(character);
+    this.elements = new Elements(character, this.deformer);
+    this.rest = this.elements.rest;
+    this.values = Float64Array.from(this.rest);
+    this.influence = new Influence(character, this.deformer, this.rest);
+    this.twins = twinsOf(this.elements.list, this.controls.length);
+    this.history = new History();
+    this.options = { ...DEFAULT_OPTIONS };
+    this.selection = new Set();
+    this.hidden = new Set();
+    this.locks = new Set();
+    this.pins = [];
+    this.hover = null;
+    this.affected = new Map();
+    this.dragging = null;
+    this.listeners = new Map();
+    this.reshape();
+  }
+
+  on(event, listener) {
+    if (!this.listeners.has(event)) this.listeners.set(event, new Set());
+    this.listeners.get(event).add(listener);
+  }
+
+  emit(event) {
+    this.listeners.get(event)?.forEach((listener) => listener());
+  }
+
+  /** Recompute points and elements from the values. */
+  reshape() {
+    this.deformer.pose(this.values);
+    this.elements.follow(this.values, !this.options.follow);
+    this.emit('pose');
+  }
+
+  // --- values ----------------------------------------------------------------------------------------
+
+  /** Set control values (Map or entries of index to value): bounded, locks kept, mirrored if asked. */
+  set(changes) {
+    for (const [index, value] of changes) {
+      this.setOne(index, value);
+      const twin = this.twins[index];
+      if (this.options.symmetric && twin >= 0) this.setOne(twin, this.mirrored(index, twin));
+    }
+    this.reshape();
+  }
+
+  setOne(index, value) {
+    const { minimum, maximum } = this.controls[index];
+    if (!this.locks.has(index) && Number.isFinite(value)) {
+      this.values[index] = Math.min(maximum, Math.max(minimum, value));
+    }
+  }
+
+  /** The twin's value for this control's: the same share of its own range about rest. */
+  mirrored(index, twin) {
+    const away = this.values[index] - this.rest[index];
+    const span = (control, end) => Math.abs(this.controls[control][end] - this.rest[control]) || 1;
+    const end = away < 0 ? 'minimum' : 'maximum';
+    return this.rest[twin] + (away * span(twin, end)) / span(index, end);
+  }
+
+  /** Do `change` as one undoable step, if it changes any value. */
+  edit(label, change, merge = null) {
+    const before = this.beginEdit();
+    change();
+    this.endEdit(label, before, merge);
+  }
+
+  beginEdit() {
+    return Float64Array.from(this.values);
+  }
+
+  endEdit(label, before, merge = null) {
+    const after = Float64Array.from(this.values);
+    const changed = [...after.keys()].filter((i) => after[i] !== before[i]);
+    if (!changed.length) return;
+    const take = (values) => {
+      this.values.set(values);
+      this.reshape();
+    };
+    this.history.push(label, () => take(before), () => take(after), merge);
+    this.lastChanged = changed;
+    this.emit('edited');
+  }
+
+  /** Every control to its default. */
+  zero(indices = this.controls.keys()) {
+    this.edit('Zero', () => this.set([...indices].map((index) => [index, this.controls[index].default])));
+  }
+
+  /** Every control to the pose in which the layout was made. */
+  reset(indices = this.controls.keys()) {
+    this.edit('Reset', () => this.set([...indices].map((index) => [index, this.rest[index]])));
+  }
+
+  undo() {
+    return this.history.undo();
+  }
+
+  redo() {
+    return this.history.redo();
+  }
+
+  /** Show another base pose and values (a frame of an animation); not an edit. */
+  show(values, weights, locals) {
+    this.values.set(values);
+    this.deformer.setBase(weights, locals);
+    this.reshape();
+  }
+
+  // --- selection -------------------------------------------------------------------------------------
+
+  select(elements, mode = 'replace') {
+    if (mode === 'replace') this.selection.clear();
+    for (const element of elements) {
+      if (mode === 'toggle' && this.selection.has(element.index)) this.selection.delete(element.index);
+      else this.selection.add(element.index);
+    }
+    this.emit('selection');
+  }
+
+  get selectedElements() {
+    return [...this.selection].map((index) => this.elements.list[index]);
+  }
+
+  /** Controls of the selected elements; all controls when nothing is selected. */
+  get chosenControls() {
+    const chosen = this.selectedElements.flatMap((element) => element.members.map((member) => member.control));
+    return chosen.length ? chosen : [...this.controls.keys()];
+  }
+
+  setHover(element) {
+    if (this.hover === element) return;
+    this.hover = element;
+    this.emit('hover');
+  }
+
+  setOption(name, value) {
+    this.options[name] = value;
+    if (name === 'follow') this.reshape();
+    this.emit('options');
+  }
+
+  hide(elements) {
+    elements.forEach((element) => this.hidden.add(element.index));
+    this.selection.clear();
+    this.emit('selection');
+    this.emit('options');
+  }
+
+  showAll() {
+    this.hidden.clear();
+    this.emit('options');
+  }
+
+  toggleLock(control) {
+    if (!this.locks.delete(control)) this.locks.add(control);
+    this.emit('options');
+  }
+
+  // --- points of the skin ----------------------------------------------------------------------------
+
+  /** Mesh index and local point of a point of the character. */
+  meshOf(point) {
+    const meshes = this.character.meshes;
+    const index = meshes.findIndex((mesh) => point < mesh.start + mesh.count);
+    return [index, point - meshes[index].start];
+  }
+
+  tracer(point) {
+    return this.deformer.tracer(...this.meshOf(point));
+  }
+
+  /** A place on the skin, as a picked triangle gives it, that can be traced through poses. */
+  place({ corners, shares }) {
+    return { corners, shares, tracers: corners.map((corner) => this.tracer(corner)) };
+  }
+
+  /** Where a place is at the weights and moves last driven. */
+  traced(place) {
+    const out = [0, 0, 0];
+    place.tracers.forEach((tracer, k) => {
+      this.deformer.trace(tracer).forEach((value, axis) => (out[axis] += place.shares[k] * value));
+    });
+    return out;
+  }
+
+  /** Where a place is on the shown skin. */
+  shown(place) {
+    const { points } = this.deformer;
+    return [0, 1, 2].map((axis) =>
+      place.corners.reduce((sum, corner, k) => sum + place.shares[k] * points[3 * corner + axis], 0),
+    );
+  }
+
+  addPin(hit) {
+    const place = this.place(hit);
+    this.pins.push({ ...place, at: this.shown(place) });
+    this.emit('options');
+  }
+
+  removePin(pin) {
+    this.pins = this.pins.filter((each) => each !== pin);
+    this.emit('options');
+  }
+
+  /** Controls that change together, without the locked ones. */
+  groups() {
+    const groups = [];
+    for (let index = 0; index < this.controls.length; index++) {
+      const twin = this.options.symmetric ? this.twins[index] : -1;
+      if (twin >= 0 && twin < index) continue;
+      const group = twin > index ? [index, twin] : [index];
+      if (!group.some((control) => this.locks.has(control))) groups.push(group);
+    }
+    return groups;
+  }
+}
+
+/** Twin of each control, or -1, from the elements that mirror each other. */
+function twinsOf(elements, count) {
+  const twins = new Int32Array(count).fill(-1);
+  const named = new Map(elements.map((element) => [element.name, element]));
+  for (const element of elements) {
+    const mirror = named.get(element.mirror);
+    if (!mirror || mirror === element || mirror.members.length !== element.members.length) continue;
+    element.members.forEach(({ control }, m) => (twins[control] = mirror.members[m].control));
+  }
+  return twins;
+}

@@ -1,0 +1,269 @@
+// The viewport: one or more columns showing the character, and the loop that keeps them up to date.
+
+import { OrbitCamera } from './camera.js';
+import { Gestures } from './gestures.js';
+import { COLOURS, Overlay } from './overlay.js';
+import { ScreenSurface } from './pick.js';
+import { Rearranging } from './rearrange.js';
+import { Stage } from './stage.js';
+import { make, shownValue } from './dom.js';
+
+const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
+const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
+
+export class View {
+  constructor(session) {
+    this.session = session;
+    const canvas = make('canvas', { class: 'skin' });
+    const marks = make('canvas', { class: 'marks' });
+    this.tip = make('div', { class: 'tip', hidden: true });
+    this.sides = [make('div', { class: 'side-tag' }), make('div', { class: 'side-tag' })];
+    this.captions = make('div', { class: 'captions' });
+    this.surface = make('div', { class: 'surface', tabIndex: 0, role: 'application', 'aria-label': 'Face: drag handles or skin' });
+    this.node = make('div', { class: 'view' }, canvas, marks, this.surface, this.captions, ...this.sides, this.tip);
+    this.stage = new Stage(canvas, session.character, session.deformer.points);
+    this.overlay = new Overlay(marks, session);
+    this.camera = new OrbitCamera(session.character.up, session.character.layout.view);
+    this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
+    this.rearranging = new Rearranging(this);
+    this.gestures = new Gestures(this);
+    this.kinds = null;
+    this.columns = [];
+    this.stale = new Set(['pose', 'camera', 'overlay']);
+    this.fineness = 1;
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(this.node);
+  }
+
+  listen() {
+    const { session } = this;
+    session.on('pose', () => this.changed('pose'));
+    for (const event of ['selection', 'hover', 'dragging', 'layout']) session.on(event, () => this.changed('overlay'));
+    session.on('options', () => {
+      this.arrange();
+      this.changed('camera');
+    });
+    for (const event of ['hover', 'selection', 'options']) session.on(event, () => (this.repaint = true));
+    session.on('dragging', () => (this.repaint = true));
+  }
+
+  /** Something needs drawing: 'pose', 'camera' or 'overlay'. */
+  changed(what) {
+    this.stale.add(what);
+    this.request();
+  }
+
+  request() {
+    this.scheduled ??= requestAnimationFrame((now) => {
+      this.scheduled = null;
+      this.frame(now);
+    });
+  }
+
+  // --- columns ---------------------------------------------------------------------------------------
+
+  resize() {
+    const { clientWidth, clientHeight } = this.node;
+    if (!clientWidth || !clientHeight) return;
+    const first = !this.columns.length;
+    this.width = clientWidth;
+    this.height = clientHeight;
+    this.ratio = Math.min(2, window.devicePixelRatio || 1);
+    this.stage.resize(this.width, this.height, this.ratio * this.fineness);
+    this.overlay.resize(this.width, this.height, this.ratio);
+    this.arrange();
+    if (first) this.home();
+    this.changed('camera');
+  }
+
+  /** Lay out the columns: those of the evaluation, or the face alone, or the controls' copy and the clean face. */
+  arrange() {
+    const { arrangement, handles } = this.session.options;
+    const kinds = this.kinds ?? (arrangement === 'beside' && handles ? ['controls', 'clean'] : ['controls']);
+    const width = Math.floor(this.width / kinds.length);
+    const names = { controls: 'Controls', clean: 'Clean face', target: 'Target' };
+    this.columns = kinds.map((kind, i) => ({ kind, left: i * width, top: 0, width, height: this.height }));
+    this.controlsColumn = this.columns.find((column) => column.kind === 'controls') ?? null;
+    this.captions.replaceChildren(
+      ...(kinds.length > 1 ? kinds : []).map((kind, i) =>
+        make('span', { style: { left: `${i * width}px`, width: `${width}px` } }, this.captionOf?.(kind) ?? names[kind]),
+      ),
+    );
+    this.picker.invalidate();
+  }
+
+  /** Show these columns instead of what the options say; null goes back. */
+  setColumns(kinds, captionOf = null) {
+    this.kinds = kinds;
+    this.captionOf = captionOf;
+    this.arrange();
+    this.home();
+  }
+
+  /** Look at the face from the layout's view, all elements in the picture. */
+  home(azimuth = 0, elevation = 0) {
+    this.camera.turn(azimuth, elevation);
+    const column = this.columns[0] ?? { width: 1, height: 1 };
+    this.camera.frame(this.framed(), column.width, column.height);
+    this.changed('camera');
+  }
+
+  framed() {
+    const shown = this.session.elements.list.filter((element) => !this.session.hidden.has(element.index));
+    const points = shown.flatMap((element) => element.tracks.flat());
+    return points.length ? points : everyPoint(this.session.deformer.points, this.stage.triangles);
+  }
+
+  locate(event) {
+    const box = this.surface.getBoundingClientRect();
+    const at = { x: event.clientX - box.left, y: event.clientY - box.top };
+    const column = this.columns.find(({ left, width }) => at.x >= left && at.x < left + width) ?? null;
+    return { ...at, column };
+  }
+
+  controlsAt({ column }) {
+    return column !== null && column === this.controlsColumn;
+  }
+
+  pick({ x, y, column }) {
+    return column ? this.picker.pick(this.camera, column, x, y) : null;
+  }
+
+  // --- drawing ---------------------------------------------------------------------------------------
+
+  /** Bring everything up to date at once, so that a press meets what is to be seen. */
+  freshen() {
+    this.gestures.flush();
+    if (this.stale.size) this.drawNow();
+  }
+
+  frame(now) {
+    this.gestures.flush();
+    this.pace(now);
+    if (this.stale.size || this.repaint) this.drawNow();
+  }
+
+  drawNow() {
+    const { stale } = this;
+    if (this.repaint) this.paint();
+    if (stale.has('pose')) this.stage.refresh();
+    if (stale.has('pose') || stale.has('camera')) this.picker.invalidate();
+    const full = stale.has('pose') || stale.has('camera') || this.repaint;
+    this.repaint = false;
+    const turned = stale.has('camera');
+    stale.clear();
+    if (full) this.stage.draw(this.columns, this.camera);
+    this.arrangeOverlay(turned);
+    this.overlay.draw();
+    this.placeTip();
+    this.nameSides();
+  }
+
+  /** Occlusion is worked out when the camera turns and when a drag is over, not during it. */
+  arrangeOverlay(turned) {
+    const column = this.controlsColumn;
+    if (!column) return;
+    const { session, camera, picker } = this;
+    const bias = 0.8 * session.elements.width;
+    const held = session.dragging !== null && !turned;
+    const every = session.options.occlusion === 'overlay';
+    const hides = every ? () => false : held ? null : (at) => picker.hides(camera, column, at, bias);
+    this.overlay.arrange(column, camera, hides);
+  }
+
+  /** Draw coarser while frames are slow, and sharp again when nothing changes. */
+  pace(now) {
+    const moving = this.stale.has('pose') || this.stale.has('camera');
+    if (moving && this.lastFrame && now - this.lastFrame < 400) {
+      this.average = 0.8 * (this.average ?? 0) + 0.2 * (now - this.lastFrame);
+      if (this.average > SLOW && this.fineness > 0.5) this.setFineness(this.fineness - 0.25);
+    } else this.average = 0;
+    this.lastFrame = moving ? now : null;
+    clearTimeout(this.settling);
+    if (this.fineness < 1) this.settling = setTimeout(() => this.sharpen(), SETTLE);
+  }
+
+  sharpen() {
+    if (this.gestures.active) this.settling = setTimeout(() => this.sharpen(), SETTLE);
+    else {
+      this.setFineness(1);
+      this.request();
+    }
+  }
+
+  setFineness(fineness) {
+    this.fineness = fineness;
+    this.average = 0;
+    this.stage.resize(this.width, this.height, this.ratio * fineness);
+    this.stale.add('camera');
+  }
+
+  /** Heat map of the hovered or selected elements, or of a control that another panel points at. */
+  paint() {
+    const { session } = this;
+    const busy = session.dragging !== null;
+    const subjects = session.hover ? [session.hover] : session.selectedElements;
+    const controls = this.pointedControl ?? subjects.flatMap((element) => element.members.map(({ control }) => control));
+    const list = Array.isArray(controls) ? controls : [controls];
+    const wanted = session.options.heat && !busy && list.length;
+    this.stage.paint(wanted ? session.influence.ofControls(list) : null, null);
+  }
+
+  /** Show the heat map of one control, whatever is hovered; null ends it. */
+  pointAt(control) {
+    this.pointedControl = control === null ? null : [control];
+    this.repaint = true;
+    this.request();
+  }
+
+  // --- words -----------------------------------------------------------------------------------------
+
+  placeTip() {
+    const { hover, dragging, values, controls } = this.session;
+    const element = dragging && dragging !== 'skin' ? dragging : hover;
+    const drawn = element && this.overlay.drawn?.find((each) => each.element === element);
+    this.tip.hidden = !drawn || !this.session.options.handles;
+    if (this.tip.hidden) return;
+    const lines = element.members.map(({ control }) => {
+      const { label, minimum, maximum } = controls[control];
+      return make('div', {}, make('b', {}, shownValue(values[control], maximum - minimum)), ` ${label}`);
+    });
+    const heading = make('div', { class: 'tip-side', style: { color: COLOURS[element.side] } }, sideName(element.side));
+    this.tip.replaceChildren(...(sideName(element.side) ? [heading] : []), ...lines);
+    const [x, y] = drawn.handle;
+    const right = x + 230 > this.width;
+    this.tip.style.transform = `translate(${Math.round(right ? x - 18 : x + 18)}px, ${Math.round(y - 12)}px) translateX(${right ? -100 : 0}%)`;
+  }
+
+  /** Say on which side of the picture the character's left and right are, from any view. */
+  nameSides() {
+    const normal = this.session.character.layout.planeNormal;
+    const across = normal.reduce((sum, value, axis) => sum + value * this.camera.right[axis], 0);
+    const names = Math.abs(across) < 0.25 ? [null, null] : across > 0 ? ['right', 'left'] : ['left', 'right'];
+    this.sides.forEach((node, i) => {
+      const name = names[i];
+      node.hidden = !name || !this.session.options.handles;
+      if (!name) return;
+      node.textContent = i === 0 ? `◂ Character’s ${name}` : `Character’s ${name} ▸`;
+      node.style.color = COLOURS[name];
+      node.style[i === 0 ? 'left' : 'right'] = '14px';
+    });
+  }
+
+  setCursor(name) {
+    this.surface.style.cursor = name;
+  }
+
+  showInfluences(hit) {
+    this.onInfluences?.(hit);
+  }
+}
+
+export function sideName(side) {
+  return { left: 'Character’s left', right: 'Character’s right', middle: 'Middle', none: '' }[side];
+}
+
+function everyPoint(points, triangles) {
+  const used = new Set(triangles);
+  return [...used].map((point) => [points[3 * point], points[3 * point + 1], points[3 * point + 2]]);
+}
