@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from usdrigui.layout.composites import composites
 from usdrigui.layout.reach import covering
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.layout.tracks import polylines
@@ -29,6 +32,7 @@ def candidates(context: Context) -> Candidates:
     trajectories = context.trajectories
     areas = point_areas(trajectories.base, mesh_triangles(context.rig.meshes), trajectories.places)
     coverage = _coverage(context, areas)
+    repeated = composites(context.rig, trajectories, context.symmetry, areas)
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
     for index, motion in enumerate(trajectories.motions):
@@ -37,18 +41,18 @@ def candidates(context: Context) -> Candidates:
         if said.exclude:
             left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
-        sets.append(_candidate_set(context, index, motion, areas, float(coverage[index]), said))
+        found = _candidate_set(context, index, motion, areas, float(coverage[index]))
+        if not (found.globally or found.hidden) and index in repeated:
+            found = replace(found, composite=True, reason=repeated[index])
+        sets.append(found)
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def _candidate_set(
-    context: Context, index: int, motion: Motion, areas: Floats, coverage: float, said: ControlSettings
-) -> CandidateSet:
+def _candidate_set(context: Context, index: int, motion: Motion, areas: Floats, coverage: float) -> CandidateSet:
     settings = context.settings.candidates
     points = _pruned(context, motion)
     hidden = not len(points) or _visible_share(context, motion, areas) < settings.hidden_share
     globally = coverage > settings.global_coverage or _moves_everything(context, motion)
-    globally, hidden = globally and said.place != "face", hidden and said.place != "face"
     reason = "moves the face as a whole" if globally else "moves only what no view shows" if hidden else ""
     if not len(points):
         points = motion.points[[int(np.argmax(motion.arc_length))]]

@@ -19,8 +19,10 @@ from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.surface import mesh_triangles, point_areas
 
-_SAMPLE = 3000
+_SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
+_ROUGH = 400
+"""Points among them on which candidate planes are compared."""
 _DIRECTIONS = 24
 """Candidate normals around the up axis, besides the principal axes."""
 _TRIM = 0.7
@@ -89,9 +91,10 @@ def _find_plane(rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plan
     tree = cKDTree(region)
     sample = _thinned(region, weights)
     middle = np.average(region, axis=0, weights=weights)
+    rough = sample[:: max(1, len(sample) // _ROUGH)]
     best = min(
         (_Plane(normal, float(normal @ middle)) for normal in _normals(region - middle, weights, rig.up)),
-        key=lambda plane: _misfit(_refined(plane, tree, sample, 4), tree, sample),
+        key=lambda plane: _misfit(_refined(plane, tree, rough, 4), tree, rough),
     )
     plane = _refined(best, tree, sample, 60)
     plane = _polished(plane, tree, sample, tolerance)

@@ -42,16 +42,8 @@ def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | N
     return _assembled(rig, base.points, tuple(motions), tuple(left_off), settings)
 
 
-def ends(motion: Motion, count: int) -> Singles:
-    """(count, 3) what a control does to each of `count` points, as one vector: from its minimum to its
-    maximum, zero where it does not move."""
-    field = np.zeros((count, 3), dtype=np.float32)
-    field[motion.points] = motion.offsets[-1] - motion.offsets[0]
-    return field
-
-
 def total_motion(motions: Sequence[Motion], count: int) -> Singles:
-    """(count, 3) sum of `ends` over all motions: tells apart points that touch at rest."""
+    """(count, 3) sum over all controls of the vector from minimum to maximum: tells apart points that touch at rest."""
     total = np.zeros((count, 3), dtype=np.float32)
     for motion in motions:
         total[motion.points] += motion.offsets[-1] - motion.offsets[0]

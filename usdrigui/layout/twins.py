@@ -9,17 +9,16 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.errors import refuse
+from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
 from usdrigui.layout.names import has_side, hints_at_twin
-from usdrigui.layout.trajectory import ends
-from usdrigui.model import Floats, Indices, Rig, Trajectories
+from usdrigui.model import Floats, Indices, Rig, Singles, Trajectories
 from usdrigui.settings import ControlSettings, Settings
+from usdrigui.surface import mesh_triangles, point_areas
 
 _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
 _NAME_FLOOR = 0.3
 """Least agreement of the motions of two controls that only their names call twins."""
-_CHUNK = 8192
-"""Points compared at a time: bounds the memory."""
 
 
 def find_twins(
@@ -37,29 +36,29 @@ def find_twins(
     return twins, tuple(sources)
 
 
-def agreements(trajectories: Trajectories, partner: Indices, normal: Floats) -> Floats:
+def agreements(fields: Fields, partner: Indices, normal: Floats) -> Floats:
     """(motions, motions) agreement of each motion, mirrored, with each other, in [-1, 1].
 
     ``2 <a, b> / (|a|^2 + |b|^2)`` over the vectors from the minimum to the maximum of the control at all
     places that have a partner: 1 for exact mirror images, less where direction, region or measure differ.
     """
-    places = np.flatnonzero((trajectories.places == np.arange(len(partner))) & (partner >= 0))
-    count = len(trajectories.motions)
-    product, own, mirrored = np.zeros((count, count)), np.zeros(count), np.zeros(count)
-    if not len(places):
-        return product
-    fields = [ends(motion, len(partner)) for motion in trajectories.motions]
-    for start in range(0, len(places), _CHUNK):
-        chunk = places[start : start + _CHUNK]
-        here = np.stack([field[chunk] for field in fields]).astype(np.float64)
-        there = np.stack([field[partner[chunk]] for field in fields]).astype(np.float64)
-        there -= 2.0 * (there @ normal)[..., None] * normal
-        here, there = here.reshape(count, -1), there.reshape(count, -1)
-        product += there @ here.T
-        own += np.square(here).sum(axis=1)
-        mirrored += np.square(there).sum(axis=1)
-    both = mirrored[:, None] + own[None, :]
-    return np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
+    mirrored, own = _mirrored(fields, partner, normal)
+    product = own.products(mirrored)
+    both = Fields(own.places, mirrored, own.weights).sizes()[:, None] + own.sizes()[None, :]
+    ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
+    return np.asarray(ratio, dtype=np.float64)
+
+
+def _mirrored(fields: Fields, partner: Indices, normal: Floats) -> tuple[Singles, Fields]:
+    """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among them."""
+    row = np.full(len(partner), -1, dtype=np.int64)
+    row[fields.places] = np.arange(len(fields.places))
+    images = partner[fields.places]
+    source = np.where(images >= 0, row[images], -1)
+    here = source >= 0
+    turn = (np.eye(3) - 2.0 * np.outer(normal, normal)).astype(np.float32)
+    own = Fields(fields.places[here], fields.vectors[:, here], fields.weights[here])
+    return fields.vectors[:, source[here]] @ turn, own
 
 
 def _configured(rig: Rig, settings: Settings, twins: Indices, sources: list[str]) -> set[int]:
@@ -91,8 +90,12 @@ def _matched(
     rig: Rig, trajectories: Trajectories, partner: Indices, normal: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric), the best agreement first."""
-    raw = agreements(trajectories, partner, normal)
+    areas = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
+    raw = agreements(motion_fields(trajectories, areas), partner, normal)
     raw = 0.5 * (raw + raw.T)
+    both_ways = reversed_controls(trajectories)
+    # A control that swings to both sides is symmetric when its mirror image is its own reverse.
+    raw[both_ways, both_ways] = np.abs(raw[both_ways, both_ways])
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     ranked = []
     for i in free:

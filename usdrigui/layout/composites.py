@@ -1,0 +1,138 @@
+"""Composites: controls that repeat what others do (visemes, emotions, flattened in-betweens).
+
+Rigs keep them beside the atomic controls they were sculpted from.  On the face they would only crowd
+the atoms, so they go to the board.  They are recognised by what they share with the others, never by name:
+
+* a *repetition* runs parallel to a stronger control everywhere (``smile_50`` beside ``smile``);
+* a *mixture* is a sum of several smaller controls with non-negative weights;
+* a *spread* is symmetric and moves distant parts of the face as distant atoms do (an emotion moves the
+  brows as the brow's control does, and the mouth as the mouth's does).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.optimize import nnls
+
+from usdrigui.layout.fields import Fields, motion_fields
+from usdrigui.layout.reach import reaches
+from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
+
+_PARALLEL = 0.98
+"""Cosine of two motions from which one repeats the other."""
+_EXPLAINED = 0.85
+"""Share of a motion's energy that a mixture of others must explain."""
+_PARTS = 1.8
+"""Effective number of parts from which a mixture is one, and not one control with some noise."""
+_LOCAL_COSINE = 0.6
+_LOCAL_AMOUNT = 0.25
+"""A control contains another when, where that one acts, it goes the same way by this share of it."""
+_APART = 0.3
+"""Vertical distance of two atoms, in face sizes, from which they are distant parts of the face."""
+_FAR_PAIRS = 2
+"""Pairs of distant atoms that a spread contains."""
+
+
+def composites(rig: Rig, trajectories: Trajectories, symmetry: Symmetry, areas: Floats) -> dict[int, str]:
+    """Indices of the motions that are composites, each with the reason; both twins of a pair or neither."""
+    shares = _Shares(rig, trajectories, areas)
+    found: dict[int, str] = {}
+    for index in shares.largest_first:
+        rest = [i for i in range(len(trajectories.motions)) if i != index and i not in found]
+        both_sides = symmetry.twins[trajectories.motions[index].control] == trajectories.motions[index].control
+        reason = shares.repetition(index, rest) or shares.mixture(index, rest)
+        if not reason and both_sides:
+            reason = shares.spread(index, rest)
+        if reason:
+            found[index] = reason
+    return _with_twins(found, trajectories, symmetry)
+
+
+def _with_twins(found: dict[int, str], trajectories: Trajectories, symmetry: Symmetry) -> dict[int, str]:
+    """Only those whose twin was found too."""
+    index = {motion.control: i for i, motion in enumerate(trajectories.motions)}
+    kept = {}
+    for i, reason in found.items():
+        twin = int(symmetry.twins[trajectories.motions[i].control])
+        if twin < 0 or index.get(twin, i) in found:
+            kept[i] = reason
+    return kept
+
+
+class _Shares:
+    """What every motion shares with every other: inner products over the whole face and over reaches."""
+
+    def __init__(self, rig: Rig, trajectories: Trajectories, areas: Floats) -> None:
+        fields = motion_fields(trajectories, areas)
+        self.names = [rig.controls[motion.control].name for motion in trajectories.motions]
+        self.product = fields.products()
+        self.norm = np.sqrt(np.maximum(np.diagonal(self.product), 1e-300))
+        self.cosine = self.product / np.outer(self.norm, self.norm)
+        reach = reaches(trajectories.motions, len(trajectories.base))
+        self.size = reach @ areas
+        self.largest_first = [int(i) for i in np.argsort(-self.size, kind="stable")]
+        self.contains = _contained(fields, reach[:, fields.places])
+        self.far = _distant(fields, trajectories, rig.up, self.norm)
+
+    def repetition(self, index: int, rest: list[int]) -> str:
+        for other in rest:
+            if self.cosine[index, other] > _PARALLEL and self._stronger(other, index):
+                share = self.norm[index] / self.norm[other]
+                return f"does the same as {self.names[other]}, {share:.0%} as far"
+        return ""
+
+    def mixture(self, index: int, rest: list[int]) -> str:
+        parts = [i for i in rest if self.size[i] <= self.size[index] and self.cosine[index, i] > 0.05]
+        if not parts:
+            return ""
+        table, target = self.cosine[np.ix_(parts, parts)], self.cosine[parts, index]
+        # The least-squares problem of the fields themselves, by way of their products.
+        root = np.linalg.cholesky(table + 1e-4 * np.eye(len(parts)))
+        weights, _ = nnls(root.T, np.linalg.solve(root, target))
+        explained = float(2.0 * weights @ target - weights @ table @ weights)
+        effective = float(np.square(weights).sum() ** 2 / max(float((weights**4).sum()), 1e-300))
+        if explained < _EXPLAINED or effective < _PARTS:
+            return ""
+        strongest = [self.names[parts[i]] for i in np.argsort(-weights, kind="stable")[:3] if weights[i] > 0.1]
+        return f"does what {_listed(strongest)} do together"
+
+    def spread(self, index: int, rest: list[int]) -> str:
+        inside = [i for i in rest if self.contains[index, i] and self.size[i] < self.size[index]]
+        pairs = [(a, b) for a in inside for b in inside if a < b and self.far[a, b]]
+        if len(pairs) < _FAR_PAIRS:
+            return ""
+        a, b = max(pairs, key=lambda pair: self.cosine[index, pair[0]] + self.cosine[index, pair[1]])
+        return f"moves distant parts of the face at once, as {self.names[a]} and {self.names[b]} do"
+
+    def _stronger(self, a: int, b: int) -> bool:
+        return bool((self.norm[a], -a) > (self.norm[b], -b))
+
+
+def _contained(fields: Fields, reach: Flags) -> Flags:
+    """(motions, motions) whether the first does notably the same as the second where that one acts."""
+    count = len(reach)
+    flags = np.zeros((count, count), dtype=bool)
+    for other in range(count):
+        where = reach[other]
+        vectors = fields.vectors[:, where].astype(np.float64)
+        weighted = vectors[other] * fields.weights[where, None]
+        along = np.einsum("cmi,mi->c", vectors, weighted)
+        own = float(along[other])
+        local = np.sqrt(np.einsum("cmi,cmi,m->c", vectors, vectors, fields.weights[where]) * max(own, 0.0))
+        flags[:, other] = (along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0)
+    return flags
+
+
+def _distant(fields: Fields, trajectories: Trajectories, up: Floats, norm: Floats) -> Flags:
+    """(motions, motions) whether two controls act on distant parts of the face and share no place."""
+    size = np.linalg.norm(fields.vectors, axis=2)
+    weight = size * fields.weights
+    heights = trajectories.base[fields.places] @ up
+    middle = weight @ heights / np.maximum(weight.sum(axis=1), 1e-300)
+    shared = (size @ weight.T) / np.outer(norm, norm)
+    apart = np.abs(middle[:, None] - middle[None, :]) > _APART * trajectories.face_size
+    return np.asarray(apart & (shared < 0.05))
+
+
+def _listed(names: list[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]
