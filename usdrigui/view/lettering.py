@@ -51,7 +51,8 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
         right = float(box[2])
         beyond = boxes[(np.abs(rows - y) < 0.5 * pitch) & (boxes[:, 0] > right), 0]
         free = float(min(beyond.min(initial=picture.width), picture.width)) - right - 14.0
-        pen.text((right + 9.0, float(y)), _cut(element.label, type_, free), fill=_INK, font=type_, anchor="lm", **_HALO)
+        own = type_ if type_.getlength(element.label) <= free else font(min(8, round(type_.size)))
+        pen.text((right + 9.0, float(y)), _cut(element.label, own, free), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
         pen.text((x, y - pitch), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
@@ -127,8 +128,9 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
     for index in order:
         family, x, y = shown[index][0].family, float(boxes[index, 0]), float(rows[index])
         above = (np.abs(rows - (y - pitch)) < 0.4 * pitch) & (np.abs(boxes[:, 0] - x) < 3.0 * pitch)
-        beside = (np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0) & (boxes[:, 2] > x - 12.0 * pitch)
-        if family and not above.any() and not beside.any():
+        left = np.flatnonzero((np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0))
+        paired = any(shown[other][0].name == shown[index][0].mirror for other in left)
+        if family and not above.any() and not paired:
             found.append((_FAMILIES.get(family, family), x - 4.0, y))
     return found
 
