@@ -279,8 +279,10 @@ def _joint_range(
     which = settings.read.joints
     if which == "none" or (which == "auto" and named_poses):
         return None
-    if span[1] - span[0] > settings.read.joint_min_degrees:
-        return Range(min(0.0, float(span[0])), 0.0, max(0.0, float(span[1])), "animation")
+    least = settings.read.joint_min_degrees
+    if span[1] - span[0] > least:
+        low, high = (float(end) if abs(end) > least else 0.0 for end in span)
+        return Range(min(0.0, low), 0.0, max(0.0, high), "animation")
     if which == "all":
         return Range(JointSettings().minimum, 0.0, JointSettings().maximum, "default")
     return None

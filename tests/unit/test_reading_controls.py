@@ -1,0 +1,525 @@
+"""What becomes a control, between which values, under which name, and what is left off."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
+from skel_stages import (
+    JOINTS,
+    SIDE,
+    add_animation,
+    add_mesh,
+    add_shape,
+    add_skeleton,
+    add_skin,
+    character,
+    head,
+    matrix,
+    new_stage,
+)
+
+from usdrigui.deform import channel_state
+from usdrigui.errors import RigUIError
+from usdrigui.settings import Settings, load
+from usdrigui.usd.rig import read_rigs
+
+
+def read(path, config=None):
+    (rig,) = read_rigs(path, load(config or {}))
+    return rig
+
+
+def controls(rig):
+    return {control.name: control for control in rig.controls}
+
+
+def span(control):
+    return control.minimum, control.default, control.maximum, control.range_source
+
+
+def edited(tmp_path, edit, config=None):
+    return read(head(tmp_path / "char.usda", edit=edit), config)
+
+
+def _animation(stage):
+    return UsdSkel.Animation(stage.GetPrimAtPath("/Char/Anim"))
+
+
+# --- blend shapes ------------------------------------------------------------------------------------
+
+
+def test_tokens_become_controls_over_zero_to_one(tmp_path):
+    rig = read(head(tmp_path / "char.usda"))
+    assert [control.name for control in rig.controls] == ["smile", "frown"]
+    assert span(rig.controls[0]) == (0.0, 0.0, 1.0, "default")
+    assert (rig.left_off, rig.issues) == ((), ())
+
+
+def test_tokens_are_mapped_by_name_over_meshes_and_animations(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    smile = controls(rig)["smile"]
+    driven = {(rig.channels[i].token, rig.channels[i].animation) for i in smile.drive.channels}
+    assert driven == {("smile", "/World/Char/Anim"), ("smile", "/World/Char/Anim2")}
+    shapes = {shape.path for i in smile.drive.channels for _, shape in rig.shapes_by_channel[int(i)]}
+    assert shapes == {f"/World/Char/{mesh}/s_smile" for mesh in ("Geo/Face", "Geo/Teeth", "Geo/Hat", "Tongue")}
+
+
+def test_a_token_without_shape_is_left_off(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    assert [(each.control, each.stage, each.reason) for each in rig.left_off] == [
+        ("unused", "read", "no mesh has a shape for it")
+    ]
+
+
+def test_an_empty_shape_is_left_off(tmp_path):
+    def edit(stage):
+        UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_frown")).GetOffsetsAttr().Set(Vt.Vec3fArray())
+
+    rig = edited(tmp_path, edit)
+    assert [control.name for control in rig.controls] == ["smile"]
+    assert rig.left_off[0].control == "frown"
+    assert "no offsets" in rig.left_off[0].reason
+
+
+def test_a_dangling_target_is_left_off_with_a_warning(tmp_path):
+    rig = edited(tmp_path, lambda stage: stage.RemovePrim("/Char/Face/s_frown"))
+    assert [each.control for each in rig.left_off] == ["frown"]
+    assert [(each.code, each.path) for each in rig.issues if each.severity == "warning"] == [
+        ("TARGET_INVALID", "/Char/Face/s_frown")
+    ]
+
+
+def test_a_token_that_no_animation_lists_is_still_a_control(tmp_path):
+    def edit(stage):
+        _animation(stage).GetBlendShapesAttr().Set(["smile"])
+        _animation(stage).GetBlendShapeWeightsAttr().Set([0.0])
+
+    rig = edited(tmp_path, edit)
+    assert list(controls(rig)) == ["smile", "frown"]
+    frown = rig.channels[int(controls(rig)["frown"].drive.channels[0])]
+    assert (frown.animation, frown.index) == ("", -1)
+    assert [each.code for each in rig.issues] == ["TOKEN_NOT_ANIMATED"]
+
+
+def test_no_animation_at_all(tmp_path):
+    rig = edited(tmp_path, lambda stage: stage.RemovePrim("/Char/Anim"))
+    assert list(controls(rig)) == ["smile", "frown"]
+    assert rig.clip is None
+
+
+def test_a_mesh_without_skeleton_cannot_move(tmp_path):
+    def edit(stage):
+        mesh = add_mesh(stage, "/Char/Loose")
+        add_shape(mesh, "float", np.ones((SIDE**2, 3)))
+
+    rig = edited(tmp_path, edit)
+    assert list(controls(rig)) == ["smile", "frown"]
+    assert [(each.control, each.reason) for each in rig.left_off] == [("float", "no Skeleton is bound to /Char/Loose")]
+    assert [(each.code, each.path) for each in rig.issues] == [("MESH_UNBOUND", "/Char/Loose")]
+    assert len(rig.meshes) == 2
+
+
+def test_points_prims_are_not_supported(tmp_path):
+    def edit(stage):
+        points = UsdGeom.Points.Define(stage, "/Char/Sparks")
+        points.CreatePointsAttr(Vt.Vec3fArray(SIDE**2))
+        UsdSkel.BindingAPI.Apply(points.GetPrim()).CreateSkeletonRel().SetTargets(["/Char/Skel"])
+        add_shape(points, "sparkle", np.ones((SIDE**2, 3)))
+
+    rig = edited(tmp_path, edit)
+    assert [each.control for each in rig.left_off] == ["sparkle"]
+    assert [(each.code, each.path) for each in rig.issues] == [("PRIM_UNSUPPORTED", "/Char/Sparks")]
+
+
+def test_invalid_inbetweens_are_ignored_as_usdskel_does(tmp_path):
+    def edit(stage):
+        shape = UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
+        for name, weight in (("zero", 0.0), ("one", 1.0), ("none", None), ("half", 0.5)):
+            between = shape.CreateInbetween(name)
+            between.SetOffsets(Vt.Vec3fArray(SIDE**2))
+            if weight is not None:
+                between.SetWeight(weight)
+
+    rig = edited(tmp_path, edit)
+    assert rig.meshes[0].shapes[0].weights.tolist() == [0.5, 1.0]
+    assert [each.code for each in rig.issues].count("INBETWEEN_INVALID") == 3
+
+
+# --- ranges ------------------------------------------------------------------------------------------
+
+
+def test_inbetweens_widen_the_range(tmp_path):
+    def edit(stage):
+        shape = UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
+        for i, weight in enumerate((-0.5, 0.5, 1.5)):
+            between = shape.CreateInbetween(f"b{i}")
+            between.SetWeight(weight)
+            between.SetOffsets(Vt.Vec3fArray(SIDE**2))
+
+    assert span(controls(edited(tmp_path, edit))["smile"]) == (-0.5, 0.0, 1.5, "inbetweens")
+
+
+def test_an_animation_widens_the_range_but_never_narrows_it(tmp_path):
+    def edit(stage):
+        weights = _animation(stage).GetBlendShapeWeightsAttr()
+        for time, values in ((1.0, [0.0, 0.2]), (2.0, [-0.75, 0.3]), (3.0, [2.5, 1.004])):
+            weights.Set(values, time)
+
+    rig = edited(tmp_path, edit)
+    assert span(controls(rig)["smile"]) == (-0.75, 0.0, 2.5, "animation")
+    assert span(controls(rig)["frown"]) == (0.0, 0.0, 1.0, "default")
+    assert rig.clip.times.tolist() == [1.0, 2.0, 3.0]
+    assert np.allclose(rig.clip.weights[:, 0], [0.0, -0.75, 2.5])
+
+
+@pytest.mark.parametrize("as_text", [True, False])
+def test_ranges_in_custom_data(tmp_path, as_text):
+    def edit(stage):
+        ranges = {"smile": [-1, 1]}
+        table = json.dumps(ranges) if as_text else {"smile": Vt.DoubleArray([-1, 1])}
+        stage.GetRootLayer().customLayerData = {"ranges": table}
+
+    rig = edited(tmp_path, edit)
+    assert span(controls(rig)["smile"]) == (-1.0, 0.0, 1.0, "metadata")
+    assert span(controls(rig)["frown"]) == (0.0, 0.0, 1.0, "default")
+
+
+def test_a_custom_range_that_is_none_is_reported(tmp_path):
+    def edit(stage):
+        stage.GetRootLayer().customLayerData = {"ranges": json.dumps({"smile": [1, -1], "frown": "wide"})}
+
+    rig = edited(tmp_path, edit)
+    assert [each.code for each in rig.issues] == ["RANGE_INVALID", "RANGE_INVALID"]
+    assert span(controls(rig)["smile"]) == (0.0, 0.0, 1.0, "default")
+
+
+def _with_limits(tmp_path, kind, minimum, maximum):
+    """The asset with `limits` metadata, written as text since older USD cannot author it."""
+    path = head(tmp_path / "char.usda")
+    text = path.read_text()
+    value = "float[] blendShapeWeights = [0, 0]"
+    limits = f"(limits = {{ dictionary {kind} = {{ float[] maximum = {maximum}\n float[] minimum = {minimum}\n }} }})"
+    assert value in text
+    path.write_text(text.replace(value, f"{value} {limits}"))
+    return path
+
+
+@pytest.mark.parametrize("kind", ["soft", "hard"])
+def test_limits_win_over_the_rest(tmp_path, kind):
+    rig = read(_with_limits(tmp_path, kind, [-0.25, 0], [0.5, 3]))
+    assert span(controls(rig)["smile"]) == (-0.25, 0.0, 0.5, "limits")
+    assert span(controls(rig)["frown"]) == (0.0, 0.0, 3.0, "limits")
+
+
+def test_limits_of_another_length_are_reported(tmp_path):
+    rig = read(_with_limits(tmp_path, "soft", [-0.25, 0, 0], [0.5, 3, 1]))
+    assert [each.code for each in rig.issues] == ["RANGE_INVALID"]
+    assert span(controls(rig)["smile"]) == (0.0, 0.0, 1.0, "default")
+
+
+def test_the_configuration_wins(tmp_path):
+    config = {"controls": {"smile": {"minimum": -2.0, "maximum": 0.75, "default": -1.0}}}
+    rig = read(_with_limits(tmp_path, "soft", [-0.25, 0], [0.5, 3]), config)
+    smile = controls(rig)["smile"]
+    assert span(smile) == (-2.0, -1.0, 0.75, "config")
+    # The default is the base pose: the drive adds to it and vanishes there.
+    weights, _ = channel_state(rig)
+    assert weights[smile.drive.channels].tolist() == [-1.0]
+    values = np.array([control.default for control in rig.controls])
+    values[0] = 0.5
+    assert channel_state(rig, values)[0][smile.drive.channels].tolist() == [0.5]
+
+
+# --- the configuration's other words -----------------------------------------------------------------
+
+
+def test_exclude_rename_and_label(tmp_path):
+    config = {"controls": {"smile": {"rename": "grin", "label": "Grin!"}, "frown": {"exclude": True}}}
+    rig = read(head(tmp_path / "char.usda"), config)
+    assert [(each.name, each.label, each.source) for each in rig.controls] == [("grin", "Grin!", "smile")]
+    assert [(each.control, each.stage) for each in rig.left_off] == [("frown", "config")]
+
+
+def test_names_of_left_off_controls_are_known(tmp_path):
+    """The configuration may go on naming a token that lost its shape."""
+    rig = read(character(tmp_path / "char.usda"), {"controls": {"unused": {"label": "x"}}})
+    assert "unused" not in controls(rig)
+
+
+# --- joints ------------------------------------------------------------------------------------------
+
+
+def test_animated_joints_become_controls_about_their_own_axes(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    joints = {name: control for name, control in controls(rig).items() if control.kind == "joint"}
+    assert {name.split(":")[0] for name in joints} == {"neck", "jaw", "tip"}
+    jaw = joints["jaw:rx"]
+    assert jaw.source == JOINTS[1]
+    # From 20 to 60 degrees about x, measured from the rest pose.
+    assert span(jaw) == (0.0, 0.0, pytest.approx(40.0, abs=1e-3), "animation")
+    assert "jaw:ry" not in joints
+
+
+def test_joint_controls_turn_the_joint_about_its_own_axis(tmp_path):
+    config = {"joints": {"lip": {"axes": ["y"], "minimum": -10.0, "maximum": 90.0, "label": "Lip"}}}
+    rig = read(character(tmp_path / "char.usda"), config)
+    lip = controls(rig)["lip:ry"]
+    assert (span(lip), lip.label) == ((-10.0, 0.0, 90.0, "config"), "Lip y")
+    values = np.array([control.default for control in rig.controls])
+    values[rig.controls.index(lip)] = 90.0
+    local = channel_state(rig, values)[1][2]
+    expected = np.array(matrix((0, 90, 0)) * Gf.Matrix4d(*rig.joints[2].base.ravel().tolist()))
+    assert np.allclose(local, expected, atol=1e-9)
+
+
+@pytest.mark.parametrize(("which", "count"), [("none", 0), ("all", 15), ("auto", 7), ("animated", 7)])
+def test_which_joints(tmp_path, which, count):
+    rig = read(character(tmp_path / "char.usda"), {"read": {"joints": which}})
+    found = [control for control in rig.controls if control.kind == "joint"]
+    if which in ("none", "all"):
+        assert len(found) == count
+    else:
+        assert 3 <= len(found) <= count
+
+
+def test_a_joint_without_axes_is_no_control(tmp_path):
+    rig = read(character(tmp_path / "char.usda"), {"joints": {"neck": {"axes": []}}})
+    assert not any(name.startswith("neck:") for name in controls(rig))
+
+
+# --- poses -------------------------------------------------------------------------------------------
+
+
+def _posed_stage(path, names):
+    stage, _ = new_stage(path)
+    rest = (matrix(), matrix(translation=(0, 1, 0)))
+    add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest)
+    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
+    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    frames = {
+        0.0: rest,
+        1.0: (rest[0], matrix((0, 0, 30), (0, 1, 0))),
+        2.0: (matrix((0, 0, 0), (0, 0, 2)), rest[1]),
+        3.0: rest,
+    }
+    add_animation(stage, "/Char/Anim", "/Char/Skel", (), None, ("a", "a/b"), frames)
+    if names is not None:
+        stage.GetRootLayer().customLayerData = {"framemapping": names}
+    stage.GetRootLayer().Save()
+    return path
+
+
+@pytest.mark.parametrize(
+    "names", [json.dumps(["Rest", "turn", "shift", "same"]), Vt.StringArray(["Rest", "turn", "shift", "same"])]
+)
+def test_named_frames_become_poses(tmp_path, names):
+    rig = read(_posed_stage(tmp_path / "p.usda", names))
+    assert [(control.name, control.kind) for control in rig.controls] == [("turn", "pose"), ("shift", "pose")]
+    assert [(each.control, each.reason) for each in rig.left_off] == [("same", "the pose equals the base pose")]
+    local = channel_state(rig, [0.5, 0.5])[1]
+    assert np.allclose(local[0], np.array(matrix((0, 0, 0), (0, 0, 1))), atol=1e-6)
+    assert np.allclose(local[1], np.array(matrix((0, 0, 15), (0, 1, 0))), atol=1e-6)
+
+
+def test_named_frames_as_a_table_of_times(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", json.dumps({"rest": 0, "shift": 2})))
+    assert [control.name for control in rig.controls] == ["shift"]
+
+
+def test_too_few_frames_for_the_names(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same", "lost"])))
+    assert {each.control for each in rig.left_off} == {"lost", "same"}
+    assert [each.code for each in rig.issues] == ["POSES_MISMATCH"]
+
+
+def test_without_names_the_joints_are_controls(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", None))
+    assert [control.name for control in rig.controls] == ["b:rz"]
+
+
+def test_named_frames_and_joints_when_asked(tmp_path):
+    path = _posed_stage(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same"]))
+    rig = read(path, {"read": {"joints": "animated"}})
+    assert [control.name for control in rig.controls] == ["b:rz", "turn", "shift"]
+
+
+def test_a_clip_passes_through_its_frames(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [0.0, 2.0]}}})
+    story = next(i for i, control in enumerate(rig.controls) if control.name == "story")
+    assert rig.controls[story].drive.values.tolist() == [0.0, 0.5, 1.0]
+    values = np.zeros(len(rig.controls))
+    values[story] = 0.5
+    assert np.allclose(channel_state(rig, values)[1][1], np.array(matrix((0, 0, 30), (0, 1, 0))), atol=1e-6)
+
+
+def test_a_clip_that_starts_elsewhere_starts_at_the_base_pose(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [1.0, 2.0]}}})
+    story = next(control for control in rig.controls if control.name == "story")
+    assert story.drive.values[0] == 0.0
+    assert story.drive.values[-1] == 1.0
+    assert len(story.drive.values) == 3
+    for table in (story.drive.rotations, story.drive.translations, story.drive.scales, story.drive.weights):
+        assert not table[0].any()
+
+
+def test_a_pose_of_weights(tmp_path):
+    rig = read(head(tmp_path / "char.usda"), {"poses": {"smirk": {"weights": {"smile": 0.7}, "label": "Smirk"}}})
+    assert (controls(rig)["smirk"].kind, controls(rig)["smirk"].label) == ("pose", "Smirk")
+    assert channel_state(rig, [0.0, 0.0, 0.5])[0].tolist() == [0.35, 0.0]
+
+
+def test_a_pose_named_like_a_token_keeps_apart(tmp_path):
+    rig = read(head(tmp_path / "char.usda"), {"poses": {"smile": {"weights": {"frown": 1.0}}}})
+    assert list(controls(rig)) == ["smile", "frown", "smile:pose"]
+
+
+# --- base pose, space, several roots -----------------------------------------------------------------
+
+
+def test_a_time_gives_the_base_pose(tmp_path):
+    rig = read(character(tmp_path / "char.usda"), {"read": {"time": 10.0}})
+    smile = controls(rig)["smile"]
+    assert smile.default == pytest.approx(-0.7)
+    assert smile.minimum <= smile.default
+    assert not np.allclose(rig.joints[1].base, rig.joints[1].rest)
+
+
+def test_up_and_units(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    assert np.linalg.norm(rig.up) == pytest.approx(1.0)
+    # The SkelRoot is turned by about 31 degrees against the world's z axis.
+    assert rig.up[2] == pytest.approx(np.cos(np.radians(np.hypot(30, 10))), abs=1e-6)
+    assert rig.metres_per_unit == 1.0
+
+
+def test_units_of_the_wrong_type(tmp_path):
+    """The UsdGeom function raises where metersPerUnit is a float."""
+    path = head(tmp_path / "char.usda")
+    path.write_text(path.read_text().replace("#usda 1.0\n(", "#usda 1.0\n(\n    metersPerUnit = 1"))
+    assert read(path).metres_per_unit == 1.0
+    layer = Sdf.Layer.FindOrOpen(str(path))
+    layer.pseudoRoot.SetInfo("metersPerUnit", 0.0)
+    layer.Save()
+    rig = read(path)
+    assert rig.metres_per_unit == 0.01
+    assert [each.code for each in rig.issues] == ["UNITS_TYPE"]
+
+
+def test_hidden_and_left_handed_meshes_are_marked(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    hair = next(mesh for mesh in rig.meshes if mesh.path.endswith("Hair"))
+    assert (hair.visible, hair.left_handed, hair.skin) == (False, True, None)
+    assert sum(mesh.visible for mesh in rig.meshes) == len(rig.meshes) - 1
+
+
+@pytest.mark.parametrize(("purpose", "visible"), [("render", True), ("proxy", False), ("guide", False)])
+def test_purpose_decides_visibility(tmp_path, purpose, visible):
+    rig = edited(tmp_path, lambda stage: UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).CreatePurposeAttr(purpose))
+    assert rig.meshes[0].visible is visible
+
+
+def test_several_skelroots(tmp_path):
+    path = head(tmp_path / "char.usda")
+    stage = Usd.Stage.CreateNew(str(tmp_path / "shot.usda"))
+    for name in ("A", "B"):
+        stage.DefinePrim(f"/{name}").GetReferences().AddReference("./char.usda", "/Char")
+    UsdSkel.Root.Define(stage, "/Bare")
+    stage.GetRootLayer().Save()
+    rigs = read_rigs(tmp_path / "shot.usda", Settings())
+    assert [rig.root for rig in rigs] == ["/A", "/B"]
+    assert read_rigs(tmp_path / "shot.usda", load({"read": {"skel_root": "/B"}}))[0].root == "/B"
+    assert path.exists()
+
+
+def test_points_over_time_are_taken_at_the_base(tmp_path):
+    def edit(stage):
+        points = UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetPointsAttr()
+        values = points.Get()
+        points.Clear()
+        for time in (5.0, 6.0):
+            points.Set(values, time)
+
+    rig = edited(tmp_path, edit)
+    assert len(rig.meshes[0].points) == SIDE**2
+    assert [each.code for each in rig.issues] == ["POINTS_ANIMATED"]
+
+
+def test_earlier_layouts_are_not_read_as_meshes(tmp_path):
+    def edit(stage):
+        scope = UsdGeom.Scope.Define(stage, "/Char/RigUI").GetPrim()
+        scope.AddAppliedSchema("RigUILayoutAPI")
+        handle = add_mesh(stage, "/Char/RigUI/smile/handle", "/Char/Skel", seed=2)
+        add_shape(handle, "smile", np.ones((SIDE**2, 3)))
+
+    rig = edited(tmp_path, edit)
+    assert [mesh.path for mesh in rig.meshes] == ["/Char/Face"]
+
+
+def test_weights_that_do_not_add_up(tmp_path):
+    stage, _ = new_stage(tmp_path / "w.usda")
+    add_skeleton(stage, "/Char/Skel", ("a",), (matrix(),))
+    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
+    add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
+    add_skin(mesh, [[0]] * SIDE**2, [[0.5]] * SIDE**2, 1)
+    add_animation(stage, "/Char/Anim", "/Char/Skel", ("smile",))
+    stage.GetRootLayer().Save()
+    rig = read(tmp_path / "w.usda")
+    assert [each.code for each in rig.issues] == ["WEIGHTS_UNNORMALISED"]
+
+
+def test_missing_rest_transforms_come_from_the_bind_transforms(tmp_path):
+    stage, _ = new_stage(tmp_path / "r.usda")
+    rest = (matrix((0, 30, 0), (1, 0, 0)), matrix((10, 0, 0), (0, 1, 0)))
+    add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest).GetRestTransformsAttr().Clear()
+    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
+    add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
+    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    stage.GetRootLayer().Save()
+    rig = read(tmp_path / "r.usda")
+    assert "REST_MISSING" in [each.code for each in rig.issues]
+    assert np.allclose(rig.joints[1].rest, np.array(rest[1]), atol=1e-9)
+
+
+def test_the_topology_hash_tells_topologies_apart(tmp_path):
+    plain = read(head(tmp_path / "a.usda")).meshes[0].topology_hash
+
+    def moved(stage):
+        UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetPointsAttr().Set(Vt.Vec3fArray([(1, 2, 3)] * SIDE**2))
+
+    def turned(stage):
+        indices = UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetFaceVertexIndicesAttr()
+        indices.Set(list(indices.Get())[::-1])
+
+    assert read(head(tmp_path / "b.usda", edit=moved)).meshes[0].topology_hash == plain
+    assert read(head(tmp_path / "c.usda", edit=turned)).meshes[0].topology_hash != plain
+
+
+def test_reading_writes_nothing(tmp_path):
+    path = character(tmp_path / "char.usda")
+    before = path.read_bytes()
+    read(path)
+    assert path.read_bytes() == before
+    assert not Sdf.Layer.Find(str(path)) or not Sdf.Layer.Find(str(path)).dirty
+
+
+def test_records_are_read_only(tmp_path):
+    rig = read(character(tmp_path / "char.usda"))
+    with pytest.raises(ValueError, match="read-only"):
+        rig.meshes[0].points[0] = 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        rig.meshes[0].shapes[0].offsets[0] = 0.0
+
+
+def test_an_empty_mesh_is_ignored(tmp_path):
+    rig = edited(tmp_path, lambda stage: UsdGeom.Mesh.Define(stage, "/Char/Nothing"))
+    assert [(each.code, each.path) for each in rig.issues] == [("MESH_EMPTY", "/Char/Nothing")]
+
+
+def test_excluding_everything_is_refused(tmp_path):
+    with pytest.raises(RigUIError) as caught:
+        read(head(tmp_path / "char.usda", ("smile",)), {"controls": {"smile": {"exclude": True}}})
+    assert caught.value.issue.code == "CONTROLS_MISSING"
+    assert "excluded" in caught.value.issue.message
