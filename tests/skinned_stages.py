@@ -27,12 +27,13 @@ def character(
     moved: bool = False,
     meshes: int = 1,
     animated_joints: tuple[str, ...] = (),
+    hinged: bool = False,
 ) -> Path:
     """A mask of a face with dense, sparse, in-between and signed shapes on a skeleton of four joints.
 
     `reordered` gives meshes and animation joint orders of their own; `moved` puts transforms, a
     geomBindTransform and a rest pose unlike the bind pose everywhere; the second mesh, if any, shares
-    tokens with the first.
+    tokens with the first; `hinged` skins every point to head and jaw alone.
     """
     stage = Usd.Stage.CreateNew(str(path))
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
@@ -44,7 +45,19 @@ def character(
     tokens = _animation(stage, skeleton, reordered, animated_joints)
     rng = np.random.default_rng(7)
     for index in range(meshes):
-        _mesh(stage, f"/World/Char/face{index}", index, tokens, rng, method, skinned, left_handed, reordered, moved)
+        _mesh(
+            stage,
+            f"/World/Char/face{index}",
+            index,
+            tokens,
+            rng,
+            method,
+            skinned,
+            left_handed,
+            reordered,
+            moved,
+            hinged,
+        )
     if moved:
         UsdGeom.XformCommonAPI(root).SetTranslate((5, 1, -2))
     stage.Save()
@@ -90,7 +103,7 @@ def _animation(stage: Usd.Stage, skeleton: UsdSkel.Skeleton, reordered: bool, an
     return tokens
 
 
-def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reordered, moved):
+def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reordered, moved, hinged):
     points, quads = makers.mask(9, 11)
     shapes = makers.face_shapes(points)
     mesh = UsdGeom.Mesh.Define(stage, path)
@@ -108,16 +121,18 @@ def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reorder
     binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets(["/World/Char/Skel"])
     if skinned:
-        _influences(mesh, binding, rng, len(points), method, reordered, moved)
+        _influences(mesh, binding, rng, len(points), method, reordered, moved, hinged)
     _shapes(stage, path, binding, tokens if index == 0 else tokens[::2], shapes, points)
 
 
-def _influences(mesh, binding, rng, count, method, reordered, moved):
+def _influences(mesh, binding, rng, count, method, reordered, moved, hinged):
     joints = list(JOINTS[::-1] if reordered else JOINTS)
     if reordered:
         binding.CreateJointsAttr(joints)
     weights = rng.dirichlet(np.ones(3), size=count).astype(np.float32)
     order = np.argsort(rng.random((count, 4)), axis=1)[:, :3].astype(np.int32)
+    if hinged:
+        order[:] = [joints.index("Hips/Head"), joints.index("Hips/Head/Jaw"), joints.index("Hips/Head")]
     binding.CreateJointIndicesPrimvar(False, 3).Set(Vt.IntArray.FromNumpy(order.ravel()))
     binding.CreateJointWeightsPrimvar(False, 3).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
     mesh.GetPrim().GetAttribute("primvars:skel:jointIndices").SetMetadata("interpolation", "vertex")

@@ -107,15 +107,17 @@ def _author_binding(prim: Sdf.PrimSpec, rig: Rig, hold: Hold, count: int) -> Non
         return
     bound = np.linalg.inv(rig.skeletons[hold.skeleton].to_root)
     width = len(hold.joints)
-    author.put(prim, "skel:joints", "token[]", [rig.joints[joint].path for joint in hold.joints], uniform=True)
+    # A joint may influence a point twice, but may be listed only once.
+    listed, row = np.unique(hold.joints, return_inverse=True)
+    author.put(prim, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True)
     author.put(prim, "primvars:skel:geomBindTransform", "matrix4d", bound)
     author.put(prim, "primvars:skel:skinningMethod", "token", hold.method, uniform=True)
-    for name, type_name, row in (
-        ("primvars:skel:jointIndices", "int[]", np.arange(width)),
+    for name, type_name, values in (
+        ("primvars:skel:jointIndices", "int[]", row),
         ("primvars:skel:jointWeights", "float[]", hold.weights),
     ):
         # One row per point rather than one for all: rigid influences and shapes together confuse some readers.
-        author.put(prim, name, type_name, np.tile(row, count), interpolation="vertex", element_size=width)
+        author.put(prim, name, type_name, np.tile(values, count), interpolation="vertex", element_size=width)
 
 
 def _author_shapes(prim: Sdf.PrimSpec, rig: Rig, shapes: tuple[PointShape, ...]) -> None:
