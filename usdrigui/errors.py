@@ -351,6 +351,11 @@ _CODES: dict[str, Code] = {
         Exit.FILE,
     ),
     # --- posing ----------------------------------------------------------------------------------
+    "SOURCE_MISSING": Code(
+        "error",
+        "The layout layer does not say which asset it stands over.",
+        "Name the asset as its first sublayer, or write the layer without --bare.",
+    ),
     "LAYOUT_STALE": Code(
         "error",
         "The layout was made for another version of the character.",

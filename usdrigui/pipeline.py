@@ -9,7 +9,7 @@ Nothing here prints; what a run has to say is in the record that it returns.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -30,6 +30,8 @@ from usdrigui.layout.terms import Context
 from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
 from usdrigui.report import CharacterReport, Outcome, Report, rows_of
 from usdrigui.settings import Settings
+from usdrigui.usd.child import ReadResult, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.source import check_unchanged
 
 if TYPE_CHECKING:
     from usdrigui.solve.watch import Progress
@@ -89,7 +91,7 @@ def process(
     target = output if output is not None else default_output(asset)
     _check_target(asset, target)
     with clock.stage("read"):
-        source = _read(asset, settings)
+        source = read_rigs_isolated(asset, settings)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras) for rig in source.rigs]
     outcome: Outcome = "dry run"
     if not dry_run:
@@ -110,13 +112,15 @@ def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -
     """What the stages before the search find out about `asset`; writes nothing."""
     clock = _Clock(progress)
     with clock.stage("read"):
-        source = _read(asset, settings)
+        source = read_rigs_isolated(asset, settings)
     characters = [_facts(posed(rig, settings, clock, source.cameras)) for rig in source.rigs]
     issues = tuple(found for rig in source.rigs for found in rig.issues)
     return Inspection(str(asset), tuple(characters), issues, clock.seconds)
 
 
-def posed(rig: Rig, settings: Settings, clock: _Clock | None = None, cameras: Any = None) -> Posed:
+def posed(
+    rig: Rig, settings: Settings, clock: _Clock | None = None, cameras: Mapping[str, Floats] | None = None
+) -> Posed:
     """The layout problem of one rig: every stage between reading and solving."""
     clock = clock or _Clock(None)
     base_values = _base_values(rig, settings)
@@ -133,7 +137,7 @@ def posed(rig: Rig, settings: Settings, clock: _Clock | None = None, cameras: An
             symmetry,
             settings.candidates.view,
             settings.candidates.occlusion,
-            _camera(settings, cameras, rig),
+            (cameras or {}).get(rig.root),
         )
         context = Context(rig, found, symmetry, views, settings)
         candidates = candidates_stage.candidates(context)
@@ -148,13 +152,11 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
 
     Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING and everything that reading an asset can raise.
     """
-    from usdrigui.usd import read_layout
-
-    layouts = {each.root: each for each in read_layout.read_layout(layer)}
-    source = read_layout.source_of(layer)
+    found = read_layouts_isolated(layer, settings)
+    layouts, source = {each.root: each for each in found.layouts}, found.source
     if not source:
         raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
-    rigs = _read(Path(source), settings).rigs
+    rigs = read_rigs_isolated(Path(source), settings).rigs
     missing = set(layouts) - {each.root for each in rigs}
     if missing:
         raise refuse("LAYOUT_STALE", min(missing), f"{source} has no such character any more")
@@ -178,7 +180,7 @@ def write_file(content: bytes, target: Path) -> str:
 
 
 def _lay_out(
-    rig: Rig, settings: Settings, clock: _Clock, stop: Callable[[], bool] | None, cameras: Any
+    rig: Rig, settings: Settings, clock: _Clock, stop: Callable[[], bool] | None, cameras: Mapping[str, Floats]
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
@@ -239,12 +241,6 @@ def _base_values(rig: Rig, settings: Settings) -> Floats:
     return values
 
 
-def _camera(settings: Settings, cameras: Any, rig: Rig) -> Floats | None:
-    """(3,) direction to the viewer of the camera prim that the view names, in root space."""
-    del settings, cameras, rig
-    return None
-
-
 def _facts(ready: Posed) -> CharacterFacts:
     rig, trajectories, symmetry = ready.context.rig, ready.context.trajectories, ready.context.symmetry
     sets = {trajectories.motions[each.motion].control: each for each in ready.candidates.sets}
@@ -300,31 +296,16 @@ def _group_lines(ready: Posed) -> tuple[str, ...]:
 # --- the two ends ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
-class _Source:
-    rigs: tuple[Rig, ...]
-    metadata: Any
-    cameras: Any = None
-
-
-def _read(asset: Path, settings: Settings) -> _Source:
-    from pxr import Sdf
-
-    from usdrigui.usd import layer
-    from usdrigui.usd import rig as reader
-
-    rigs = reader.read_rigs(asset, settings)
-    return _Source(rigs, layer.stage_metadata(Sdf.Layer.FindOrOpen(str(asset))))
-
-
 def _check_target(asset: Path, target: Path) -> None:
     if target.resolve() == asset.resolve():
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
 
 
-def _written(asset: Path, target: Path, settings: Settings, source: Any, laid: list[CharacterReport]) -> Outcome:
+def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport]) -> Outcome:
+    """Write the layer, unless a file that it was made from has changed meanwhile."""
     from usdrigui.usd import layer
 
+    check_unchanged(source.sources)
     target.parent.mkdir(parents=True, exist_ok=True)
     pairs = [(character.rig, character.layout) for character in laid]
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata)
