@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
@@ -44,16 +44,26 @@ Laid = Sequence[tuple[Rig, Layout]]
 
 
 def write_layout(
-    laid: Laid, source: Path, target: Path, settings: OutputSettings, metadata: Mapping[str, Any]
+    laid: Laid,
+    source: Path,
+    target: Path,
+    settings: OutputSettings,
+    metadata: Mapping[str, Any],
+    *,
+    guard: Callable[[], None] | None = None,
 ) -> Literal["written", "unchanged"]:
     """Write the layouts of one asset to `target`, atomically, over its `source`.
 
     `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a relative
-    path unless `settings.bare`.  Raises RigUIError with a FILE_ code, SOURCE_UNREFERABLE, INSTANCE.
+    path unless `settings.bare`.  `guard` may refuse (raise) at the last moment before the commit.
+    Raises RigUIError with a FILE_ code, SOURCE_UNREFERABLE, INSTANCE.
     """
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
-    return commit(layer_bytes(layer, target.suffix), target, verify=_verified)
+    content = layer_bytes(layer, target.suffix)
+    if guard is not None:
+        guard()
+    return commit(content, target, verify=_verified)
 
 
 def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:
