@@ -390,6 +390,8 @@ class Group:
     images: tuple[tuple[int, ...], ...] = ()
     """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
     tuples for an n-fold orbit."""
+    image_names: tuple[str, ...] = ()
+    """Names that the configuration gives to those copies; empty strings where it gives none."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -160,8 +160,9 @@ class GroupSettings:
 
     opposed: bool = True
     """Merge opposed controls into bipolar sliders and joysticks."""
-    opposed_cosine: float = -0.8
-    """Two controls are opposed when the displacement-weighted cosine of their directions is below this."""
+    opposed_cosine: float = -0.75
+    """Two controls are opposed when the cosine of their motions, as vectors over the whole surface, is below
+    this: they act on the same region and go opposite ways."""
     patches: bool = False
     """Group controls by the Jaccard index of their candidates (paper section 4.2)."""
     fan_size: int = 2

@@ -10,10 +10,10 @@ from usdrigui.layout.composites import composites
 from usdrigui.layout.reach import covering
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.layout.tracks import polylines
+from usdrigui.layout.vanishing import vanishing
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Flags, Floats, Indices, LeftOff, Motion
 from usdrigui.settings import ControlSettings
-from usdrigui.surface import mesh_triangles, point_areas
 
 STAGE = "candidates"
 
@@ -30,9 +30,9 @@ def candidates(context: Context) -> Candidates:
     see always has a candidate.
     """
     trajectories = context.trajectories
-    areas = point_areas(trajectories.base, mesh_triangles(context.rig.meshes), trajectories.places)
-    coverage = _coverage(context, areas)
-    repeated = composites(context.rig, trajectories, context.symmetry, areas)
+    coverage = _coverage(context)
+    gone = vanishing(context)
+    repeated = composites(context)
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
     for index, motion in enumerate(trajectories.motions):
@@ -41,17 +41,19 @@ def candidates(context: Context) -> Candidates:
         if said.exclude:
             left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
-        found = _candidate_set(context, index, motion, areas, float(coverage[index]))
+        found = _candidate_set(context, index, motion, float(coverage[index]))
+        if gone[index]:
+            found = replace(found, globally=True, hidden=False, reason="makes parts of the character disappear")
         if not (found.globally or found.hidden) and index in repeated:
             found = replace(found, composite=True, reason=repeated[index])
         sets.append(found)
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def _candidate_set(context: Context, index: int, motion: Motion, areas: Floats, coverage: float) -> CandidateSet:
+def _candidate_set(context: Context, index: int, motion: Motion, coverage: float) -> CandidateSet:
     settings = context.settings.candidates
     points = _pruned(context, motion)
-    hidden = not len(points) or _visible_share(context, motion, areas) < settings.hidden_share
+    hidden = not len(points) or _visible_share(context, motion) < settings.hidden_share
     globally = coverage > settings.global_coverage or _moves_everything(context, motion)
     reason = "moves the face as a whole" if globally else "moves only what no view shows" if hidden else ""
     if not len(points):
@@ -91,20 +93,21 @@ def _pruned(context: Context, motion: Motion) -> Indices:
 
 def _occluded(context: Context, motion: Motion, points: Indices) -> Flags:
     tracks = polylines(motion, context.trajectories.base, points, points, context.settings.objective.samples)
-    return mostly_hidden(context.views, tracks, context.trajectories.normals[points])
+    depth = 0.5 * context.handle_width
+    return mostly_hidden(context.views, tracks, context.trajectories.normals[points], depth)
 
 
-def _visible_share(context: Context, motion: Motion, areas: Floats) -> float:
+def _visible_share(context: Context, motion: Motion) -> float:
     """Share of what the control moves, area times distance, that some view sees."""
-    weight = areas[motion.points] * motion.arc_length
+    weight = context.areas[motion.points] * motion.arc_length
     total = float(weight.sum())
     seen = context.views.anywhere[motion.points]
     return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
 
 
-def _coverage(context: Context, areas: Floats) -> Floats:
+def _coverage(context: Context) -> Floats:
     """(motions,) share of the visible face that each control moves notably."""
-    seen = np.where(context.views.anywhere, areas, 0.0)
+    seen = np.where(context.views.anywhere, context.areas, 0.0)
     return covering(context.trajectories.motions, seen)
 
 

@@ -14,9 +14,10 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import nnls
 
-from usdrigui.layout.fields import Fields, motion_fields
+from usdrigui.layout.fields import Fields
 from usdrigui.layout.reach import reaches
-from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
+from usdrigui.layout.terms import Context
+from usdrigui.model import Flags, Symmetry, Trajectories
 
 _PARALLEL = 0.98
 """Cosine of two motions from which one repeats the other."""
@@ -33,9 +34,10 @@ _FAR_PAIRS = 2
 """Pairs of distant atoms that a spread contains."""
 
 
-def composites(rig: Rig, trajectories: Trajectories, symmetry: Symmetry, areas: Floats) -> dict[int, str]:
+def composites(context: Context) -> dict[int, str]:
     """Indices of the motions that are composites, each with the reason; both twins of a pair or neither."""
-    shares = _Shares(rig, trajectories, areas)
+    trajectories, symmetry = context.trajectories, context.symmetry
+    shares = _Shares(context)
     found: dict[int, str] = {}
     for index in shares.largest_first:
         rest = [i for i in range(len(trajectories.motions)) if i != index and i not in found]
@@ -62,17 +64,15 @@ def _with_twins(found: dict[int, str], trajectories: Trajectories, symmetry: Sym
 class _Shares:
     """What every motion shares with every other: inner products over the whole face and over reaches."""
 
-    def __init__(self, rig: Rig, trajectories: Trajectories, areas: Floats) -> None:
-        fields = motion_fields(trajectories, areas)
-        self.names = [rig.controls[motion.control].name for motion in trajectories.motions]
-        self.product = fields.products()
-        self.norm = np.sqrt(np.maximum(np.diagonal(self.product), 1e-300))
-        self.cosine = self.product / np.outer(self.norm, self.norm)
+    def __init__(self, context: Context) -> None:
+        trajectories = context.trajectories
+        self.names = [context.rig.controls[motion.control].name for motion in trajectories.motions]
+        self.norm, self.cosine = context.affinity.norm, context.affinity.cosine
         reach = reaches(trajectories.motions, len(trajectories.base))
-        self.size = reach @ areas
+        self.size = reach @ context.areas
         self.largest_first = [int(i) for i in np.argsort(-self.size, kind="stable")]
-        self.contains = _contained(fields, reach[:, fields.places])
-        self.far = _distant(fields, trajectories, rig.up, self.norm)
+        self.contains = _contained(context.fields, reach[:, context.fields.places])
+        self.far = _distant(context)
 
     def repetition(self, index: int, rest: list[int]) -> str:
         for other in rest:
@@ -123,15 +123,14 @@ def _contained(fields: Fields, reach: Flags) -> Flags:
     return flags
 
 
-def _distant(fields: Fields, trajectories: Trajectories, up: Floats, norm: Floats) -> Flags:
+def _distant(context: Context) -> Flags:
     """(motions, motions) whether two controls act on distant parts of the face and share no place."""
-    size = np.linalg.norm(fields.vectors, axis=2)
-    weight = size * fields.weights
-    heights = trajectories.base[fields.places] @ up
+    fields, trajectories = context.fields, context.trajectories
+    weight = np.linalg.norm(fields.vectors, axis=2) * fields.weights
+    heights = trajectories.base[fields.places] @ context.rig.up
     middle = weight @ heights / np.maximum(weight.sum(axis=1), 1e-300)
-    shared = (size @ weight.T) / np.outer(norm, norm)
     apart = np.abs(middle[:, None] - middle[None, :]) > _APART * trajectories.face_size
-    return np.asarray(apart & (shared < 0.05))
+    return np.asarray(apart & (context.affinity.shared < 0.05))
 
 
 def _listed(names: list[str]) -> str:

@@ -100,7 +100,8 @@ def _weights(context: Context, problem: LayoutProblem) -> tuple[tuple[str, float
 
 def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list[Element]:
     """The element of a group and of its mirror images."""
-    names = [element_name(context, controls) for controls in choice.controls]
+    given = [group.name, *group.image_names]
+    names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]
     made = []
     for copy, controls in enumerate(choice.controls):
         point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])

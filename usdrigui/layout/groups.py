@@ -1,43 +1,358 @@
-"""Which controls share one element (paper sections 3.2 and 4.2, multi-parameter grouping)."""
+"""Which controls share one element (paper sections 3.2 and 4.2, multi-parameter grouping).
+
+Groups come from the user, from opposed controls (the two ends of one axis become one bipolar slider),
+from axes that share a region (two of them become a joystick), and, where asked for, from the Jaccard
+index of the controls' candidates as in the paper.  Whatever is merged on one side of the character is
+merged on the other.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.layout.names import has_side
+from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.terms import Context
-from usdrigui.model import Candidates, CandidateSet, Group
+from usdrigui.layout.visibility import screen
+from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
 
 _FAMILIES = ("global", "hidden", "composite")
+_TWIN_LEEWAY = 0.8
+"""Twins of each other are called opposed at this share of the usual cosine: mouthLeft and mouthRight."""
+_AXES_SHARED = 0.8
+"""Least overlap of the regions of two axes that make a joystick."""
+_SINGLE_SHARED = 0.9
+"""The same for an axis and a single control."""
+_ACROSS = 0.4
+"""Largest cosine of the directions of two axes of a joystick."""
+
+
+@dataclass(frozen=True)
+class _Merged:
+    """Motions that share an element, in its order; `axes` are tuples of positions, two for opposed ends."""
+
+    motions: tuple[int, ...]
+    axes: tuple[tuple[int, ...], ...]
+    reason: str
+    name: str = ""
 
 
 def find_groups(context: Context, candidates: Candidates) -> tuple[Group, ...]:
-    """One group per element, in the order of the controls; every control with candidates is in one.
+    """One group per element, by name; every control that has candidates is in exactly one.
 
-    Of two elements that mirror each other only the one of the character's left stands for both, the
-    other's controls are its `mirror`.
+    Of two elements that mirror each other only the one on the character's left becomes a group, and the
+    other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the configuration.
     """
-    sets = {context.trajectories.motions[each.motion].control: each for each in candidates.sets}
-    done: set[int] = set()
-    groups = []
-    for control in sorted(sets):
-        if control in done:
-            continue
-        twin = int(context.symmetry.twins[control])
-        paired = context.settings.symmetry.fold and twin in sets and twin != control
-        done |= {control, twin} if paired else {control}
-        groups.append(_single(context, sets[control], control, (twin,) if paired else ()))
-    return tuple(groups)
+    grouping = _Grouping(context, candidates)
+    merged = [*grouping.of_the_user()]
+    merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
+    if context.settings.groups.patches:
+        merged += grouping.patches(_free(merged, grouping))
+    merged += [_Merged((i,), ((0,),), "") for i in sorted(_free(merged, grouping))]
+    return grouping.folded(merged)
 
 
-def _single(context: Context, candidate_set: CandidateSet, control: int, mirror: tuple[int, ...]) -> Group:
+def suggested_groups(context: Context, candidates: Candidates) -> tuple[tuple[str, ...], ...]:
+    """Names of controls that the paper's Jaccard criterion would group and `find_groups` left apart."""
+    grouping = _Grouping(context, candidates)
+    single = [group for group in find_groups(context, candidates) if len(group.controls) == 1]
+    index = {motion.control: i for i, motion in enumerate(context.trajectories.motions)}
+    free = {index[control] for group in single for control in (*group.controls, *group.mirror)}
+    return tuple(tuple(grouping.names[i] for i in found.motions) for found in grouping.patches(free))
+
+
+def _free(merged: Iterable[_Merged], grouping: _Grouping) -> set[int]:
+    taken = {i for each in merged for i in each.motions}
+    return set(grouping.sets) - taken
+
+
+class _Grouping:
+    """What the ways to group have in common: candidates by motion, twins by motion, comparisons."""
+
+    def __init__(self, context: Context, candidates: Candidates) -> None:
+        motions = context.trajectories.motions
+        index = {motion.control: i for i, motion in enumerate(motions)}
+        self.context = context
+        self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
+        self.names = [context.rig.controls[motion.control].name for motion in motions]
+        twins = context.symmetry.twins
+        fold = context.settings.symmetry.fold
+        self.twin = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
+        self.family = {i: _family(each) for i, each in self.sets.items()}
+
+    # --- the user's -----------------------------------------------------------------------------
+
+    def of_the_user(self) -> list[_Merged]:
+        """The groups that the configuration names, in its order."""
+        index = {name: i for i, name in enumerate(self.names)}
+        known = {control.name for control in self.context.rig.controls}
+        found: list[_Merged] = []
+        taken: set[int] = set()
+        for name, members in self.context.settings.groups.groups.items():
+            where = f'groups.groups."{name}"'
+            for member in members:
+                if member not in known:
+                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"no control is called {member!r}")
+            motions = tuple(index[member] for member in members if index.get(member) in self.sets)
+            if taken & set(motions) or len(set(motions)) < len(motions):
+                raise refuse("CONFIG_VALUE", where, "a control can be in one group only")
+            if len(motions) < 2:
+                raise refuse("CONFIG_VALUE", where, "a group needs two controls that move something")
+            taken |= set(motions)
+            found.append(_Merged(motions, self._axes_within(motions), "grouped by the configuration", name))
+        return found
+
+    def _axes_within(self, motions: Sequence[int]) -> tuple[tuple[int, ...], ...]:
+        """Positions of `motions` as axes: opposed members side by side in the order make one."""
+        axes: list[tuple[int, ...]] = []
+        for position, motion in enumerate(motions):
+            before = axes[-1] if axes else ()
+            if len(before) == 1 and self._opposed(motions[before[0]], motion):
+                axes[-1] = (before[0], position)
+            else:
+                axes.append((position,))
+        return tuple(axes)
+
+    # --- opposed controls -------------------------------------------------------------------------
+
+    def axes(self, free: set[int]) -> list[_Merged]:
+        """Pairs of opposed controls, the clearest first, each control in one."""
+        if not self.context.settings.groups.opposed:
+            return []
+        table = self.context.affinity
+        ranked = []
+        one_way = sorted(free - set(self.context.both_ways))
+        for a in one_way:
+            for b in one_way:
+                if a < b and self._may_share((a, b)) and self._opposed(a, b):
+                    ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
+                    # Of several opposites the one of like amount is meant: look down and up, not down and wide.
+                    score = float(table.cosine[a, b] * ratio**0.25)
+                    ranked.append((round(score, 9), sorted((self.names[a], self.names[b])), a, b))
+        found: list[_Merged] = []
+        taken: set[int] = set()
+        for _, _, a, b in sorted(ranked):
+            pairs = self._with_image((a, b))
+            if taken & {i for pair in pairs for i in pair}:
+                continue
+            for pair in pairs:
+                taken |= set(pair)
+                found.append(_Merged(self._signed(pair), ((0, 1),), "opposed: two ends of one axis"))
+        return found
+
+    def _opposed(self, a: int, b: int) -> bool:
+        least = self.context.settings.groups.opposed_cosine
+        if self.twin.get(a, -1) == b:
+            least *= _TWIN_LEEWAY
+        return bool(self.context.affinity.cosine[a, b] <= least)
+
+    def _signed(self, pair: tuple[int, ...]) -> tuple[int, ...]:
+        """The pair with the end first that goes to the left or down as seen by the viewer."""
+        fields = self.context.fields
+        frame = screen(self.context.views)
+        mean = np.einsum("mi,m->i", fields.vectors[pair[1]] - fields.vectors[pair[0]], fields.weights)
+        flat = frame @ mean
+        along = flat[int(np.argmax(np.abs(flat)))]
+        return pair if along >= 0.0 else pair[::-1]
+
+    # --- joysticks ---------------------------------------------------------------------------------
+
+    def joysticks(self, axes: list[_Merged], free: set[int]) -> list[_Merged]:
+        """The axes, joined two by two where they share a region and cross; or joined with a single control."""
+        left = list(axes)
+        singles = free - {i for axis in axes for i in axis.motions}
+        swinging = [_Merged((i,), ((0,),), "") for i in sorted(singles & set(self.context.both_ways))]
+        lone = [_Merged((i,), ((0,),), "") for i in sorted(singles - set(self.context.both_ways))]
+        made: list[_Merged] = []
+        for partners, least in (([*left, *swinging], _AXES_SHARED), (lone, _SINGLE_SHARED)):
+            for first, second in self._crossings(left if partners is lone else [*left, *swinging], partners, least):
+                used = {i for each in made for i in each.motions}
+                images = self._joined_images(first, second)
+                if images and not used & {i for each in images for i in each.motions}:
+                    made += images
+        used = {i for each in made for i in each.motions}
+        return [*made, *(axis for axis in left if not used & set(axis.motions))]
+
+    def _crossings(self, firsts: list[_Merged], seconds: list[_Merged], least: float) -> list[tuple[_Merged, _Merged]]:
+        """Pairs of axes that may make a joystick, the best first."""
+        ranked = []
+        for first in firsts:
+            for second in seconds:
+                if (first.motions >= second.motions and second in firsts) or set(first.motions) & set(second.motions):
+                    continue
+                if not self._may_share((*first.motions, *second.motions)):
+                    continue
+                shared, across = self._crossing(first, second)
+                if shared >= least and across <= _ACROSS:
+                    names = sorted(self.names[i] for i in (*first.motions, *second.motions))
+                    ranked.append((-round(shared * (1.0 - across) * self._flatness(second), 9), names, first, second))
+        return [(first, second) for _, _, first, second in sorted(ranked, key=lambda each: each[:2])]
+
+    def _crossing(self, first: _Merged, second: _Merged) -> tuple[float, float]:
+        """Least overlap of the regions of two axes, and largest cosine of their directions."""
+        table = self.context.affinity
+        pick = np.ix_(first.motions, second.motions)
+        return float(table.shared[pick].min()), float(np.abs(table.direction[pick]).max())
+
+    def _flatness(self, axis: _Merged) -> float:
+        """How far an axis runs along the surface rather than out of it: what a drag on a screen can follow."""
+        fields = self.context.fields
+        normals = self.context.trajectories.normals[fields.places]
+        vectors = fields.vectors[axis.motions[0]]
+        out = float((np.einsum("mi,mi->m", vectors, normals) ** 2 * fields.weights).sum())
+        return 1.0 - out / max(float((np.einsum("mi,mi->m", vectors, vectors) * fields.weights).sum()), 1e-300)
+
+    def _joined_images(self, first: _Merged, second: _Merged) -> list[_Merged]:
+        """The joystick of two axes and of their images; empty where the images do not make one."""
+        joined = self._joined(first, second)
+        images = self._with_image(joined.motions)
+        if len(images) == 1:
+            return [joined]
+        other = tuple(tuple(images[1][i] for i in axis) for axis in joined.axes)
+        one, two = (_Merged(self._signed(o) if len(o) == 2 else o, (tuple(range(len(o))),), "") for o in other)
+        return [joined, self._joined(one, two)]
+
+    def _joined(self, first: _Merged, second: _Merged) -> _Merged:
+        """One element of two axes, the one that runs more across the view first."""
+        if self._uprightness(first) > self._uprightness(second):
+            first, second = second, first
+        shift = len(first.motions)
+        axes = (*first.axes, *(tuple(i + shift for i in axis) for axis in second.axes))
+        return _Merged((*first.motions, *second.motions), axes, "two axes of one region: a joystick")
+
+    def _uprightness(self, axis: _Merged) -> float:
+        fields = self.context.fields
+        flat = np.abs(fields.vectors[axis.motions[0]] @ screen(self.context.views).T)
+        across, upright = fields.weights @ flat
+        return float(upright / max(float(across + upright), 1e-300))
+
+    # --- the paper's patches and fans ------------------------------------------------------------
+
+    def patches(self, free: set[int]) -> list[_Merged]:
+        """Groups of up to k controls by the Jaccard index of their candidates (paper section 4.2)."""
+        settings = self.context.settings.groups
+        groups: dict[tuple[int, ...], Flags] = {(i,): self._flags(self.sets[i].points) for i in sorted(free)}
+        while best := self._most_alike(groups, settings.fan_size, settings.jaccard_min):
+            for a, b in best:
+                groups[tuple(sorted(a + b, key=lambda i: self.names[i]))] = groups.pop(a) & groups.pop(b)
+        return [
+            _Merged(key, tuple((i,) for i in range(len(key))), "move the same region") for key in groups if len(key) > 1
+        ]
+
+    def _most_alike(
+        self, groups: dict[tuple[int, ...], Flags], most: int, least: float
+    ) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
+        """The two groups with the largest Jaccard index above `least`, and their images; empty if none."""
+        ranked = []
+        keys = list(groups)
+        table = np.array([groups[key] for key in keys], dtype=np.float32).reshape(len(keys), -1)
+        both = table @ table.T
+        size = np.diagonal(both)
+        jaccard = both / np.maximum(size[:, None] + size[None, :] - both, 1.0)
+        for i, j in np.argwhere(np.triu(jaccard > least, 1)):
+            a, b = keys[i], keys[j]
+            if len(a) + len(b) <= most and self._may_share(a + b):
+                images = [(tuple(self._image(a)), tuple(self._image(b))), (a, b)]
+                known = {tuple(sorted(key)) for key in keys}
+                if all(tuple(sorted(key)) in known for key in images[0]):
+                    ranked.append((-round(float(jaccard[i, j]), 9), sorted(self.names[k] for k in a + b), a, b))
+        if not ranked:
+            return []
+        _, _, a, b = min(ranked)
+        found = [(a, b)]
+        image = tuple(next(key for key in keys if set(key) == set(self._image(each))) for each in (a, b))
+        if not set(image[0] + image[1]) & set(a + b):
+            found.append((image[0], image[1]))
+        return found
+
+    def _flags(self, points: Indices) -> Flags:
+        flags = np.zeros(len(self.context.trajectories.base), dtype=bool)
+        flags[points] = True
+        return flags
+
+    # --- symmetry ------------------------------------------------------------------------------------
+
+    def _image(self, motions: Sequence[int]) -> tuple[int, ...]:
+        """The twins, in the same order; a control without twin stands for itself."""
+        return tuple(self.twin[i] if self.twin[i] >= 0 else i for i in motions)
+
+    def _with_image(self, motions: tuple[int, ...]) -> list[tuple[int, ...]]:
+        """The motions, and their image where that is another set."""
+        image = self._image(motions)
+        return [motions] if set(image) == set(motions) else [motions, image]
+
+    def _may_share(self, motions: tuple[int, ...]) -> bool:
+        """Whether these motions stand in one place: same family, a common candidate, and a mirror image
+        that is the same set or has nothing in common with it."""
+        if len({self.family[i] for i in motions}) > 1:
+            return False
+        image = set(self._image(motions))
+        if image != set(motions) and image & set(motions):
+            return False
+        lone = [self.twin[i] < 0 for i in motions]
+        if any(lone) and not all(lone):
+            return False
+        common = self.sets[motions[0]].points
+        for i in motions[1:]:
+            common = np.intersect1d(common, self.sets[i].points, assume_unique=True)
+        return bool(self.family[motions[0]]) or len(common) > 0
+
+    def folded(self, merged: list[_Merged]) -> tuple[Group, ...]:
+        """Groups of the merged motions, of two mirror images the left one only."""
+        by_members = {frozenset(each.motions): each for each in merged}
+        groups = []
+        done: set[frozenset[int]] = set()
+        for each in merged:
+            members = frozenset(each.motions)
+            image = frozenset(self._image(each.motions))
+            if members in done:
+                continue
+            paired = image != members and image in by_members and not image & members
+            if paired and self._leftness(image) > self._leftness(members):
+                each, image = by_members[image], members
+            done |= {frozenset(each.motions), image} if paired else {members}
+            groups.append(self._group(each, by_members[image].name if paired else "", paired))
+        return tuple(sorted(groups, key=lambda group: group.name))
+
+    def _leftness(self, motions: frozenset[int]) -> tuple[float, list[str]]:
+        """How far on the character's left the candidates lie; names with a side decide in the middle."""
+        points = np.concatenate([self.sets[i].points for i in sorted(motions)])
+        apart = plane_distance(self.context.trajectories.base[points], self.context.symmetry)
+        names = sorted((self.names[i] for i in motions), key=lambda name: (not has_side(name), name))
+        inverse = ["".join(chr(0x10FFFF - ord(letter)) for letter in name) for name in names]
+        return round(float(apart.mean() / self.context.trajectories.face_size), 3), inverse
+
+    def _group(self, merged: _Merged, image_name: str, paired: bool) -> Group:
+        motions = self.context.trajectories.motions
+        controls = tuple(motions[i].control for i in merged.motions)
+        mirror = tuple(motions[i].control for i in self._image(merged.motions)) if paired else ()
+        first = self.sets[merged.motions[0]]
+        family = self.family[merged.motions[0]]
+        reasons = [reason for reason in (first.reason, merged.reason) if reason]
+        return Group(
+            name=merged.name or "_".join(self.names[i] for i in merged.motions),
+            kind=_kind(merged),
+            controls=controls,
+            opposed=tuple((axis[0], axis[1]) for axis in merged.axes if len(axis) == 2),
+            mirror=mirror,
+            reason="; ".join(reasons),
+            beside=bool(family),
+            family=family,
+            images=(mirror,) if mirror else (),
+            image_names=(image_name,) if mirror else (),
+        )
+
+
+def _kind(merged: _Merged) -> ElementKind:
+    if len(merged.axes) == 1:
+        return "slider"
+    return "patch" if len(merged.axes) == 2 else "fan"
+
+
+def _family(candidate_set: CandidateSet) -> str:
     flags = (candidate_set.globally, candidate_set.hidden, candidate_set.composite)
-    family = next((name for name, flag in zip(_FAMILIES, flags, strict=True) if flag), "")
-    return Group(
-        name=context.rig.controls[control].name,
-        kind="slider",
-        controls=(control,),
-        opposed=(),
-        mirror=mirror,
-        reason=candidate_set.reason,
-        beside=bool(family),
-        family=family,
-        images=(mirror,) if mirror else (),
-    )
+    return next((name for name, flag in zip(_FAMILIES, flags, strict=True) if flag), "")

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.layout.terms import Context
+from usdrigui.layout.terms import Context, off_plane
 from usdrigui.layout.tracks import arc_lengths, gains, paths, resampled
 from usdrigui.model import (
     Candidates,
@@ -117,7 +117,16 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(lengths > 0.0, linear - weight * lengths, np.inf))
         cost += worst
+    if _symmetric(context, group):
+        cost += off_plane(context, choice.anchors[:, 0])
     return choice, cost
+
+
+def _symmetric(context: Context, group: Group) -> bool:
+    """Whether the element is its own mirror image."""
+    if not context.symmetry.normal.any() or context.settings.symmetry.double_middle:
+        return False
+    return {int(context.symmetry.twins[control]) for control in group.controls} == set(group.controls)
 
 
 def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:

@@ -9,13 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
+from usdrigui.layout.affinity import Affinity, affinity
+from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Floats, Indices, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import Settings
+from usdrigui.surface import mesh_triangles, point_areas
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +31,27 @@ class Context:
     symmetry: Symmetry
     views: Views
     settings: Settings
+
+    @cached_property
+    def areas(self) -> Floats:
+        """(n,) area of the surface around each place; zero for points that are not the first of a place."""
+        corners = mesh_triangles(self.rig.meshes)
+        return point_areas(self.trajectories.base, corners, self.trajectories.places)
+
+    @cached_property
+    def fields(self) -> Fields:
+        """The motions of all controls as one table."""
+        return motion_fields(self.trajectories, self.areas)
+
+    @cached_property
+    def affinity(self) -> Affinity:
+        """How alike the motions are."""
+        return affinity(self.fields)
+
+    @cached_property
+    def both_ways(self) -> tuple[int, ...]:
+        """Indices of the motions whose control goes to both sides of its base value."""
+        return reversed_controls(self.trajectories)
 
     @property
     def handle_width(self) -> float:
@@ -40,7 +65,7 @@ LinearTerm = Callable[[Context, Motion, Indices], Floats]
 def linear_cost(context: Context, motion: Motion, points: Indices) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     cost = np.zeros(len(points))
-    for term in (occlusion, off_plane):
+    for term in (occlusion,):
         cost += term(context, motion, points)
     return cost
 
@@ -64,12 +89,9 @@ def occlusion(context: Context, motion: Motion, points: Indices) -> Floats:
     return np.asarray(price * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
 
 
-def off_plane(context: Context, motion: Motion, points: Indices) -> Floats:
-    """A control symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
+def off_plane(context: Context, points: Indices) -> Floats:
+    """An element symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
     deformations): the price times the distance in handle widths."""
-    symmetric = context.symmetry.twins[motion.control] == motion.control and context.symmetry.normal.any()
-    if not symmetric or context.settings.symmetry.double_middle:
-        return np.zeros(len(points))
     apart = np.abs(plane_distance(context.trajectories.base[points], context.symmetry))
     return np.asarray(context.settings.symmetry.plane_price * apart / context.handle_width)
 

@@ -57,16 +57,18 @@ def find_views(
     return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster)
 
 
-def mostly_hidden(views: Views, tracks: Floats, normals: Floats, share: float = 0.5) -> Flags:
+def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float, share: float = 0.5) -> Flags:
     """(p,) tracks (p, k, 3) of which more than `share` lies inside or behind the model from every view.
 
-    `normals` (p, 3) are those of the anchors.  False throughout when occlusion is switched off.
+    A track sinks by `depth` before it counts as hidden: lids slide under their fold and are grabbed all
+    the same.  `normals` (p, 3) are those of the anchors.  False throughout without occlusion.
     """
     hidden = np.full(len(tracks), views.caster is not None)
     if views.caster is not None:
         for direction in views.directions:
             ask = np.flatnonzero(hidden)
-            hidden[ask] = hidden_share(views.caster, tracks[ask], normals[ask], direction) > share
+            lifted = tracks[ask] + depth * direction
+            hidden[ask] = hidden_share(views.caster, lifted, normals[ask], direction) > share
     return hidden
 
 
