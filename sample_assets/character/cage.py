@@ -11,7 +11,7 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-ROWS = 34
+ROWS = 36
 COLUMNS = 28
 CAP_WIDTH = 7
 CAP_LENGTH = COLUMNS - 2 * CAP_WIDTH
@@ -51,9 +51,9 @@ class Block:
 
 BLOCKS = {
     "eye": Block(row=6, column=3, rows=4, columns=8),
-    "mouth": Block(row=17, column=0, rows=4, columns=6),
-    "nostril": Block(row=13, column=1, rows=2, columns=2),
-    "ear": Block(row=9, column=16, rows=6, columns=4),
+    "mouth": Block(row=19, column=0, rows=4, columns=6),
+    "nostril": Block(row=15, column=1, rows=2, columns=2),
+    "ear": Block(row=10, column=16, rows=6, columns=4),
 }
 RINGS = {"eye": 8, "mouth": 10, "nostril": 3, "ear": 8}
 """Loops per feature; the first is the block's outline."""

@@ -23,8 +23,8 @@ def distance(p: Floats) -> Floats:
     q = p.copy()
     q[:, 0] = np.sqrt(p[:, 0] ** 2 + 0.02)
     d = _skull(q)
-    d = _union(d, _nose(q), 0.55)
-    d = _cut(d, _ellipsoid(q, EYE + [0.05, 0.05, 2.25], (2.45, 1.75, 1.85)), 1.0)
+    d = _union(d, _nose(q), 0.7)
+    d = _cut(d, _ellipsoid(q, (3.2, 0.05, 8.05), (2.45, 1.75, 1.85)), 1.0)
     d = _union(d, _ball(q, EYE, LID_RADIUS), 0.5)
     return _union(d, _ball(q, (1.0, 0.1, 7.0), 0.5), 0.8)
 
@@ -67,19 +67,20 @@ def _skull(q: Floats) -> Floats:
     d = _ellipsoid(q, (0.0, 3.2, -1.4), (7.3, 7.7, 9.0))
     d = _union(d, _ellipsoid(q, (0.0, -2.0, 1.6), (5.8, 6.8, 6.5)), 2.0)
     d = _union(d, _ellipsoid(q, (0.0, -6.4, 3.5), (3.9, 3.3, 4.2)), 1.6)
-    d = _union(d, _capsule(q, (4.7, -4.2, 0.2), (1.7, -8.6, 5.2), 1.15, 1.1), 1.5)
-    d = _union(d, _ellipsoid(q, (0.0, -8.9, 6.5), (1.7, 1.35, 1.45)), 1.1)
+    d = _union(d, _capsule(q, (4.5, -4.0, 0.2), (1.6, -8.5, 5.2), 1.1, 1.1), 1.5)
+    d = _union(d, _ellipsoid(q, (0.0, -8.9, 6.75), (1.7, 1.35, 1.45)), 1.1)
     d = _union(d, _ellipsoid(q, (4.0, -2.3, 4.8), (1.9, 1.5, 1.9)), 1.8)
+    d = _union(d, _ellipsoid(q, (2.6, -4.9, 4.3), (2.2, 2.6, 2.7)), 1.6)
     d = _union(d, _ellipsoid(q, (0.0, -6.0, 5.8), (3.2, 2.5, 2.8)), 1.2)
-    d = _union(d, _capsule(q, (0.9, 2.25, 6.95), (4.7, 2.45, 5.2), 0.8, 0.65), 1.3)
-    return _union(d, _capsule(q, (0.0, -5.0, -3.2), (0.0, -19.0, -4.4), 3.1, 3.9), 1.8)
+    d = _union(d, _capsule(q, (0.0, 2.2, 6.95), (4.7, 2.55, 5.2), 0.75, 0.65), 1.5)
+    return _union(d, _capsule(q, (0.0, -5.0, -3.2), (0.0, -17.0, -4.4), 3.1, 3.7), 2.0)
 
 
 def _nose(q: Floats) -> Floats:
-    d = _capsule(q, (0.0, 1.2, 7.15), (0.0, -2.9, 9.15), 0.62, 0.68)
-    d = _union(d, _ball(q, (0.0, -3.15, 9.6), 0.86), 0.45)
-    d = _union(d, _ellipsoid(q, (1.1, -3.6, 8.6), (0.6, 0.56, 0.8)), 0.4)
-    return _union(d, _capsule(q, (0.0, -3.7, 9.2), (0.0, -4.15, 8.2), 0.36, 0.45), 0.4)
+    d = _capsule(q, (0.0, 1.2, 7.0), (0.0, -2.7, 8.75), 0.62, 0.66)
+    d = _union(d, _ball(q, (0.0, -3.0, 9.15), 0.86), 0.5)
+    d = _union(d, _ellipsoid(q, (1.02, -3.4, 8.4), (0.64, 0.60, 0.80)), 0.32)
+    return _union(d, _capsule(q, (0.0, -3.5, 8.95), (0.0, -3.95, 8.1), 0.38, 0.45), 0.4)
 
 
 def _union(a: Floats, b: Floats, k: float) -> Floats:

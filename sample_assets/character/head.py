@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +18,7 @@ LID_MARGIN = 4
 """Loop of the lid's outer edge; the next one is the inner edge."""
 LIP_EDGE = 4
 """Loop along which the lips meet."""
-NECK_Y = -16.5
+NECK_Y = -15.2
 RELAX_ROUNDS = 60
 
 
@@ -44,10 +45,24 @@ def build_head() -> Head:
 
 # --- laying the cage on the form ---------------------------------------------------------------------
 
-_FRONT_Y = [10.7, 9.7, 8.4, 7.0, 5.6, 4.2, 2.7, 1.5, 0.4, -0.7, -1.7, -2.35, -2.95, -3.5, -3.95, -4.35, -4.7, -5.05]
-_FRONT_Y += [-5.9, -6.5, -7.3, -8.15, -8.7, -9.2, -9.7, -10.1, -10.3, -10.3, -10.4, -11.0, -12.6, -13.8, -15.1, NECK_Y]
-_FRONT_Z = [3.4, 5.0, 6.4, 7.3, 7.8, 8.0, 7.8, 7.8, 7.8, 8.2, 8.7, 9.3, 9.9, 10.0, 9.3, 8.4, 8.2, 8.2]
-_FRONT_Z += [8.2, 8.2, 8.0, 7.8, 7.8, 7.8, 7.5, 6.6, 5.3, 3.8, 2.2, 0.8, 0.1, 0.0, 0.0, 0.0]
+# fmt: off
+_FRONT_Y = [10.7, 9.7, 8.4, 7.0, 5.6, 4.2, 2.7, 1.5, 0.4, -0.6, -1.3, -1.7, -2.15, -2.6, -3.05, -3.55, -3.85, -4.15,
+            -4.55, -5.05, -5.9, -6.5, -7.3, -8.15, -8.7, -9.2, -9.7, -10.1, -10.3, -10.3, -10.4, -11.0, -12.0, -13.0,
+            -14.1, NECK_Y]
+_FRONT_Z = [3.4, 5.0, 6.4, 7.3, 7.8, 8.0, 7.8, 7.8, 7.8, 8.2, 8.7, 9.2, 9.6, 10.0, 10.6, 10.3, 9.6, 8.75,
+            8.2, 8.2, 8.2, 8.2, 8.0, 7.8, 7.8, 7.8, 7.5, 6.6, 5.3, 3.8, 2.2, 0.8, 0.1, 0.0, 0.0, 0.0]
+"""Height and depth of each row on the mid-plane, to aim by."""
+_NOSE = {
+    11: ((0.00, -1.70, 8.95), (0.34, -1.72, 8.80), (0.61, -1.80, 8.35), (0.98, -1.95, 7.75)),
+    12: ((0.00, -2.15, 9.35), (0.37, -2.20, 9.15), (0.65, -2.30, 8.75), (1.02, -2.45, 8.15), (1.40, -2.40, 7.75), (1.91, -2.35, 7.45)),
+    13: ((0.00, -2.60, 9.95), (0.39, -2.65, 9.75), (0.71, -2.75, 9.25), (1.12, -2.85, 8.75), (1.51, -2.90, 8.35), (1.95, -2.85, 7.65)),
+    14: ((0.00, -3.05, 10.25), (0.42, -3.10, 10.05), (0.79, -3.15, 9.55), (1.26, -3.20, 9.15), (1.67, -3.40, 8.50), (1.97, -3.40, 7.75)),
+    15: ((0.00, -3.55, 10.00), (0.35, -3.62, 9.65), (0.73, -3.65, 9.45), (1.19, -3.70, 9.10), (1.63, -3.78, 8.45), (1.95, -3.85, 7.65)),
+    16: ((0.00, -3.85, 9.25), (0.28, -3.92, 8.95), (0.74, -4.00, 8.65), (1.44, -4.00, 8.40), (1.67, -4.02, 8.05), (1.95, -4.20, 7.55)),
+    17: ((0.00, -4.15, 8.40), (0.37, -4.12, 8.15), (0.84, -4.15, 8.00), (1.32, -4.15, 7.90), (1.72, -4.35, 7.60), (2.05, -4.50, 7.45)),
+}
+"""Row: places of its first columns, laid on the form; rows 15 to 17 frame the nostril."""
+# fmt: on
 
 
 def _first_guess(cage: Cage) -> tuple[Floats, NDArray[np.bool_]]:
@@ -56,15 +71,30 @@ def _first_guess(cage: Cage) -> tuple[Floats, NDArray[np.bool_]]:
     fixed = np.zeros(len(points), dtype=bool)
     _lay_grid(cage, points)
     _lay_cap(cage, points)
-    for name, shape in (("eye", _eye_loops), ("mouth", _mouth_loops), ("nostril", _nostril_loops), ("ear", _ear_loops)):
+    nose = {
+        cage.grid(row, column): place for row, places in _NOSE.items() for column, place in _on_grid(cage, row, places)
+    }
+    points[list(nose)] = form.project(np.array(list(nose.values())), rounds=8)
+    fixed[list(nose)] = True
+    outline = points[cage.loops["nostril"][0]]
+    for name, loops in (
+        ("eye", _eye_loops()),
+        ("mouth", _mouth_loops()),
+        ("ear", _ear_loops()),
+        ("nostril", _nostril_loops(outline)),
+    ):
         rings = np.array(cage.loops[name])
-        points[rings] = shape()
+        points[rings] = loops
         fixed[rings] = True
     for name in cage.fills:
         _lay_fill(cage, name, points)
         fixed[cage.fills[name]] = True
     fixed[[cage.grid(ROWS - 1, column) for column in range(COLUMNS + 1)]] = True
     return points, fixed
+
+
+def _on_grid(cage: Cage, row: int, places: Sequence[tuple[float, ...]]) -> list[tuple[int, tuple[float, ...]]]:
+    return [(column, place) for column, place in enumerate(places) if ("grid", row, column) in cage.number]
 
 
 def _azimuths() -> Floats:
@@ -74,7 +104,7 @@ def _azimuths() -> Floats:
 
 def _lay_grid(cage: Cage, points: Floats) -> None:
     steps = np.arange(ROWS)
-    back_y = np.interp(steps, [0, 25, ROWS - 1], [10.7, -8.5, NECK_Y])
+    back_y = np.interp(steps, [0, 27, ROWS - 1], [10.7, -8.5, NECK_Y])
     back_z = np.interp(back_y, [NECK_Y, -8.5, -4.0, 2.0, 8.0, 10.7], [-8.2, -6.6, -8.2, -10.3, -9.2, -5.9])
     front = np.stack([np.zeros(ROWS), _FRONT_Y, _FRONT_Z], axis=1)
     back = np.stack([np.zeros(ROWS), back_y, back_z], axis=1)
@@ -183,7 +213,7 @@ def lid_contour(grow: float, above: float, below: float) -> tuple[Floats, Floats
     x = EYE[0] + 0.08 - (1.54 + grow) * np.cos(angle)
     arch = np.sin(angle)
     tilt = -0.14 * np.cos(angle) - 0.02
-    upper = (1.02 + above) * np.abs(arch) ** 1.15 * (1.0 + 0.10 * np.cos(angle))
+    upper = (0.90 + above) * np.abs(arch) ** 1.15 * (1.0 + 0.10 * np.cos(angle))
     lower = (0.70 + below) * np.abs(arch) ** 1.15 * (1.0 - 0.12 * np.cos(angle))
     return x, EYE[1] + tilt + np.where(arch >= 0, upper, -lower)
 
@@ -226,21 +256,23 @@ def _mouth_loops() -> Floats:
     x = np.cos(angle)
     outline = _front(*_mouth_loop(3.35, -4.85, -8.35, -6.45))
     muzzle = _front(*_mouth_loop(2.8, -5.12, -7.75, -6.42))
-    s = x * 2.25
-    meet = -6.28 - 0.07 * np.exp(-((s / 0.45) ** 2)) + 0.06 * np.exp(-(((s - 0.9) / 0.6) ** 2)) - 0.05 * x**4
-    bow = -5.66 - 0.10 * np.exp(-((s / 0.3) ** 2)) + 0.04 * np.exp(-(((s - 0.55) / 0.35) ** 2))
+    s = x * 2.12
+    meet = (
+        -6.30 + 0.22 * x**3 - 0.07 * np.exp(-((s / 0.45) ** 2)) + 0.06 * np.exp(-(((s - 0.9) / 0.6) ** 2)) - 0.05 * x**4
+    )
+    bow = -5.60 - 0.10 * np.exp(-((s / 0.3) ** 2)) + 0.04 * np.exp(-(((s - 0.55) / 0.35) ** 2))
     rise = np.sqrt(np.clip(1.0 - x**2.4, 0.0, 1.0))
-    border_y = np.where(upper, meet + (bow - meet) * rise**1.2, meet + (-7.08 - meet) * rise**0.9)
-    border = _front(x * 2.38, border_y)
+    border_y = np.where(upper, meet + (bow - meet) * rise**1.2, meet + (-7.14 - meet) * rise**0.9)
+    border = _front(x * 2.26, border_y)
     full = rise**0.8
     body_y = meet + (border_y - meet) * 0.52
     body = _front(s * 1.03, body_y)
     body[:, 2] += np.where(upper, 0.24, 0.34) * full
-    edge_y = meet + np.where(upper, 0.03, -0.03) * full
+    edge_y = meet + np.where(upper, 0.01, -0.01) * full
     edge = _front(s, edge_y)
     edge[:, 2] += np.where(upper, 0.12, 0.16) * full - 0.12
-    inside = edge + np.stack([-0.02 * x, np.where(upper, 0.0, 0.0) * full, np.full(17, -0.4)], axis=1)
-    behind = inside + np.stack([0.05 * x, np.where(upper, 0.35, -0.35) * full, -0.45 - 0.0 * x], axis=1)
+    inside = edge + np.stack([-0.02 * x, np.where(upper, -0.09, 0.09) * full, np.full(17, -0.4)], axis=1)
+    behind = inside + np.stack([0.05 * x, np.where(upper, 0.44, -0.44) * full, np.full(17, -0.45)], axis=1)
     bags = []
     for width, top, bottom, depth, corner_depth in (
         (2.5, -4.9, -8.0, 6.1, 4.6),
@@ -254,28 +286,20 @@ def _mouth_loops() -> Floats:
     return loops
 
 
-def _nostril_loops() -> Floats:
-    block = BLOCKS["nostril"]
-    count = len(block.outline())
-    angle = np.pi - np.linspace(0.0, 2 * np.pi, count, endpoint=False)
-    axis, across = np.array([0.12, 0.35, 0.93]), np.array([1.0, 0.0, -0.1])
-    centre = np.array([0.64, -4.02, 8.9])
-
-    def ring(width: float, length: float) -> Floats:
-        return centre + np.outer(np.cos(angle) * width, across) + np.outer(np.sin(angle) * length, axis)
-
-    rim = form.project(ring(0.46, 0.62), rounds=6)
-    lip = form.project(ring(0.28, 0.40), rounds=6)
-    hole = ring(0.20, 0.30) + np.array([0.02, 0.42, -0.10])
-    return np.array([rim, lip, hole])
+def _nostril_loops(outline: Floats) -> Floats:
+    """The outline on the underside of the nose, a rim within it and the hole above."""
+    centre = outline.mean(axis=0)
+    rim = form.project(centre + 0.70 * (outline - centre), rounds=6)
+    hole = centre + 0.55 * (outline - centre) + [0.02, 0.45, -0.05]
+    return np.array([outline, rim, hole])
 
 
 def _ear_loops() -> Floats:
     """Ear in its own plane: `back` along the head, `up`, and `out` away from it."""
     count = len(BLOCKS["ear"].outline())
     angle = np.pi - np.linspace(0.0, 2 * np.pi, count, endpoint=False)
-    back, up, out = np.array([0.34, -0.12, -0.92]), np.array([0.06, 0.98, -0.16]), np.array([0.92, 0.0, 0.36])
-    foot = np.array([7.0, -1.2, -0.9])
+    back, up, out = np.array([0.20, -0.12, -0.97]), np.array([0.05, 0.98, -0.16]), np.array([0.97, 0.0, 0.20])
+    foot = np.array([6.75, -1.2, -0.9])
     c, s = np.cos(angle), np.sin(angle)
     egg = 1.0 + 0.22 * s
     root = form.project(foot + np.outer(0.75 * c, [0.0, 0.0, -1.0]) * 1.5 + np.outer(2.3 * s, up), rounds=8)
@@ -286,10 +310,10 @@ def _ear_loops() -> Floats:
         away = lift + fold * (1.0 + c) / 2
         return foot + np.outer(a, back) + np.outer(height * s + 0.1, up) + np.outer(away, out)
 
-    behind = ring(1.15, 2.35, 0.55, 0.25, 0.35)
-    rim = ring(1.55, 2.75, 0.75, 0.42, 0.75)
-    front = ring(1.38, 2.55, 0.72, 0.62, 0.78)
-    groove = ring(1.12, 2.15, 0.62, 0.48, 0.45)
-    fold = ring(0.85, 1.55, 0.45, 0.52, 0.40)
-    concha = ring(0.55, 0.95, 0.25, 0.12, 0.05)
+    behind = ring(1.15, 2.35, 0.55, 0.20, 0.20)
+    rim = ring(1.50, 2.70, 0.75, 0.36, 0.50)
+    front = ring(1.33, 2.48, 0.72, 0.55, 0.52)
+    groove = ring(1.10, 2.12, 0.62, 0.40, 0.28)
+    fold = ring(0.85, 1.55, 0.45, 0.46, 0.28)
+    concha = ring(0.55, 0.95, 0.25, 0.05, 0.0)
     return np.array([root, stem, behind, rim, front, groove, fold, concha])

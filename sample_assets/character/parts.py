@@ -16,6 +16,7 @@ LIP = (0.74, 0.36, 0.35)
 INNER_MOUTH = (0.42, 0.13, 0.14)
 LID_LINE = (0.45, 0.27, 0.22)
 HAIR = (0.20, 0.12, 0.08)
+HAIR_TOP = (0.33, 0.20, 0.12)
 GUM = (0.75, 0.40, 0.40)
 TOOTH = (0.93, 0.90, 0.82)
 TONGUE = (0.78, 0.38, 0.38)
@@ -44,6 +45,7 @@ def build_parts(head: Head) -> list[Part]:
         Part("Head", head.points, head.faces, head.mirror, _skin_colors(head)),
         _whole("Brows", *_brow(), HAIR),
         _whole("Lashes", *_lash(head), HAIR),
+        _whole("Hair", *_hair(), HAIR_TOP),
         _teeth("UpperTeeth", gum_y=-5.0, root_y=-5.65, edge_y=-6.42, front=7.35, half_width=2.0),
         _teeth("LowerTeeth", gum_y=-7.9, root_y=-7.15, edge_y=-6.45, front=7.08, half_width=1.88),
         _tongue(),
@@ -71,9 +73,10 @@ def _skin_colors(head: Head) -> Floats:
         near = np.sum(((np.abs(points) * [1, 0, 0] + points * [0, 1, 1] - centre) / radii) ** 2, axis=1)
         colors += (0.55 * np.exp(-2.0 * near))[:, None] * (np.array(BLUSH) - colors)
     mouth, eye = head.loops["mouth"], head.loops["eye"]
-    stains = [(mouth[2], LIP, 0.55), (mouth[3], LIP, 1.0), (mouth[4], LIP, 1.0), (mouth[5], INNER_MOUTH, 0.5)]
+    stains = [(mouth[2], LIP, 0.3), (mouth[3], LIP, 1.0), (mouth[4], LIP, 1.0), (mouth[5], INNER_MOUTH, 0.5)]
     stains += [(ring, INNER_MOUTH, 1.0) for ring in mouth[6:]]
     stains += [(eye[LID_MARGIN], LID_LINE, 0.55), (eye[LID_MARGIN + 1], LID_LINE, 0.9)]
+    stains += [(head.loops["nostril"][2], INNER_MOUTH, 0.7)]
     for ring, stain, share in stains:
         for vertices in (ring, head.mirror[ring]):
             colors[vertices] += share * (np.array(stain) - colors[vertices])
@@ -83,8 +86,8 @@ def _skin_colors(head: Head) -> Floats:
 # --- eyeballs ----------------------------------------------------------------------------------------
 
 _EYE_RINGS = (
-    (6.5, (0.015, 0.015, 0.02)), (9.5, (0.015, 0.015, 0.02)), (10.8, (0.16, 0.30, 0.30)), (17.0, (0.24, 0.44, 0.42)),
-    (22.0, (0.12, 0.27, 0.29)), (24.2, (0.04, 0.09, 0.11)), (26.5, (0.86, 0.86, 0.85)), (36.0, (0.93, 0.92, 0.90)),
+    (7.5, (0.015, 0.015, 0.02)), (11.0, (0.015, 0.015, 0.02)), (12.3, (0.16, 0.30, 0.30)), (19.0, (0.24, 0.44, 0.42)),
+    (24.5, (0.12, 0.27, 0.29)), (27.0, (0.04, 0.09, 0.11)), (29.3, (0.86, 0.86, 0.85)), (38.0, (0.93, 0.92, 0.90)),
     (50.0, (0.92, 0.89, 0.87)), (70.0, (0.90, 0.82, 0.79)), (95.0, (0.86, 0.72, 0.68)), (125.0, (0.80, 0.60, 0.56)),
 )  # fmt: skip
 """Angle from the pupil's axis in degrees, colour."""
@@ -182,7 +185,7 @@ def _brow() -> tuple[Floats, list[tuple[int, ...]]]:
     stations, sides = 11, 6
     t = np.linspace(0.0, 1.0, stations)
     x = 1.15 + 4.1 * t
-    y = 2.55 + 0.75 * np.sin(np.pi * np.clip(t * 0.80 + 0.04, 0, 1)) - 0.25 * t**3
+    y = 2.62 + 0.72 * np.sin(np.pi * np.clip(t * 0.80 + 0.04, 0, 1)) - 0.25 * t**3
     spine = form.cast(np.column_stack([x, y, 0 * x]), np.repeat([[0.0, 0.0, 1.0]], stations, axis=0), reach=14.0)
     normal = form.normals(spine)
     along = np.gradient(spine, axis=0)
@@ -212,8 +215,57 @@ def _lash(head: Head) -> tuple[Floats, list[tuple[int, ...]]]:
     share = np.arange(13) / 12.0
     away = root - EYE
     away /= np.linalg.norm(away, axis=1, keepdims=True)
-    length = (0.10 + 0.34 * np.sin(np.pi * share**1.3) + 0.12 * share**2)[:, None]
+    length = (0.06 + 0.24 * np.sin(np.pi * share**1.3) + 0.12 * share**2)[:, None]
     sweep = np.column_stack([0.9 * (share - 0.35), np.full(13, 0.15), np.zeros(13)])
     middle = root + length * 0.55 * (away + 0.4 * sweep)
     tip = root + length * (away + sweep + [0.0, 0.45, -0.1])
     return np.concatenate([root, middle, tip]), _sheet(3, 13)
+
+
+_HAIR_CENTRE = np.array([0.0, 2.0, -1.0])
+_HAIR_LINE = (
+    (0, 33),
+    (25, 34),
+    (45, 40),
+    (56, 30),
+    (66, -4),
+    (74, -8),
+    (82, 6),
+    (98, 8),
+    (114, 2),
+    (126, -26),
+    (150, -44),
+    (180, -47),
+)
+"""Azimuth from the front and height of the hairline as seen from the centre, degrees."""
+_HAIR_DEPTHS = (0.80, 0.80, 0.80, 0.80, 0.78, 0.75, 0.70, 0.62, 0.50, 0.30, -0.12)
+"""Thickness of the hair from the crown to the hairline."""
+
+
+def _hair() -> tuple[Floats, list[tuple[int, ...]]]:
+    """Short hair combed from the crown: half a shell over the skull with ridges along the strands."""
+    columns = 40
+    azimuth, height = np.radians(np.array(_HAIR_LINE, dtype=float).T)
+    turn = np.linspace(0.0, np.pi, columns + 1)
+    line = np.interp(turn, azimuth, height)
+    line[1:-1] = (line[:-2] + 2 * line[1:-1] + line[2:]) / 4
+    ends = np.column_stack([np.cos(line) * np.sin(turn), np.sin(line), np.cos(line) * np.cos(turn)])
+    crown = np.array([0.0, np.cos(np.radians(28)), -np.sin(np.radians(28))])
+    arc = np.arccos(np.clip(ends @ crown, -1.0, 1.0))[:, None]
+    rows = len(_HAIR_DEPTHS)
+    shares = np.append(np.linspace(1.0 / rows, 0.975, rows - 1), 1.0)
+    rings = []
+    for row, (share, depth) in enumerate(zip(shares, _HAIR_DEPTHS, strict=True)):
+        rays = (np.sin((1 - share) * arc) * crown + np.sin(share * arc) * ends) / np.sin(arc)
+        rays[[0, -1], 0] = 0.0
+        skin = form.cast(np.repeat(_HAIR_CENTRE[None], columns + 1, axis=0), rays, reach=16.0)
+        strand = (
+            0.17 * np.cos(np.arange(columns + 1) * np.pi * 0.5 + 0.8 * share) * np.sin(np.pi * min(share * 1.1, 1.0))
+        )
+        lift = depth * (1.0 + 0.35 * np.clip(np.cos(turn), 0.0, 1.0) * share) + (strand if row < rows - 1 else 0.0)
+        rings.append(skin + form.normals(skin) * lift[:, None])
+        rings[-1][[0, -1], 0] = 0.0
+    top = form.cast(_HAIR_CENTRE[None], crown[None], reach=16.0) + crown * 0.72
+    faces: list[tuple[int, ...]] = [(0, 1 + k, 2 + k) for k in range(columns)]
+    faces += [tuple(1 + vertex for vertex in face[::-1]) for face in _sheet(rows, columns + 1)]
+    return np.concatenate([top, *rings]), faces

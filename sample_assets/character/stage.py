@@ -20,7 +20,7 @@ ROOT = Sdf.Path("/Char")
 
 _MIRRORED_EYE = EYE * [-1.0, 1.0, 1.0]
 JOINTS: Mapping[str, Floats] = {
-    "Neck": np.array([0.0, -15.0, -4.0]),
+    "Neck": np.array([0.0, -14.0, -4.0]),
     "Neck/Head": np.array([0.0, -8.0, -1.8]),
     "Neck/Head/Jaw": JAW_PIVOT,
     "Neck/Head/EyeLeft": EYE,
@@ -30,6 +30,7 @@ JOINTS: Mapping[str, Floats] = {
 RIGID: Mapping[str, str] = {
     "Brows": "Neck/Head",
     "Lashes": "Neck/Head",
+    "Hair": "Neck/Head",
     "UpperTeeth": "Neck/Head",
     "LowerTeeth": "Neck/Head/Jaw",
     "Tongue": "Neck/Head/Jaw",
