@@ -1,0 +1,33 @@
+"""docs/report.md names every field of the report."""
+
+import re
+from pathlib import Path
+
+import skinned_stages
+
+from usdrigui import load_settings, process
+from usdrigui.report import to_json
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "report.md"
+
+
+def test_every_field_is_documented(tmp_path):
+    import json
+
+    report = process(skinned_stages.character(tmp_path / "char.usda"), load_settings(), dry_run=True)
+    document = json.loads(to_json(report))
+    character = document["characters"][0]
+    fields = {*document, *character, *character["controls"][0], *character["elements"][0], *character["solution"]}
+    fields |= set(character["solution"]["steps"][0])
+    words = set(re.findall(r"[a-z_0-9]+", PAGE.read_text(encoding="utf-8")))
+    assert fields - words == set()
+
+
+def test_reference_pages_are_up_to_date():
+    import importlib.util
+
+    spec = importlib.util.spec_from_file_location("generate", PAGE.parent / "generate.py")
+    generate = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(generate)
+    for name, text in generate.pages().items():
+        assert (PAGE.parent / name).read_text(encoding="utf-8") == text, "run: python docs/generate.py"
