@@ -119,8 +119,9 @@ class SymmetrySettings:
     """Least agreement of two controls' mirrored trajectories to be called twins."""
     fold: bool = True
     """Optimise one of each pair of twins only (paper section 3.3)."""
-    plane_price: float = 0.3
-    """Cost per handle width of distance from the plane for self-symmetric controls."""
+    plane_price: float = 0.1
+    """Cost per handle width of distance from the plane for self-symmetric elements, counted from their
+    candidate nearest to it."""
     double_middle: bool = False
     """Give a self-symmetric control two mirrored elements instead of one on the plane."""
 

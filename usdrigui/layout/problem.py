@@ -118,7 +118,8 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
             worst = np.maximum(worst, np.where(lengths > 0.0, linear - weight * lengths, np.inf))
         cost += worst
     if _symmetric(context, group):
-        cost += off_plane(context, choice.anchors[:, 0])
+        away = off_plane(context, choice.anchors[:, 0])
+        cost += away - away.min(initial=np.inf) if len(away) else away
     return choice, cost
 
 

@@ -91,7 +91,8 @@ def occlusion(context: Context, motion: Motion, points: Indices) -> Floats:
 
 def off_plane(context: Context, points: Indices) -> Floats:
     """An element symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
-    deformations): the price times the distance in handle widths."""
+    deformations): the price times the distance in handle widths.  `layout_problem` counts from the
+    nearest candidate, so that an element with none on the plane is not driven beside the face."""
     apart = np.abs(plane_distance(context.trajectories.base[points], context.symmetry))
     return np.asarray(context.settings.symmetry.plane_price * apart / context.handle_width)
 

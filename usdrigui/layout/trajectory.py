@@ -83,8 +83,9 @@ def _refined(
         _, found = sweep(rig, start, index, middles)
         chord = 0.5 * (offsets[where] + offsets[where + 1])
         missed = np.linalg.norm(found - chord, axis=2).max(axis=1, initial=0.0)
-        wrong = missed > settings.tolerance * max(float(_arc_lengths(offsets).max(initial=0.0)), 1e-30)
-        # A middle that was computed is kept: it costs nothing more and the halves start from it.
+        allowed = settings.tolerance * max(float(_arc_lengths(offsets).max(initial=0.0)), 1e-30)
+        # The middle is kept, and a chord of half the length misses a smooth curve by a quarter.
+        wrong = missed > 4.0 * allowed
         pending = _split(pending, where, wrong)
         values = np.insert(values, where + 1, middles)
         offsets = np.insert(offsets, where + 1, found, axis=0)
