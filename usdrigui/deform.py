@@ -249,7 +249,7 @@ def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Sing
     if len(linear) > 1:
         turned = np.einsum("kpi,pij->kpj", offsets, linear[local].astype(np.float32))
         return np.asarray(turned, dtype=np.float32)
-    if np.array_equal(linear[0], np.eye(3)):
+    if np.abs(linear[0] - np.eye(3)).max() <= _SAME:
         return offsets.astype(np.float32, copy=False)
     return np.asarray(offsets @ linear[0].astype(np.float32), dtype=np.float32)
 

@@ -103,9 +103,6 @@ _CODES: dict[str, Code] = {
         "USD crashed, or gave an answer without sense, while it read the asset.",
         "Export the asset again; if a sound file does this, report it to the makers of USD.",
     ),
-    "SOURCE_USD_ERROR": Code(
-        "error", "USD raised an error while it read the asset.", "Check the asset with usdchecker, or export it again."
-    ),
     "SOURCE_TIME_LIMIT": Code(
         "error",
         "Reading the asset took longer than the limit.",
@@ -365,6 +362,12 @@ _CODES: dict[str, Code] = {
         "error",
         "A pose names a control that the character does not have.",
         "Use a name listed by `usdrigui inspect`.",
+        Exit.USAGE,
+    ),
+    "POSE_POINT": Code(
+        "error",
+        "A point to be pulled or pinned does not exist.",
+        "Use an index below the number of points.",
         Exit.USAGE,
     ),
     "POSE_VALUE": Code(

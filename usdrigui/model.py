@@ -11,8 +11,8 @@ of `Rig.meshes`; *local* point means an index into one mesh.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, fields
+from functools import cache, cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -36,15 +36,24 @@ class Record:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for value in vars(self).values():
-            freeze(value)
+        for name in _array_fields(type(self)):
+            freeze(getattr(self, name))
+
+
+@cache
+def _array_fields(record: Any) -> tuple[str, ...]:
+    """Names of the fields that may hold arrays: all but those annotated as a single plain value."""
+    plain = {"str", "int", "float", "bool", "Drive", "ControlKind", "ElementKind", "Side"}
+    return tuple(
+        each.name for each in fields(record) if each.type not in plain and not str(each.type).startswith("Literal")
+    )
 
 
 def freeze(value: Any) -> Any:
     """Make `value` (an array, or a tuple of arrays) read-only in place and return it."""
     if isinstance(value, np.ndarray):
         value.setflags(write=False)
-    elif isinstance(value, tuple):
+    elif type(value) is tuple:
         for item in value:
             if isinstance(item, np.ndarray):
                 item.setflags(write=False)

@@ -189,11 +189,15 @@ def _log_scales(local: Floats, frame: Floats) -> Floats:
 # --- drives and ranges -------------------------------------------------------------------------------
 
 
+_NO_INDICES = np.zeros(0, dtype=np.int64)
+_NO_MOVES = np.zeros((2, 0, 3))
+
+
 def _weight_drive(channels: list[int], span: Range) -> Drive:
+    low, high = span.minimum - span.default, span.maximum - span.default
+    weights = np.array([[low] * len(channels), [high] * len(channels)])
     values = np.array([span.minimum, span.maximum])
-    weights = np.repeat((values - span.default)[:, None], len(channels), axis=1)
-    none = np.zeros((2, 0, 3))
-    return Drive(values, np.array(channels, dtype=np.int64), weights, np.zeros(0, dtype=np.int64), none, none, none)
+    return Drive(values, np.array(channels), weights, _NO_INDICES, _NO_MOVES, _NO_MOVES, _NO_MOVES)
 
 
 def _rotation_drive(joint: int, axis: int, span: Range) -> Drive:

@@ -143,7 +143,7 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
         return None
     query = binding.query
     joints = _integers(_value(query.GetJointIndicesPrimvar(), time), path, "primvars:skel:jointIndices")
-    weights = _numbers(_value(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights")
+    weights = _floats(_value(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights")
     rigid = query.IsRigidlyDeformed()
     width = query.GetNumInfluencesPerComponent()
     expected = width if rigid else width * count
@@ -262,9 +262,10 @@ def _assembled(
         table = table if len(points) == count else table[:, points]
     else:
         points = _integers(indices, path, "pointIndices")
-        if (np.diff(points) <= 0).any():
+        if (points[1:] <= points[:-1]).any():
             points, table = _merged(points, table)
-        _check_range(points[[0, -1]], count, path, "pointIndices")
+        if points[0] < 0 or points[-1] >= count:
+            _check_range(points, count, path, "pointIndices")
     return Shape(channel, path, np.array([weight for weight, _ in rows]), points, table)
 
 
@@ -326,15 +327,22 @@ def _value(attribute: Any, time: Usd.TimeCode) -> Any:
 
 
 def _integers(values: Any, path: str, name: str) -> Indices:
-    integers = np.array(_numbers(values, path, name), dtype=np.int64)
-    if values is not None and not np.issubdtype(np.asarray(values).dtype, np.integer):
+    if values is None:
+        return np.zeros(0, dtype=np.int64)
+    numbers = _numbers(values, path, name)
+    if numbers.dtype.kind not in "iu":
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold integers")
-    return integers
+    return numbers.astype(np.int64)
 
 
-def _vectors(values: Any, path: str, name: str) -> NDArray[np.floating]:
+def _floats(values: Any, path: str, name: str) -> NDArray[Any]:
+    numbers = _numbers(values, path, name)
+    return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
+
+
+def _vectors(values: Any, path: str, name: str) -> NDArray[Any]:
     """(p, 3) finite numbers, without a copy where they are in single precision already."""
-    vectors = _numbers(values, path, name)
+    vectors = _floats(values, path, name)
     if vectors.size % 3:
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold 3-vectors")
     vectors = vectors.reshape(-1, 3)
@@ -342,14 +350,12 @@ def _vectors(values: Any, path: str, name: str) -> NDArray[np.floating]:
     return vectors
 
 
-def _numbers(values: Any, path: str, name: str) -> NDArray[np.floating]:
-    if values is None:
-        return np.zeros(0, dtype=np.float32)
-    try:
-        numbers = np.asarray(values)
-        return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
-    except (TypeError, ValueError):
-        raise refuse("ARRAY_TYPE", path, f"{name} does not hold numbers") from None
+def _numbers(values: Any, path: str, name: str) -> NDArray[Any]:
+    """A numeric array; arrays of USD are viewed, not copied."""
+    numbers = np.asarray(() if values is None else values)
+    if numbers.dtype.kind not in "fiu":
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold numbers")
+    return numbers
 
 
 def _offsets(values: Any, path: str, name: str) -> Singles:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -31,18 +32,21 @@ class Range:
     source: Source
 
 
+Pairs = list[list[float]]
+
+
 @dataclass(frozen=True)
 class Authored:
-    """Ranges found in the asset, per channel; NaN where nothing is said."""
+    """Ranges found in the asset, [minimum, maximum] per channel; NaN where nothing is said."""
 
-    limits: Floats
-    """(channels, 2) `limits` metadata."""
-    metadata: Floats
-    """(channels, 2) ``ranges`` in customData or customLayerData."""
-    inbetweens: Floats
-    """(channels, 2) least and greatest weight of a shape."""
-    animation: Floats
-    """(channels, 2) least and greatest animated weight."""
+    limits: Pairs
+    """`limits` metadata."""
+    metadata: Pairs
+    """``ranges`` in customData or customLayerData."""
+    inbetweens: Pairs
+    """Least and greatest weight of a shape."""
+    animation: Pairs
+    """Least and greatest animated weight."""
 
 
 def read_ranges(
@@ -57,14 +61,15 @@ def read_ranges(
     issues: list[Issue] = []
     limits = _limits(armatures, channels, issues)
     metadata = _metadata(root, channels, issues)
-    between = np.tile([0.0, 1.0], (len(channels), 1))
+    between = [[0.0, 1.0] for _ in channels]
     for mesh in meshes:
         for shape in mesh.shapes:
-            low, high = between[shape.channel]
-            between[shape.channel] = min(low, shape.weights[0]), max(high, shape.weights[-1])
+            if len(shape.weights) > 1:
+                low, high = between[shape.channel]
+                between[shape.channel] = [min(low, float(shape.weights[0])), max(high, float(shape.weights[-1]))]
     animated = weights[None] if clip is None else np.concatenate([weights[None], clip.weights])
     extent = np.stack([animated.min(axis=0), animated.max(axis=0)], axis=1)
-    return Authored(limits, metadata, between, extent), tuple(issues)
+    return Authored(limits.tolist(), metadata.tolist(), between, extent.tolist()), tuple(issues)
 
 
 def blend_shape_range(channel: int, authored: Authored, said: ControlSettings, rest: float) -> Range:
@@ -99,18 +104,18 @@ def custom_data(root: Usd.Prim, key: str) -> Any:
 
 def _authored_range(channel: int, authored: Authored) -> tuple[float, float, Source]:
     low, high = authored.limits[channel]
-    if np.isfinite(low):
-        return float(low), float(high), "limits"
-    source: Source = "default"
-    low, high = 0.0, 1.0
-    if np.isfinite(authored.metadata[channel, 0]):
-        (low, high), source = authored.metadata[channel].tolist(), "metadata"
-    others: tuple[tuple[Floats, Source], ...] = (
+    if not math.isnan(low):
+        return low, high, "limits"
+    source: Source = "metadata"
+    low, high = authored.metadata[channel]
+    if math.isnan(low):
+        low, high, source = 0.0, 1.0, "default"
+    others: tuple[tuple[Pairs, Source], ...] = (
         (authored.inbetweens, "inbetweens"),
         (authored.animation, "animation"),
     )
     for table, name in others:
-        least, greatest = table[channel].tolist()
+        least, greatest = table[channel]
         if least < low - _SNAP:
             low, source = least, name
         if greatest > high + _SNAP:
