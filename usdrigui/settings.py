@@ -180,11 +180,14 @@ class ObjectiveSettings:
 
     displacement_weight: float = 0.85
     """Paper: lambda."""
+    relative_displacement: float = 0.5
+    """How far displacement is measured against the control's own peak (1) rather than against the typical
+    peak of the rig (0): subtle controls are worth their best place too."""
     overlap_max: float = 5.0
     """Paper: a."""
     overlap_radius: float = 1.0
     """Paper: tau, in handle widths; the preset ``paper`` uses the mean edge length instead."""
-    overlap_sharpness: float = 4.0
+    overlap_sharpness: float = 6.0
     """Paper: s, in units of one over the radius."""
     overlap_reach: float = 3.0
     """Elements further apart than this many radii do not interact; 0 for no cut."""
@@ -265,6 +268,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
             "groups": {"opposed": False, "patches": True},
             "objective": {
                 "scene_units": True,
+                "relative_displacement": 0.0,
                 "overlap_sharpness": 2.0,
                 "overlap_reach": 0.0,
                 "separation": False,

@@ -20,6 +20,7 @@ from usdrigui.model import (
     Group,
     Indices,
     LayoutProblem,
+    Motion,
     Overlap,
     Record,
     Variable,
@@ -106,14 +107,13 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
     """
     first = sets[group.controls[0]]
     choice = _with_copies(context, group, index, first.points, first.sources)
-    unit = 1.0 if context.settings.objective.scene_units else context.trajectories.typical_length
     weight = context.settings.objective.displacement_weight
     cost = np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst = np.full(len(cost), -np.inf)
         for control in controls:
             motion = context.trajectories.motions[sets[control].motion]
-            lengths = arc_lengths(motion, choice.sources[:, copy]) / unit
+            lengths = arc_lengths(motion, choice.sources[:, copy]) / _unit(context, motion)
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(lengths > 0.0, linear - weight * lengths, np.inf))
         cost += worst
@@ -121,6 +121,16 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
         away = off_plane(context, choice.anchors[:, 0])
         cost += away - away.min(initial=np.inf) if len(away) else away
     return choice, cost
+
+
+def _unit(context: Context, motion: Motion) -> float:
+    """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
+    settings = context.settings.objective
+    if settings.scene_units:
+        return 1.0
+    own = float(motion.arc_length.max())
+    share = settings.relative_displacement
+    return float(context.trajectories.typical_length ** (1.0 - share) * own**share)
 
 
 def _symmetric(context: Context, group: Group) -> bool:
