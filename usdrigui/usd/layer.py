@@ -17,10 +17,11 @@ from pxr import Sdf
 
 import usdrigui
 from usdrigui.errors import refuse
-from usdrigui.model import Control, Element, Layout, Rig
+from usdrigui.model import Element, Layout, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Carriage
+from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_part
 from usdrigui.usd.safe_write import commit
@@ -56,7 +57,7 @@ def write_layout(
 
     `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a relative
     path unless `settings.bare`.  `guard` may refuse (raise) at the last moment before the commit.
-    Raises RigUIError with a FILE_ code, SOURCE_UNREFERABLE, INSTANCE.
+    Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
     """
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
@@ -79,6 +80,7 @@ def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mappi
             layer.subLayerPaths.append(source)
         for rig, layout in laid:
             _author_layout(layer, rig, layout)
+            author_limits(layer, rig)
     return layer
 
 
@@ -210,7 +212,7 @@ def _author_element(
         control = carriage.control(member.control)
         track = next(name for name, part in parts if part.role == "track" and part.controls == (member.control,))
         figures = {"arcLength": member.arc_length, "gain": member.gain, "track": [xform.path.AppendChild(track)]}
-        _author_control_api(xform, rig, control, instances[member.control], figures)
+        author_control_api(xform, rig, control, instances[member.control], figures)
     for name, part in parts:
         author_part(xform, name, part, rig, element, instances, layout.handle_width)
 
@@ -258,79 +260,3 @@ def _author_anchor_api(xform: Sdf.PrimSpec, element: Element) -> None:
             "normal": anchor.normal,
         },
     )
-
-
-# --- controls ----------------------------------------------------------------------------------------
-
-
-def _author_control_api(
-    xform: Sdf.PrimSpec, rig: Rig, control: Control, instance: str, figures: Mapping[str, Any]
-) -> None:
-    """What any client needs to show a control and to drive it."""
-    author.declare(
-        xform,
-        schema.CONTROL,
-        {
-            "name": "" if control.name == instance else control.name,
-            "kind": control.kind,
-            "label": "" if control.label == control.name else control.label,
-            "source": "" if control.source == control.name else control.source,
-            "minimum": control.minimum,
-            "default": control.default,
-            "maximum": control.maximum,
-            "mesh": _deformed_meshes(rig, control),
-            **figures,
-            **_driven_weights(rig, control),
-            **_driven_joints(rig, control),
-        },
-        instance,
-    )
-
-
-def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
-    drive = control.drive
-    channels = [rig.channels[channel] for channel in drive.channels]
-    animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
-    which = [animations.index(channel.animation) if channel.animation else 0 for channel in channels]
-    found: dict[str, Any] = {
-        "blendShapes": [channel.token for channel in channels],
-        "animation": animations,
-        "blendShapeAnimations": which if any(which) else [],
-    }
-    if not _is_plain(rig, control):
-        found |= {"keys": drive.values, "blendShapeWeights": drive.weights.ravel()}
-    return found
-
-
-def _is_plain(rig: Rig, control: Control) -> bool:
-    """Whether the value of the control is the weight of one blend shape, neither more nor less."""
-    drive = control.drive
-    if len(drive.joints) or len(drive.channels) != 1:
-        return False
-    absolute = rig.base_weights[drive.channels[0]] + drive.weights[:, 0]
-    return bool(abs(absolute - drive.values).max() < 1e-12)
-
-
-def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
-    drive = control.drive
-    joints = [rig.joints[joint] for joint in drive.joints]
-    if not joints:
-        return {}
-    skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
-    which = [skeletons.index(joint.skeleton) for joint in joints]
-    found: dict[str, Any] = {
-        "skeleton": [rig.skeletons[skeleton].path for skeleton in skeletons],
-        "joints": [joint.path for joint in joints],
-        "jointSkeletons": which if any(which) else [],
-        "jointRotations": drive.rotations.reshape(-1, 3),
-    }
-    if drive.translations.any():
-        found["jointTranslations"] = drive.translations.reshape(-1, 3)
-    if drive.scales.any():
-        found["jointScales"] = drive.scales.reshape(-1, 3)
-    return found
-
-
-def _deformed_meshes(rig: Rig, control: Control) -> list[str]:
-    channels = set(control.drive.channels.tolist())
-    return [mesh.path for mesh in rig.meshes if any(shape.channel in channels for shape in mesh.shapes)]

@@ -121,7 +121,12 @@ def _element(prim: Usd.Prim) -> Element:
     def get(name: str) -> Any:
         return _value(prim, schema.ELEMENT, name)
 
-    instances = _strings(get("controls")) or _instances(prim)
+    applied = _instances(prim)
+    instances = _strings(get("controls")) or applied
+    unknown = [instance for instance in instances if instance not in applied]
+    if unknown or not instances:
+        what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
+        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
     mirror = _targets(prim, schema.ELEMENT, "mirror")
     name = str(get("name")) or prim.GetName()
     return Element(
@@ -143,8 +148,6 @@ def _member(prim: Usd.Prim, instance: str, count: int) -> Member:
     def get(name: str) -> Any:
         return _value(prim, schema.CONTROL, name, instance)
 
-    if f"{schema.CONTROL}:{instance}" not in _applied(prim):
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"names the control {instance!r}, but does not apply it")
     track = _track_of(prim, instance, count)
     points = _track_points(track)
     values = _floats(_value(track, schema.TRACK, "weights"))

@@ -10,15 +10,19 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import hashlib
 import os
+import platform
 import re
 import stat
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Literal
 
 from usdrigui.errors import RigUIError, refuse
 
+_DAY = 24 * 3600.0
 _CODES = {
     errno.ENOSPC: "FILE_FULL",
     errno.EDQUOT: "FILE_FULL",
@@ -137,21 +141,28 @@ def _sync_folder(folder: Path) -> None:
 
 
 def _temporary_name(place: Path, process: int) -> str:
-    """Hidden, with the target's suffix, and telling who made it.
+    """Hidden, with the target's suffix, and telling which process of which machine made it."""
+    return f".{place.stem}.{_machine()}.{process}.{os.urandom(6).hex()}.rigui-tmp{place.suffix}"
 
-    The random part keeps threads of one process apart, and machines that share the folder.
-    """
-    return f".{place.stem}.{process}.{os.urandom(6).hex()}.rigui-tmp{place.suffix}"
+
+def _machine() -> str:
+    return hashlib.blake2b(platform.node().encode(), digest_size=4).hexdigest()
 
 
 def _sweep(place: Path) -> None:
-    """Remove the temporaries that dead runs left for this target."""
-    own = re.compile(rf"\.{re.escape(place.stem)}\.(\d+)\.[0-9a-f]{{12}}\.rigui-tmp{re.escape(place.suffix)}")
+    """Remove the temporaries that dead runs left for this target.
+
+    Whether a process of another machine lives cannot be asked, so its temporaries are left for a day.
+    """
+    stem, suffix = re.escape(place.stem), re.escape(place.suffix)
+    own = re.compile(rf"\.{stem}\.([0-9a-f]{{8}})\.(\d+)\.[0-9a-f]{{12}}\.rigui-tmp{suffix}")
     for each in sorted(place.parent.iterdir()):
         match = own.fullmatch(each.name)
-        if match and not _alive(int(match[1])):
+        if match:
             with contextlib.suppress(OSError):
-                each.unlink()
+                here = match[1] == _machine()
+                if not (_alive(int(match[2])) if here else time.time() - each.stat().st_mtime < _DAY):
+                    each.unlink()
 
 
 def _alive(process: int) -> bool:

@@ -1,0 +1,424 @@
+"""Layers: what is written is read back, the same from the same, and says what USD and clients need."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from dataclasses import fields, replace
+from pathlib import Path
+
+import laid_out
+import numpy as np
+import pytest
+import skinned_stages
+from pxr import Sdf, Usd, UsdGeom, UsdValidation
+
+from usdrigui.errors import RigUIError
+from usdrigui.model import LeftOff
+from usdrigui.settings import OutputSettings, Settings, load
+from usdrigui.usd.layer import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
+from usdrigui.usd.read_layout import base_controls, layout_scopes, read_layout, source_of
+from usdrigui.usd.rig import read_rigs
+
+PLAIN = OutputSettings()
+GROUPS = [("smile_L", "sneer_L"), ("jawLeft", "jawRight"), ("half",), ("pucker", "chin", "brow_L"), ("Jaw:rx",)]
+
+
+@pytest.fixture
+def char(tmp_path):
+    """Source, rig and a layout with every kind of element, at a base pose away from rest."""
+    source = skinned_stages.character(
+        tmp_path / "char.usda", moved=True, meshes=2, animated_joints=("Hips/Head", "Hips/Head/Jaw")
+    )
+    (rig,) = read_rigs(source, Settings())
+    layout = laid_out.layout_of(
+        rig, groups=GROUPS, beside=("half",), base_values=0.3 * laid_out.random_values(rig, np.random.default_rng(0))
+    )
+    elements = list(layout.elements)
+    elements[0] = replace(elements[0], mirror=elements[3].name, side="middle", reason="they are alike")
+    elements[1] = replace(elements[1], kind="slider", opposed=((1, 0),), label="Jaw, sideways", adapt="static")
+    elements[4] = replace(elements[4], name="25 jaw:rx", side="none")
+    layout = replace(
+        layout, elements=tuple(elements), left_off=(LeftOff("a", "read", 'has "quotes"'), LeftOff("ü", "solve", ""))
+    )
+    return source, rig, layout
+
+
+def metadata(source):
+    return stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+
+
+def same(first, second):
+    """Records equal to single precision; arrays, floats and tuples compared all the way down."""
+    if isinstance(first, (float, np.ndarray)):
+        assert np.allclose(first, second, rtol=1e-6, atol=1e-6), (first, second)
+    elif isinstance(first, tuple):
+        assert len(first) == len(second)
+        for one, other in zip(first, second, strict=True):
+            same(one, other)
+    elif hasattr(first, "__dataclass_fields__"):
+        for each in fields(first):
+            same(getattr(first, each.name), getattr(second, each.name))
+    else:
+        assert first == second
+
+
+@pytest.mark.parametrize("suffix", [".usda", ".usdc", ".usd"])
+def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
+    source, rig, layout = char
+    target = tmp_path / f"char.rigui{suffix}"
+    assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "written"
+    assert write_layout([(rig, layout)], source, target, PLAIN, metadata(source)) == "unchanged"
+    (back,) = read_layout(target)
+    same(layout, back)
+    (again,) = read_layout(Sdf.Layer.FindOrOpen(str(target)))
+    same(layout, again)
+
+
+def test_optimal_proofs_come_back_exactly(char, tmp_path):
+    source, rig, layout = char
+    layout = replace(layout, cost=-15.165123456789, bound=-15.17, status="optimal", in_play=1e-9, method="highs")
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    (back,) = read_layout(target)
+    assert (back.cost, back.bound, back.in_play) == (layout.cost, layout.bound, layout.in_play)
+
+
+def test_the_same_input_gives_the_same_bytes_everywhere(char, tmp_path):
+    """Another process, hash seed, thread count, time zone, locale, folder: the same file."""
+    source, _, _ = char
+    script = """
+import sys; sys.path.insert(0, sys.argv[1])
+import laid_out
+from pathlib import Path
+from pxr import Sdf
+from usdrigui.settings import OutputSettings, Settings
+from usdrigui.usd.layer import stage_metadata, write_layout
+from usdrigui.usd.rig import read_rigs
+source, target = Path(sys.argv[2]), Path(sys.argv[3])
+(rig,) = read_rigs(source, Settings())
+metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+write_layout([(rig, laid_out.layout_of(rig))], source, target, OutputSettings(), metadata)
+"""
+    found = {".usda": set(), ".usdc": set()}
+    for run, (suffix, contents) in enumerate([*found.items()] * 2):
+        folder = tmp_path / f"place{run}"
+        folder.mkdir()
+        shutil.copy(source, folder / "char.usda")
+        target = folder / f"out{suffix}"
+        environment = {
+            **os.environ,
+            "PYTHONHASHSEED": str(run),
+            "TZ": "Asia/Tokyo" if run > 1 else "UTC",
+            "PXR_WORK_THREAD_LIMIT": str(1 + run % 2),
+        }
+        arguments = [str(Path(__file__).parents[1]), str(folder / "char.usda"), str(target)]
+        subprocess.run([sys.executable, "-c", script, *arguments], check=True, env=environment, cwd=folder, timeout=120)
+        contents.add(target.read_bytes())
+        assert str(tmp_path).encode() not in target.read_bytes()
+    assert [len(contents) for contents in found.values()] == [1, 1]
+
+
+def test_the_layer_validates(char, tmp_path):
+    source, rig, layout = char
+    target = tmp_path / "char.rigui.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    found = UsdValidation.ValidationContext(validators).Validate(Usd.Stage.Open(str(target)))
+    assert [error.GetMessage() for error in found] == []
+
+
+def test_the_source_is_sublayered_by_a_relative_path(char, tmp_path):
+    source, rig, layout = char
+    shelf = tmp_path / "layouts"
+    shelf.mkdir()
+    for target, path in ((tmp_path / "a.usda", "./char.usda"), (shelf / "a.usda", "../char.usda")):
+        write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+        assert list(Sdf.Layer.FindOrOpen(str(target)).subLayerPaths) == [path]
+        assert Path(source_of(target)).resolve() == source.resolve()
+
+
+@pytest.mark.parametrize("name", ["a b.usda", "ä@home.usda", "a#1.usda"])
+def test_odd_source_names_are_referred_to(tmp_path, name):
+    source = skinned_stages.character(tmp_path / name)
+    (rig,) = read_rigs(source, Settings())
+    target = tmp_path / "layout.usda"
+    write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
+    assert Usd.Stage.Open(str(target)).GetPrimAtPath(rig.root).IsDefined()
+
+
+@pytest.mark.parametrize("name", ["a:SDF_FORMAT_ARGS:b.usda", "a@@@b.usda", "a\nb.usda"])
+def test_names_that_usd_cannot_refer_to_are_refused(tmp_path, name):
+    with pytest.raises(RigUIError, match="SOURCE_UNREFERABLE"):
+        relative_asset_path(tmp_path / name, tmp_path / "out.usda")
+
+
+def test_a_bare_layer_stands_alone_and_can_be_sublayered_by_the_asset(char, tmp_path):
+    source, rig, layout = char
+    target = tmp_path / "bare.usda"
+    write_layout([(rig, layout)], source, target, OutputSettings(bare=True), metadata(source))
+    assert source_of(target) == ""
+    same(layout, read_layout(target)[0])
+    asset = Sdf.Layer.FindOrOpen(str(source))
+    asset.subLayerPaths.append("./bare.usda")
+    same(layout, read_layout(asset)[0])
+    asset.subLayerPaths.clear()
+
+
+def test_stage_metadata_is_repeated(tmp_path):
+    source = tmp_path / "a.usda"
+    layer = Sdf.Layer.CreateNew(str(source))
+    layer.ImportFromString("""#usda 1.0
+(
+    defaultPrim = "Char"
+    upAxis = "Z"
+    startTimeCode = 1
+    endTimeCode = 48
+    timeCodesPerSecond = 48
+    framesPerSecond = 24
+    expressionVariables = {
+        string SHOT = "a"
+    }
+    customLayerData = {
+        string secret = "stays behind"
+    }
+)
+""")
+    found = stage_metadata(layer)
+    assert found["expressionVariables"] == {"SHOT": "a"}
+    assert "customLayerData" not in found
+    assert "metersPerUnit" not in found
+    stage = Usd.Stage.Open(layer_for([], "./a.usda", PLAIN, found))
+    assert UsdGeom.GetStageUpAxis(stage) == "Z"
+    assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (1, 48)
+    assert (stage.GetTimeCodesPerSecond(), stage.GetFramesPerSecond()) == (48, 24)
+    assert stage.GetDefaultPrim().GetPath() in (Sdf.Path.emptyPath, Sdf.Path("/Char"))
+    assert layer_for([], "", PLAIN, {"metersPerUnit": 1}).pseudoRoot.GetInfo("metersPerUnit") == 1.0
+
+
+def test_the_ranges_are_where_usd_looks_for_them(char, tmp_path):
+    source, _, layout = char
+    settings = load({"controls": {"chin": {"maximum": 1.5, "minimum": -0.5}}})
+    (ranged,) = read_rigs(source, settings)
+    target = tmp_path / "a.usda"
+    write_layout([(ranged, layout)], source, target, PLAIN, metadata(source))
+    (back,) = read_rigs(target, Settings())
+    limits = {control.name: (control.minimum, control.maximum, control.range_source) for control in back.controls}
+    assert limits["chin"] == (-0.5, 1.5, "limits")
+    before = {control.name: (control.minimum, control.maximum) for control in ranged.controls}
+    for name, (low, high, _) in limits.items():
+        assert np.allclose(before[name], (low, high)), name
+
+
+def drive_values(prim, instance, name):
+    return prim.GetAttribute(f"rigUI:control:{instance}:{name}").Get()
+
+
+def test_a_control_says_all_that_is_needed_to_drive_it(char, tmp_path):
+    source, _, _ = char
+    settings = load({"poses": {"talk": {"frame": 10.0}, "mix": {"weights": {"brow_L": 0.6, "chin": 1.0}}}})
+    (rig,) = read_rigs(source, settings)
+    names = ["brow_L", "Jaw:rx", "talk", "mix"]
+    layout = laid_out.layout_of(rig, only=names)
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    controls = {control.name: control for control in rig.controls}
+    brow, jaw, talk, mix = (scope.GetChild(name) for name in ("brow_L", "Jaw_rx", "talk", "mix"))
+    assert list(drive_values(brow, "brow_L", "blendShapes")) == ["brow_L"]
+    assert not drive_values(brow, "brow_L", "keys")
+    assert [str(path) for path in brow.GetRelationship("rigUI:control:brow_L:animation").GetTargets()] == [
+        "/World/Char/Anim"
+    ]
+    assert drive_values(jaw, "Jaw_rx", "name") == "Jaw:rx"
+    assert drive_values(jaw, "Jaw_rx", "kind") == "joint"
+    for prim, instance, name in ((jaw, "Jaw_rx", "Jaw:rx"), (talk, "talk", "talk"), (mix, "mix", "mix")):
+        drive = controls[name].drive
+        keys = np.array(drive_values(prim, instance, "keys") or ())
+        assert np.allclose(keys, drive.values), name
+        weights = np.array(drive_values(prim, instance, "blendShapeWeights") or ())
+        assert np.allclose(weights.reshape(len(keys), -1), drive.weights)
+        joints = list(drive_values(prim, instance, "joints") or ())
+        assert joints == [rig.joints[joint].path for joint in drive.joints]
+        turns = np.array(drive_values(prim, instance, "jointRotations") or ()).reshape(len(keys), -1, 3)
+        assert np.allclose(turns, drive.rotations)
+    assert list(drive_values(mix, "mix", "blendShapes")) == [
+        rig.channels[channel].token for channel in controls["mix"].drive.channels
+    ]
+
+
+def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_ours(char, tmp_path):
+    source, rig, layout = char
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
+    assert kinds == {"Scope", "Xform", "BasisCurves", "Mesh", "BlendShape"}
+    for prim in Usd.PrimRange(scope):
+        if prim.IsA(UsdGeom.Gprim):
+            assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
+            extent = np.array(UsdGeom.Boundable(prim).GetExtentAttr().Get())
+            points = np.array(prim.GetAttribute("points").Get())
+            assert (points >= extent[0] - 1e-6).all()
+            assert (points <= extent[1] + 1e-6).all()
+
+
+def test_handles_face_outwards(char, tmp_path):
+    source, rig, layout = char
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    for prim in stage.Traverse():
+        if prim.GetName() == "handle":
+            points = np.array(prim.GetAttribute("points").Get(), dtype=np.float64)
+            corners = points[np.array(prim.GetAttribute("faceVertexIndices").Get()).reshape(-1, 3)]
+            assert len(points) == 12
+            assert len(corners) == 20
+            normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+            assert (np.einsum("fi,fi->f", normals, corners.mean(axis=1) - points.mean(axis=0)) > 0.0).all()
+
+
+def test_several_characters_in_one_asset(tmp_path):
+    source = skinned_stages.character(tmp_path / "char.usda")
+    layer = Sdf.Layer.FindOrOpen(str(source))
+    Sdf.CopySpec(layer, "/World/Char", layer, "/World/Twin")
+    text = layer.ExportToString()
+    first, second = text.split('def SkelRoot "Twin"')
+    source.write_text(first + 'def SkelRoot "Twin"' + second.replace("/World/Char/", "/World/Twin/"))
+    layer.Reload(force=True)
+    rigs = read_rigs(source, Settings())
+    assert [rig.root for rig in rigs] == ["/World/Char", "/World/Twin"]
+    laid = [(rig, laid_out.layout_of(rig, seed=i)) for i, rig in enumerate(rigs)]
+    target = tmp_path / "both.usda"
+    write_layout(laid, source, target, PLAIN, metadata(source))
+    for (_, layout), back in zip(laid, read_layout(target), strict=True):
+        same(layout, back)
+
+
+# --- layers by other hands ---------------------------------------------------------------------------
+
+HAND_MADE = """#usda 1.0
+over "Char"
+{
+    def Scope "MyControls" (
+        prepend apiSchemas = ["RigUILayoutAPI"]
+    )
+    {
+        def Xform "smile" (
+            prepend apiSchemas = ["RigUIElementAPI", "RigUIAnchorAPI", "RigUIControlAPI:smile"]
+        )
+        {
+            rel rigUI:anchor:prim = </Char/face>
+            int rigUI:anchor:pointIndex = 7
+            def BasisCurves "line" (
+                prepend apiSchemas = ["RigUITrackAPI"]
+            )
+            {
+                int[] curveVertexCounts = [2]
+                point3f[] points = [(0, 0, 0), (0, 1, 0)]
+            }
+            def Mesh "knob" (
+                prepend apiSchemas = ["RigUIHandleAPI"]
+            )
+            {
+                float3[] extent = [(-1, -1, -1), (1, 1, 1)]
+            }
+        }
+    }
+}
+"""
+
+
+def hand_made(text=HAND_MADE):
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.ImportFromString(text)
+    return layer
+
+
+def test_a_layer_written_by_hand_takes_the_fallbacks():
+    (layout,) = read_layout(hand_made())
+    (element,) = layout.elements
+    (member,) = element.members
+    assert (layout.root, layout.space, layout.status, layout.handle_width) == ("/Char", "object", "stopped", 2.0)
+    assert layout.bound == -np.inf
+    assert (element.name, element.label, element.kind, element.adapt) == ("smile", "smile", "slider", "deform")
+    assert (member.control, member.gain) == ("smile", 1.0)
+    assert member.values.tolist() == [0.0, 1.0]
+    assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
+    assert (element.anchor.mesh, element.anchor.point, element.anchor.beside) == ("/Char/face", 7, False)
+    stage = Usd.Stage.Open(hand_made())
+    assert base_controls(next(layout_scopes(stage))) == ()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code", "told"),
+    [
+        ('"RigUILayoutAPI"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),
+        ("int rigUI:anchor:pointIndex = 7", "", "LAYOUT_INVALID", "pointIndex"),
+        (", (0, 1, 0)", "", "LAYOUT_INVALID", "two points"),
+        ('"RigUITrackAPI"', '"SomeAPI"', "LAYOUT_INVALID", "no track"),
+        ("int rigUI:anchor:pointIndex", "double rigUI:anchor:pointIndex", "LAYOUT_INVALID", "double, not int"),
+        ("rel rigUI:anchor:prim", 'token rigUI:element:side = "up"\nrel rigUI:anchor:prim', "LAYOUT_INVALID", "'up'"),
+        (
+            "rel rigUI:anchor:prim",
+            'token[] rigUI:element:controls = ["smile", "frown"]\nrel rigUI:anchor:prim',
+            "LAYOUT_INVALID",
+            "frown",
+        ),
+        (
+            "rel rigUI:anchor:prim",
+            "int2[] rigUI:element:opposed = [(0, 1)]\nrel rigUI:anchor:prim",
+            "LAYOUT_INVALID",
+            "opposed",
+        ),
+        ("int[] curveV", "double[] rigUI:track:weights = [0, 1, 2]\nint[] curveV", "LAYOUT_INVALID", "weights"),
+        ("int[] curveV", "double[] rigUI:track:weights = [0, nan]\nint[] curveV", "LAYOUT_INVALID", "NaN"),
+        ('def Xform "smile"', 'int rigUI:layout:version = 99\ndef Xform "smile"', "LAYOUT_VERSION", "99"),
+        (
+            'def Xform "smile"',
+            'double[] rigUI:layout:baseValues = [1]\ndef Xform "smile"',
+            "LAYOUT_INVALID",
+            "baseValues",
+        ),
+    ],
+)
+def test_layers_that_contradict_themselves_are_refused(old, new, code, told):
+    assert old in HAND_MADE
+    with pytest.raises(RigUIError) as caught:
+        read_layout(hand_made(HAND_MADE.replace(old, new, 1)))
+    assert caught.value.issue.code == code
+    assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
+
+
+def test_stronger_layers_change_a_layout(tmp_path):
+    base = tmp_path / "base.usda"
+    hand_made().Export(str(base))
+    over = hand_made(f"""#usda 1.0
+(
+    subLayers = [@{base}@]
+)
+over "Char"
+{{
+    over "MyControls"
+    {{
+        over "smile"
+        {{
+            int rigUI:anchor:pointIndex = 9
+        }}
+    }}
+}}
+""")
+    assert read_layout(over)[0].elements[0].anchor.point == 9
+
+
+def test_a_missing_layer_and_a_wrong_suffix(tmp_path):
+    with pytest.raises(RigUIError, match="FILE_NOT_FOUND"):
+        read_layout(tmp_path / "none.usda")
+    with pytest.raises(RigUIError, match="FILE_NOT_FOUND"):
+        source_of(tmp_path / "none.usda")
+    with pytest.raises(RigUIError, match="FILE_TARGET"):
+        layer_bytes(hand_made(), ".usdz")

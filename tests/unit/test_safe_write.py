@@ -1,0 +1,323 @@
+"""usdrigui.usd.safe_write: whatever fails, the old or the new file is there, complete, and nothing else."""
+
+from __future__ import annotations
+
+import errno
+import os
+import random
+import signal
+import stat
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.usd import safe_write
+from usdrigui.usd.safe_write import commit
+
+OLD = b"the old layer\n" * 1000
+NEW = b"the new layer\n" * 2000
+
+
+@pytest.fixture
+def target(tmp_path):
+    path = tmp_path / "char.rigui.usda"
+    path.write_bytes(OLD)
+    return path
+
+
+def only_file(target: Path) -> bool:
+    return [each.name for each in target.parent.iterdir()] == [target.name]
+
+
+def test_new_file_is_written_and_same_content_left_alone(tmp_path):
+    target = tmp_path / "a.json"
+    assert commit("{}\n", target) == "written"
+    before = target.stat()
+    assert commit(b"{}\n", target) == "unchanged"
+    assert (target.stat().st_mtime_ns, target.stat().st_ino) == (before.st_mtime_ns, before.st_ino)
+    assert commit("ü", target) == "written"
+    assert target.read_bytes() == "ü".encode()
+    assert only_file(target)
+
+
+def test_empty_file_and_file_of_same_size_are_told_apart(tmp_path):
+    target = tmp_path / "a.png"
+    assert commit(b"", target) == "written"
+    assert commit(b"", target) == "unchanged"
+    target.write_bytes(b"abc")
+    assert commit(b"abd", target) == "written"
+
+
+def test_the_temporary_is_synced_before_the_rename_and_the_folder_after(target, monkeypatch):
+    events = []
+    fsync, replace = os.fsync, Path.replace
+
+    def seen_fsync(descriptor):
+        events.append("folder" if stat.S_ISDIR(os.fstat(descriptor).st_mode) else "file")
+        fsync(descriptor)
+
+    def seen_replace(path, other):
+        events.append("rename")
+        return replace(path, other)
+
+    monkeypatch.setattr(os, "fsync", seen_fsync)
+    monkeypatch.setattr(Path, "replace", seen_replace)
+    commit(NEW, target)
+    assert events == ["file", "rename", "folder"]
+
+
+@pytest.mark.parametrize(
+    ("number", "code"),
+    [
+        (errno.ENOSPC, "FILE_FULL"),
+        (errno.EDQUOT, "FILE_FULL"),
+        (errno.EIO, "FILE_WRITE"),
+        (errno.EROFS, "FILE_READ_ONLY"),
+        (errno.EACCES, "FILE_PERMISSION"),
+    ],
+)
+@pytest.mark.parametrize("step", ["open", "write", "second write", "fsync", "close", "replace"])
+def test_a_failure_at_any_step_leaves_the_old_file(target, monkeypatch, step, number, code):
+    def fail(*_arguments, **_named):
+        raise OSError(number, os.strerror(number))
+
+    if step == "second write":
+        write, calls = os.write, []
+
+        def some(descriptor, view):
+            if calls:
+                fail()
+            calls.append(1)
+            return write(descriptor, view[:100])
+
+        monkeypatch.setattr(os, "write", some)
+    elif step == "replace":
+        monkeypatch.setattr(Path, "replace", fail)
+    elif step == "close":
+        close = os.close
+
+        def failing_close(descriptor):
+            close(descriptor)
+            fail()
+
+        monkeypatch.setattr(os, "close", failing_close)
+    else:
+        real = getattr(os, step)
+
+        def failing(first, *rest, **named):
+            if step == "open" and "rigui-tmp" not in str(first):
+                return real(first, *rest, **named)
+            return fail()
+
+        monkeypatch.setattr(os, step, failing)
+    with pytest.raises(RigUIError) as caught:
+        commit(NEW, target)
+    monkeypatch.undo()
+    assert caught.value.issue.code == code
+    assert caught.value.exit_code is Exit.FILE
+    assert str(target) in caught.value.issue.path
+    assert target.read_bytes() == OLD
+    assert only_file(target)
+
+
+def test_a_real_size_limit_leaves_the_old_file(target):
+    """The kernel itself refuses to let the file grow."""
+    script = f"""
+import resource, signal
+from pathlib import Path
+from usdrigui.errors import RigUIError
+from usdrigui.usd.safe_write import commit
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
+try:
+    commit(b"x" * 50000, Path({str(target)!r}))
+except RigUIError as error:
+    print(error.issue.code)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == "FILE_FULL"
+    assert target.read_bytes() == OLD
+    assert only_file(target)
+
+
+def test_what_does_not_read_back_never_takes_the_place(target, monkeypatch):
+    seen = []
+
+    def picky(path: Path) -> bool:
+        seen.append((path.suffix, path.read_bytes() == NEW, path.parent == target.parent))
+        return False
+
+    def broken(_path: Path) -> bool:
+        raise ValueError("cannot parse")
+
+    for check in (picky, broken):
+        with pytest.raises(RigUIError, match="FILE_VERIFY"):
+            commit(NEW, target, verify=check)
+    assert seen == [(".usda", True, True)]
+    monkeypatch.setattr(Path, "read_bytes", lambda _path: b"something else")
+    with pytest.raises(RigUIError, match="FILE_VERIFY"):
+        commit(NEW, target)
+    monkeypatch.undo()
+    assert target.read_bytes() == OLD
+    assert only_file(target)
+
+
+def test_a_checker_may_refuse_with_a_code_of_its_own(target):
+    def check(path: Path) -> bool:
+        raise refuse("LAYOUT_MISSING", str(path), "none")
+
+    with pytest.raises(RigUIError, match="LAYOUT_MISSING"):
+        commit(NEW, target, verify=check)
+    assert only_file(target)
+
+
+@pytest.mark.parametrize(
+    ("make", "code"),
+    [
+        (lambda folder: folder / "missing" / "a.usda", "FILE_TARGET"),
+        (lambda folder: folder, "FILE_TARGET"),
+        (lambda folder: folder / ("x" * 300), "FILE_TARGET"),
+        (lambda folder: _loop(folder / "loop"), "FILE_TARGET"),
+        (lambda folder: _fifo(folder / "fifo"), "FILE_TARGET"),
+        (lambda folder: _under_file(folder), "FILE_TARGET"),
+    ],
+)
+def test_targets_that_cannot_be_files(tmp_path, make, code):
+    target = make(tmp_path)
+    before = sorted(each.name for each in tmp_path.iterdir())
+    with pytest.raises(RigUIError) as caught:
+        commit(NEW, target)
+    assert caught.value.issue.code == code
+    assert sorted(each.name for each in tmp_path.iterdir()) == before
+
+
+def _loop(path: Path) -> Path:
+    path.symlink_to(path)
+    return path
+
+
+def _fifo(path: Path) -> Path:
+    os.mkfifo(path)
+    return path
+
+
+def _under_file(folder: Path) -> Path:
+    (folder / "plain").write_text("")
+    return folder / "plain" / "a.usda"
+
+
+def test_a_link_is_followed_and_stays(tmp_path):
+    shelf = tmp_path / "shelf"
+    shelf.mkdir()
+    real, link = shelf / "real.usda", tmp_path / "link.usda"
+    real.write_bytes(OLD)
+    link.symlink_to(real)
+    assert commit(NEW, link) == "written"
+    assert link.is_symlink()
+    assert real.read_bytes() == NEW
+    assert only_file(real)
+    dangling = tmp_path / "dangling.usda"
+    dangling.symlink_to(shelf / "new.usda")
+    assert commit(NEW, dangling) == "written"
+    assert (shelf / "new.usda").read_bytes() == NEW
+    assert dangling.is_symlink()
+
+
+def test_permission_bits_are_kept_and_new_files_follow_the_mask(tmp_path):
+    target = tmp_path / "a.usda"
+    mask = os.umask(0o027)
+    try:
+        commit(OLD, target)
+    finally:
+        os.umask(mask)
+    assert target.stat().st_mode & 0o777 == 0o640
+    target.chmod(0o664)
+    commit(NEW, target)
+    assert target.stat().st_mode & 0o777 == 0o664
+
+
+def test_a_file_locked_against_writing_stays(target, monkeypatch):
+    """As an ordinary user sees it; a test may run as root, for whom nothing is locked."""
+    monkeypatch.setattr(os, "access", lambda path, _mode: Path(path) != target)
+    with pytest.raises(RigUIError) as caught:
+        commit(NEW, target)
+    assert caught.value.issue.code == "FILE_PERMISSION"
+    assert target.read_bytes() == OLD
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write anywhere")
+def test_a_folder_without_permission(tmp_path):
+    folder = tmp_path / "locked"
+    folder.mkdir(mode=0o500)
+    with pytest.raises(RigUIError) as caught:
+        commit(NEW, folder / "a.usda")
+    assert caught.value.issue.code == "FILE_PERMISSION"
+
+
+def test_temporaries_of_dead_runs_are_swept_and_of_live_ones_kept(target):
+    dead = subprocess.Popen([sys.executable, "-c", ""])
+    dead.wait()
+    names = {
+        "dead": safe_write._temporary_name(target, dead.pid),
+        "alive": safe_write._temporary_name(target, os.getppid()),
+        "of another target": safe_write._temporary_name(target.with_name("other.usda"), dead.pid),
+    }
+    names["elsewhere"] = names["dead"].replace(safe_write._machine(), "00000000")
+    names["elsewhere, long ago"] = names["dead"].replace(safe_write._machine(), "00000001")
+    for name in names.values():
+        target.with_name(name).write_bytes(b"half")
+    os.utime(target.with_name(names["elsewhere, long ago"]), (0, 0))
+    commit(NEW, target)
+    left = {each.name for each in target.parent.iterdir()}
+    assert left == {target.name, names["alive"], names["of another target"], names["elsewhere"]}
+
+
+def test_killed_runs_leave_the_old_or_the_new_file(target):
+    """A writer is killed at random moments; the next one sweeps what it left."""
+    script = f"""
+from pathlib import Path
+from usdrigui.usd.safe_write import commit
+target = Path({str(target)!r})
+print("ready", flush=True)
+for i in range(10**6):
+    commit((b"%08d" % i) * 40000, target)
+"""
+    chance = random.Random(3)
+    leftovers = 0
+    for _ in range(8):
+        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as writer:
+            assert writer.stdout is not None
+            writer.stdout.readline()
+            time.sleep(0.02 + 0.08 * chance.random())
+            writer.send_signal(signal.SIGKILL)
+        content = target.read_bytes()
+        assert content == OLD or (len(content) == 8 * 40000 and content == content[:8] * 40000)
+        leftovers += len(list(target.parent.iterdir())) - 1
+        commit(OLD, target)
+        assert only_file(target)
+    assert leftovers <= 8
+
+
+def test_writers_at_once_all_end_with_a_whole_file(target):
+    contents = [bytes([65 + i]) * 300_000 for i in range(4)]
+    failures = []
+
+    def write(content: bytes) -> None:
+        try:
+            for _ in range(10):
+                commit(content, target)
+        except BaseException as error:
+            failures.append(error)
+
+    threads = [threading.Thread(target=write, args=(content,)) for content in contents]
+    for thread in threads:
+        thread.start()
+    while any(thread.is_alive() for thread in threads):
+        assert target.read_bytes() in (OLD, *contents)
+    assert not failures
+    assert only_file(target)

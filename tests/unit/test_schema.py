@@ -1,0 +1,121 @@
+"""The schema: found without USD, generated from its source, registered in time or not at all."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from pxr import Sdf
+
+from usdrigui.errors import RigUIError
+from usdrigui.usd import author, schema
+
+SOURCE = Path(__file__).resolve().parents[2] / "schemas"
+
+
+def run(code: str, **environment: str) -> str:
+    """Output of a fresh Python."""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, **environment}, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_the_path_is_found_without_loading_usd():
+    code = "import sys; from usdrigui.usd.schema import schema_path; print(schema_path(), 'pxr' in sys.modules)"
+    path, loaded = run(code).rsplit(" ", 1)
+    assert {"plugInfo.json", "generatedSchema.usda"} <= {each.name for each in Path(path).iterdir()}
+    assert loaded == "False"
+
+
+def test_a_missing_folder_is_an_error(monkeypatch, tmp_path):
+    monkeypatch.setattr(schema, "__file__", str(tmp_path / "usdrigui" / "usd" / "schema.py"))
+    with pytest.raises(RigUIError, match="SCHEMA_MISSING"):
+        schema.schema_path()
+
+
+@pytest.mark.skipif(importlib.util.find_spec("jinja2") is None, reason="usdGenSchema needs jinja2")
+@pytest.mark.skipif(not SOURCE.is_dir(), reason="only in a source tree")
+def test_committed_files_are_what_the_generator_makes(tmp_path):
+    subprocess.run([sys.executable, str(SOURCE / "generate.py"), str(tmp_path)], check=True, timeout=120)
+    for name in ("generatedSchema.usda", "plugInfo.json"):
+        assert (tmp_path / name).read_text() == (SOURCE / name).read_text(), f"run python schemas/generate.py ({name})"
+
+
+@pytest.mark.skipif(not SOURCE.is_dir(), reason="only in a source tree")
+def test_every_class_of_the_source_is_known_by_name_and_documented():
+    layer = Sdf.Layer.FindOrOpen(str(SOURCE / "generatedSchema.usda"))
+    assert {prim.name for prim in layer.rootPrims} == set(schema.APIS)
+    for prim in layer.rootPrims:
+        assert prim.documentation, prim.path
+        for each in prim.properties:
+            assert each.documentation.endswith((".", ")", "units", "radians", "space")), each.path
+    types = json.loads((SOURCE / "plugInfo.json").read_text())["Plugins"][0]["Info"]["Types"]
+    assert {each["schemaIdentifier"] for each in types.values()} == set(schema.APIS)
+
+
+def test_registration_in_time_brings_fallbacks():
+    code = """
+from usdrigui.usd import schema
+schema.register()
+schema.register()
+from pxr import Usd
+stage = Usd.Stage.CreateInMemory()
+prim = stage.DefinePrim("/a")
+prim.AddAppliedSchema("RigUIElementAPI")
+prim.AddAppliedSchema("RigUIControlAPI:smile")
+print(prim.GetAttribute("rigUI:element:elementType").Get(), prim.GetAttribute("rigUI:control:smile:maximum").Get())
+"""
+    assert run(code) == "slider 1.0"
+
+
+@pytest.mark.parametrize("early", ["Usd.Stage.CreateInMemory().DefinePrim('/a', 'Xform')", "Usd.SchemaRegistry()"])
+def test_registration_too_late_refuses(early):
+    code = f"""
+from pxr import Usd
+keep = {early}
+from usdrigui.errors import RigUIError
+from usdrigui.usd import schema
+try:
+    schema.register()
+except RigUIError as error:
+    print(error.issue.code, "PXR_PLUGINPATH_NAME" in error.issue.repair, int(error.exit_code))
+"""
+    assert run(code) == "SCHEMA_TOO_LATE True 2"
+
+
+def test_the_environment_variable_registers_too():
+    code = """
+from pxr import Usd
+stage = Usd.Stage.CreateInMemory()
+from usdrigui.usd import schema
+schema.register()
+print(Usd.SchemaRegistry().FindAppliedAPIPrimDefinition("RigUITrackAPI") is not None)
+"""
+    assert run(code, PXR_PLUGINPATH_NAME=str(schema.schema_path())) == "True"
+
+
+def test_a_property_that_the_schema_lacks_cannot_be_written():
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    prim = Sdf.CreatePrimInLayer(layer, "/a")
+    with pytest.raises(KeyError):
+        author.declare(prim, schema.ELEMENT, {"elementKind": "slider"})
+    author.declare(prim, schema.ELEMENT, {"elementType": "slider", "side": "left"})
+    assert [each.name for each in prim.properties] == ["rigUI:element:side"]
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [("jawOpen", "jawOpen"), ("25_x", "_25_x"), ("", "_"), ("a:b.c-d e", "a_b_c_d_e"), ("ärger", "_rger"), ("口", "_")],
+)
+def test_identifiers_are_ascii_and_unique(text, name):
+    taken: set[str] = set()
+    assert author.identifier(text, taken) == name
+    assert author.identifier(text, taken) == f"{name}_2"
+    assert all(Sdf.Path.IsValidIdentifier(each) for each in taken)
