@@ -19,13 +19,13 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, Literal, TypeVar
+from typing import IO, Any, Literal
 
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.model import Floats, Layout, Record, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
-from usdrigui.usd.source import SourceFile, admit
+from usdrigui.usd.source import SourceFile, admit, check_unchanged
 
 Task = Literal["rigs", "layouts"]
 
@@ -42,7 +42,7 @@ class Limits:
     seconds: float = 300.0
     """Wall clock."""
     memory: int = 8192
-    """MiB of private memory."""
+    """MiB of private memory, beyond what USD itself takes."""
     size: int = 8192
     """MiB of the asset's file."""
 
@@ -107,30 +107,25 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     """
     limits = limits or Limits.of(settings)
     before = admit(path, limits.size)
-    result = _answer("rigs", path, settings, limits).rigs
-    return _with_first(_given(result, path), before, path)
+    try:
+        result = _answer("rigs", path, settings, limits).rigs
+        if result is None:
+            raise _garbled(path)
+    except RigUIError:
+        check_unchanged([before])  # A file that is being written says nothing about the asset.
+        raise
+    if before not in result.sources:
+        raise refuse("SOURCE_CHANGED", str(path), "was written while it was read")
+    return result
 
 
 def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
     """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a child; raises as `read_rigs_isolated`."""
     limits = limits or Limits.of(settings)
     admit(path, limits.size)
-    return _given(_answer("layouts", path, settings, limits).layouts, path)
-
-
-_R = TypeVar("_R")
-
-
-def _given(result: _R | None, path: Path) -> _R:
+    result = _answer("layouts", path, settings, limits).layouts
     if result is None:
         raise _garbled(path)
-    return result
-
-
-def _with_first(result: ReadResult, before: SourceFile, path: Path) -> ReadResult:
-    """The asset must be, after all was read, what it was before."""
-    if before not in result.sources:
-        raise refuse("SOURCE_CHANGED", str(path), "was written while it was read")
     return result
 
 

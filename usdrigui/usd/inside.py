@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
-from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.child import Answer, LayoutsResult, Limits, ReadResult, Request
@@ -24,6 +24,8 @@ from usdrigui.usd.source import SourceFile, hashed
 
 _GRACE = 1.0
 """Seconds after the limit at which the alarm ends the child, should its parent not have done so."""
+_OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily unavailable")
+"""What USD's messages hold when an allocation or a thread was refused."""
 
 
 def main() -> NoReturn:
@@ -42,16 +44,15 @@ def main() -> NoReturn:
 
 def answer(request: Request) -> Answer:
     """Do what is asked; every exception becomes a refusal."""
-    path = Path(request.path)
+    path, peak = Path(request.path), _peak()
     try:
         if request.task == "layouts":
             return Answer(layouts=_layouts(path))
         return Answer(rigs=_rigs(path, request.settings))
     except RigUIError as error:
-        return _refusal(error)
+        return _refusal(_starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error)
     except MemoryError:
-        limit = f"needs more than {request.limits.memory} MiB to be read"
-        return _refusal(refuse("SOURCE_MEMORY_LIMIT", request.path, limit))
+        return _refusal(_starved(request))
     except Exception as error:
         return _refusal(_unexpected(error, request.path))
 
@@ -71,7 +72,7 @@ def bound(limits: Limits) -> None:
         return
     import resource
 
-    data = limits.memory << 20
+    data = _own_memory() + (limits.memory << 20)
     # Address space is only loosely tied to memory: libraries reserve far more than they touch.
     for kind, value in ((resource.RLIMIT_DATA, data), (resource.RLIMIT_AS, data + (4 << 30))):
         _lower(kind, value)
@@ -168,11 +169,23 @@ def _text(value: object) -> str:
     return str(value).encode(errors="replace").decode(errors="replace")
 
 
+def _starved(request: Request) -> RigUIError:
+    limit = f"needs more than {request.limits.memory} MiB to be read"
+    return refuse("SOURCE_MEMORY_LIMIT", request.path, limit)
+
+
+def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
+    """Whether what USD says of the asset is really about the limit: it catches failed allocations itself."""
+    if found.code not in ("FILE_NOT_USD", "LAYER_MISSING", "USD_ERROR"):
+        return False
+    return any(cry in found.message for cry in _OUT_OF_MEMORY) or grown > 0.7 * (limits.memory << 20)
+
+
 def _unexpected(error: Exception, path: str) -> RigUIError:
     """USD's own exceptions blame the asset; all others are ours."""
     kind = type(error)
     if kind.__module__.partition(".")[0] in ("pxr", "Boost") or isinstance(error, UnicodeDecodeError):
-        return refuse("SOURCE_USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
+        return refuse("USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
     place = error.__traceback__
     while place is not None and place.tb_next is not None:
         place = place.tb_next
@@ -188,6 +201,23 @@ def _load() -> None:
     import usdrigui.usd.layer
     import usdrigui.usd.read_layout
     import usdrigui.usd.rig  # noqa: F401
+
+
+def _own_memory() -> int:
+    """Bytes of private memory that this process has before it reads anything; 0 if the system does not tell."""
+    try:
+        return int(Path("/proc/self/statm").read_text().split()[5]) * os.sysconf("SC_PAGE_SIZE")
+    except (OSError, ValueError):
+        return 0
+
+
+def _peak() -> int:
+    """Bytes of address space used at most so far; 0 if the system does not tell."""
+    try:
+        lines = Path("/proc/self/status").read_text().splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) << 10 for line in lines if line.startswith("VmPeak:")), 0)
 
 
 def _lower(kind: int, soft: int, hard: int | None = None) -> None:

@@ -32,9 +32,13 @@ class SourceFile:
 def admit(path: Path, size_limit: int) -> SourceFile:
     """Look at a file before USD does, and remember its content.
 
-    `size_limit` in MiB.  Raises RigUIError FILE_NOT_FOUND, SOURCE_NOT_A_FILE (a folder, pipe, socket or
-    device), SOURCE_TOO_LARGE or SOURCE_LFS_POINTER.
+    `size_limit` in MiB.  Raises RigUIError FILE_NOT_FOUND, FILE_NAME (not UTF-8), SOURCE_NOT_A_FILE (a
+    folder, pipe, socket or device), SOURCE_TOO_LARGE or SOURCE_LFS_POINTER.
     """
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        raise refuse("FILE_NAME", ascii(str(path)), "the name is not UTF-8") from None
     try:
         found = path.stat()
         if not stat.S_ISREG(found.st_mode):

@@ -1,0 +1,424 @@
+"""Whatever becomes of the process that reads an asset, the one that asked gets a record or a code."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from skel_stages import character, head
+
+from usdrigui.errors import Exit, RigUIError
+from usdrigui.settings import Settings, load
+from usdrigui.usd import child, inside, wire
+from usdrigui.usd.child import Limits, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.rig import read_rigs
+from usdrigui.usd.source import check_unchanged
+
+HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
+"""Over a pipe that nobody writes to, this keeps USD waiting for ever."""
+
+
+def refused(path, limits=None, config=None):
+    with pytest.raises(RigUIError) as caught:
+        read_rigs_isolated(path, load(config or {}), limits)
+    return caught.value
+
+
+def hanging(folder):
+    os.mkfifo(folder / "pipe.usda")
+    path = folder / "char.usda"
+    path.write_text(HANG)
+    return path
+
+
+def readers():
+    """Process ids of all reading processes on this machine that name no other test's folder."""
+    found = set()
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            command = (entry / "cmdline").read_bytes()
+            state = (entry / "stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            continue
+        if b"usdrigui.usd.inside" in command and state != "Z":
+            found.add(int(entry.name))
+    return found
+
+
+def children_of(parent):
+    found = set()
+    for each in readers():
+        try:
+            status = Path(f"/proc/{each}/status").read_text()
+        except OSError:
+            continue
+        if f"PPid:\t{parent}\n" in status:
+            found.add(each)
+    return found
+
+
+def gone(process, seconds=5.0):
+    """Whether the process is gone, or soon will be."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            return True
+        if state == "Z":
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def eventually(question, seconds=20.0):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        found = question()
+        if found:
+            return found
+        time.sleep(0.01)
+    raise AssertionError("did not come to pass")
+
+
+# --- the same as without -----------------------------------------------------------------------------
+
+
+def test_a_rig_is_the_same_to_the_bit(tmp_path):
+    path = character(tmp_path / "char.usda")
+    here, there = read_rigs(path, Settings()), read_rigs_isolated(path, Settings()).rigs
+    assert [b"".join(wire.encode(rig)) for rig in here] == [b"".join(wire.encode(rig)) for rig in there]
+
+
+def test_the_settings_reach_the_reader(tmp_path):
+    path = head(tmp_path / "char.usda")
+    every = {control.name for control in read_rigs_isolated(path, Settings()).rigs[0].controls}
+    one = min(every)
+    told = load({"controls": {one: {"exclude": True}}})
+    assert {control.name for control in read_rigs_isolated(path, told).rigs[0].controls} == every - {one}
+
+
+def test_a_refusal_is_the_same(tmp_path):
+    path = tmp_path / "char.usda"
+    path.write_text('#usda 1.0\ndef Xform "A" {}\n')
+    with pytest.raises(RigUIError) as caught:
+        read_rigs(path, Settings())
+    there = refused(path)
+    assert (there.issue, there.exit_code) == (caught.value.issue, caught.value.exit_code)
+
+
+def test_metadata_is_that_of_the_root_layer(tmp_path):
+    path = tmp_path / "char.usda"
+    head(tmp_path / "geo.usda")
+    path.write_text(
+        '#usda 1.0\n(\n    defaultPrim = "Ä"\n    metersPerUnit = 0.01\n    upAxis = "Z"\n    startTimeCode = 1\n'
+        '    expressionVariables = { string SHOW = "x"\n bool ON = true\n int[] N = [1, 2] }\n'
+        "    subLayers = [@./geo.usda@]\n)\n"
+    )
+    found = read_rigs_isolated(path, Settings()).metadata
+    assert found == {
+        "defaultPrim": "Ä",
+        "metersPerUnit": 0.01,
+        "upAxis": "Z",
+        "startTimeCode": 1.0,
+        "expressionVariables": {"SHOW": "x", "ON": True, "N": [1, 2]},
+    }
+
+
+def test_a_camera_is_a_direction_in_the_space_of_the_root(tmp_path):
+    from pxr import Gf, Usd, UsdGeom
+
+    path = head(tmp_path / "char.usda")
+    stage = Usd.Stage.Open(str(path))
+    camera = UsdGeom.Camera.Define(stage, "/cam")
+    camera.AddTransformOp().Set(Gf.Matrix4d().SetRotate(Gf.Rotation((0, 1, 0), 90)))
+    stage.Save()
+    found = read_rigs_isolated(path, load({"candidates": {"view": "/cam"}}))
+    (direction,) = found.cameras.values()
+    np.testing.assert_allclose(direction, [1, 0, 0], atol=1e-12)
+    assert read_rigs_isolated(path, load({"candidates": {"view": "/none"}})).cameras == {}
+
+
+def test_a_layout_comes_back_too(tmp_path):
+    from usdrigui.cli import main
+    from usdrigui.usd.read_layout import read_layout
+
+    path = head(tmp_path / "char.usda")
+    assert main(["process", str(path), "--quiet"]) == 0
+    layer = tmp_path / "char.rigui.usda"
+    found = read_layouts_isolated(layer, Settings())
+    here = read_layout(layer)
+    assert [b"".join(wire.encode(each)) for each in found.layouts] == [b"".join(wire.encode(each)) for each in here]
+    assert Path(found.source) == path
+
+
+# --- what may become of the child --------------------------------------------------------------------
+
+DEATHS = {
+    "segfault": ("kill -SEGV $$", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "abort": ("kill -ABRT $$", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "bus error": ("kill -BUS $$", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "out of memory": (
+        "echo \"terminate called after throwing an instance of 'std::bad_alloc'\" >&2; kill -ABRT $$",
+        "SOURCE_MEMORY_LIMIT",
+        Exit.LIMIT,
+    ),
+    "killed": ("kill -KILL $$", "SOURCE_READER_LOST", Exit.LIMIT),
+    "alarm": ("kill -ALRM $$", "SOURCE_TIME_LIMIT", Exit.LIMIT),
+    "no module": ("echo 'No module named pxr' >&2; exit 1", "SOURCE_READER_LOST", Exit.LIMIT),
+    "silence": ("exit 0", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "garbage": ("head -c 5000 /dev/urandom", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "a preamble and no more": ("printf RIGUIREC", "SOURCE_CRASHES_USD", Exit.REFUSED),
+    "sleep": ("sleep 60", "SOURCE_TIME_LIMIT", Exit.LIMIT),
+    "endless complaint": ("exec yes complaint >&2", "SOURCE_TIME_LIMIT", Exit.LIMIT),
+    "deaf to polite signals": ("trap '' TERM INT HUP; sleep 60; sleep 60", "SOURCE_TIME_LIMIT", Exit.LIMIT),
+}
+
+
+@pytest.mark.parametrize("how", DEATHS)
+def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
+    script, code, leaves = DEATHS[how]
+    impostor = tmp_path / "python"
+    impostor.write_text(f"#!/bin/sh\n{script}\n")
+    impostor.chmod(0o755)
+    monkeypatch.setattr(child.sys, "executable", str(impostor))
+    error = refused(head(tmp_path / "char.usda"), Limits(seconds=0.5))
+    assert (error.issue.code, error.exit_code) == (code, leaves)
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("executable", ["/no/such/python", "/", None])
+def test_a_child_that_cannot_be_started(executable, tmp_path, monkeypatch):
+    monkeypatch.setattr(child.sys, "executable", executable)
+    assert refused(head(tmp_path / "char.usda")).issue.code == "SOURCE_READER_LOST"
+
+
+def test_grandchildren_die_with_the_child(tmp_path, monkeypatch):
+    impostor = tmp_path / "python"
+    impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
+    impostor.chmod(0o755)
+    monkeypatch.setattr(child.sys, "executable", str(impostor))
+    assert refused(head(tmp_path / "char.usda"), Limits(seconds=0.5)).issue.code == "SOURCE_TIME_LIMIT"
+    assert gone(int((tmp_path / "grandchild").read_text()))
+
+
+# --- USD itself --------------------------------------------------------------------------------------
+
+
+def test_usd_runs_out_of_stack(tmp_path, capfd):
+    path = tmp_path / "nested.usda"
+    path.write_text("#usda 1.0\n" + 'def "a" {\n' * 200_000 + "}\n" * 200_000)
+    assert refused(path).issue.code == "SOURCE_CRASHES_USD"
+    assert capfd.readouterr() == ("", "")
+    assert [each.name for each in tmp_path.iterdir()] == ["nested.usda"]
+
+
+def test_usd_never_returns(tmp_path):
+    before = time.monotonic()
+    assert refused(hanging(tmp_path), Limits(seconds=1.5)).issue.code == "SOURCE_TIME_LIMIT"
+    assert time.monotonic() - before < 3.5
+    assert not children_of(os.getpid())
+
+
+def test_usd_needs_more_memory_than_there_is(tmp_path):
+    path = tmp_path / "big.usda"
+    numbers = "0," * 3_000_000
+    path.write_text(f'#usda 1.0\ndef SkelRoot "A" {{\n    int[] many = [{numbers} 0]\n}}\n')
+    error = refused(path, Limits(memory=24))
+    assert (error.issue.code, error.exit_code) == ("SOURCE_MEMORY_LIMIT", Exit.LIMIT)
+    assert refused(path).issue.code == "CONTROLS_MISSING"
+
+
+def test_the_child_ends_with_a_parent_that_was_killed(tmp_path):
+    path = hanging(tmp_path)
+    parent = subprocess.Popen(
+        [sys.executable, "-m", "usdrigui", "inspect", str(path)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+    try:
+        reader = eventually(lambda: children_of(parent.pid)).pop()
+        eventually(lambda: Path(f"/proc/{reader}/wchan").read_text() and _waits_for_pipe(reader))
+    finally:
+        parent.kill()
+        parent.wait()
+    assert gone(reader)
+
+
+def _waits_for_pipe(process):
+    """Whether the reader has USD loaded, hence is bound to its parent."""
+    return b"_usd" in Path(f"/proc/{process}/maps").read_bytes()
+
+
+def test_the_child_has_an_alarm_of_its_own(tmp_path):
+    """Even where nothing watches it any more."""
+    request = child.Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
+    done = subprocess.run(
+        [sys.executable, "-m", "usdrigui.usd.inside"],
+        input=b"".join(wire.encode(request)),
+        stdout=subprocess.DEVNULL,
+        timeout=30,
+        check=False,
+    )
+    assert done.returncode == -signal.SIGALRM
+
+
+# --- what the child may do ---------------------------------------------------------------------------
+
+
+def in_bounds(code, tmp_path):
+    """Run code in a process that is bound as the reader is; what it prints."""
+    program = f"from usdrigui.usd import inside\nfrom usdrigui.usd.child import Limits\ninside.bound(Limits())\n{code}"
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
+    return done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import socket; socket.create_connection(('127.0.0.1', 9))",
+        "import socket; socket.getaddrinfo('localhost', 9)",
+        "import subprocess; subprocess.run(['true'])",
+        "import os; os.system('true')",
+        "import os; os.fork()",
+    ],
+)
+def test_it_opens_no_connection_and_starts_no_program(code, tmp_path):
+    assert "is not allowed while an asset is read" in in_bounds(code, tmp_path)
+
+
+def test_it_writes_no_file(tmp_path):
+    assert "File too large" in in_bounds("import pathlib; pathlib.Path('out').write_text('x')", tmp_path)
+    assert (tmp_path / "out").read_bytes() == b""
+
+
+def test_it_dumps_no_core(tmp_path):
+    assert in_bounds("import resource; print(resource.getrlimit(resource.RLIMIT_CORE))", tmp_path).strip() == "(0, 0)"
+
+
+def test_it_imports_nothing_from_the_working_directory(tmp_path, monkeypatch):
+    path = head(tmp_path / "char.usda")
+    for name in ("numpy", "pxr", "json", "usdrigui"):
+        (tmp_path / f"{name}.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')\n")
+    monkeypatch.chdir(tmp_path)
+    assert read_rigs_isolated(Path("char.usda"), Settings()).rigs
+    assert path.exists()
+    assert not (tmp_path / "ran").exists()
+
+
+def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
+    def broken(*_):
+        raise IndexError("of ours")
+
+    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
+    request = child.Request("rigs", str(tmp_path / "char.usda"), Settings(), Limits(), os.getpid())
+    found = inside.answer(request)
+    assert found.refusal is not None
+    assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
+    assert "IndexError: of ours" in found.refusal.message
+
+
+@pytest.mark.parametrize(
+    ("error", "code"),
+    [
+        (MemoryError(), "SOURCE_MEMORY_LIMIT"),
+        (UnicodeDecodeError("utf-8", b"\xff", 0, 1, "no"), "USD_ERROR"),
+    ],
+)
+def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
+    def broken(*_):
+        raise error
+
+    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
+    request = child.Request("rigs", str(tmp_path / "char.usda"), Settings(), Limits(), os.getpid())
+    assert inside.answer(request).refusal.code == code
+
+
+# --- what is let in ----------------------------------------------------------------------------------
+
+
+def test_a_folder_and_a_pipe_are_not_files(tmp_path):
+    os.mkfifo(tmp_path / "pipe.usda")
+    for path in (tmp_path, tmp_path / "pipe.usda", Path(os.devnull)):
+        error = refused(path)
+        assert (error.issue.code, error.exit_code) == ("SOURCE_NOT_A_FILE", Exit.FILE)
+
+
+def test_a_file_that_was_never_fetched(tmp_path):
+    path = tmp_path / "char.usdc"
+    path.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n")
+    assert refused(path).issue.code == "SOURCE_LFS_POINTER"
+
+
+def test_a_file_beyond_the_limit(tmp_path):
+    path = tmp_path / "char.usda"
+    with path.open("wb") as stream:
+        stream.truncate(2 << 20)
+    error = refused(path, config={"read": {"size_limit": 1}})
+    assert (error.issue.code, error.exit_code) == ("SOURCE_TOO_LARGE", Exit.LIMIT)
+
+
+@pytest.mark.parametrize("name", ["none.usda", "a" * 300 + ".usda", "nul\0.usda"])
+def test_a_file_that_is_not_there(name, tmp_path):
+    assert refused(tmp_path / name).issue.code == "FILE_NOT_FOUND"
+
+
+def test_a_name_that_is_not_text(tmp_path):
+    path = tmp_path / os.fsdecode(b"ch\xffr.usda")
+    path.write_bytes(head(tmp_path / "char.usda").read_bytes())
+    assert refused(path).issue.code == "FILE_NAME"
+
+
+# --- sources -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def layered(tmp_path):
+    head(tmp_path / "geo.usda")
+    path = tmp_path / "char.usda"
+    path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
+    return path
+
+
+def test_every_file_is_remembered(layered, tmp_path):
+    sources = read_rigs_isolated(layered, Settings()).sources
+    assert [Path(each.path).name for each in sources] == ["char.usda", "geo.usda"]
+    check_unchanged(sources)
+    assert [each.size for each in sources] == [(tmp_path / name).stat().st_size for name in ("char.usda", "geo.usda")]
+
+
+@pytest.mark.parametrize("name", ["char.usda", "geo.usda"])
+@pytest.mark.parametrize("how", ["append", "same length", "remove"])
+def test_a_change_is_noticed(layered, name, how):
+    sources = read_rigs_isolated(layered, Settings()).sources
+    path = layered.with_name(name)
+    content = path.read_bytes()
+    if how == "remove":
+        path.unlink()
+    else:
+        path.write_bytes(content + b"\n" if how == "append" else content[:-1] + b" ")
+    with pytest.raises(RigUIError, match="SOURCE_CHANGED"):
+        check_unchanged(sources)
+
+
+def test_a_change_while_usd_reads_is_noticed(tmp_path):
+    path = tmp_path / "char.usda"
+    head(tmp_path / "geo.usda")
+    os.mkfifo(tmp_path / "pipe.usda")
+    path.write_text("#usda 1.0\n(\n    subLayers = [@./pipe.usda@, @./geo.usda@]\n)\n")
+
+    def meddle():
+        with (tmp_path / "pipe.usda").open("w") as pipe:
+            path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
+            pipe.write("#usda 1.0\n")
+
+    thread = threading.Thread(target=meddle)
+    thread.start()
+    error = refused(path, Limits(seconds=20))
+    thread.join()
+    assert (error.issue.code, error.exit_code) == ("SOURCE_CHANGED", Exit.FILE)
