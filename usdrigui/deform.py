@@ -306,15 +306,22 @@ def _skinned(rig: Rig, mesh: RigMesh, points: Floats, skinning: Floats) -> Float
 
 
 def _add_influences(
-    skin: Skin, bound: Floats, matrices: Floats, total: Floats, acting: NDArray[np.bool_] | None = None
+    skin: Skin,
+    bound: Floats,
+    matrices: Floats,
+    total: Floats,
+    acting: NDArray[np.bool_] | None = None,
+    row: Indices | None = None,
 ) -> None:
-    """Add to `total` (n, m) the weighted images of `bound` (n, 4) under `matrices` (joints, 4, m) of the
-    `acting` joints (all if None)."""
+    """Add to `total` (p, m) the weighted images of `bound` (p, 4) under `matrices` (joints, 4, m).
+
+    Only the `acting` joints count (all if None); local point i stands in `row[i]` (i itself if None).
+    """
     points, weights, joints, starts = skin.by_joint
     for i, joint in enumerate(joints):
         if acting is None or acting[joint]:
             part = slice(starts[i], starts[i + 1])
-            at = points[part]
+            at = points[part] if row is None else row[points[part]]
             total[at] += weights[part, None] * (bound[at] @ matrices[joint])
 
 
@@ -389,12 +396,14 @@ def _mesh_sweep(
     skin = mesh.skin
     if skin is not None and skin.method == "classicLinear" and not driven:
         # Only the turning joints contribute to the offset, linearly.
-        bound = _bound(_blended(mesh, base.weights), skin)
+        bound = _bound(_blended(mesh, base.weights)[moved], skin)
         change = (skinning[1:] - skinning[0])[..., :3] @ _skeleton_to_root(rig, skin)[:3, :3]
-        total = np.zeros((len(mesh.points), 3 * len(change)))
-        flat = np.moveaxis(change, 0, 2).reshape(len(rig.joints), 4, -1)
-        _add_influences(skin, bound, flat, total, turning)
-        return np.moveaxis(total[moved].reshape(len(moved), -1, 3), 1, 0).astype(np.float32)
+        total = np.zeros((len(moved), 3 * len(change)))
+        flat = np.ascontiguousarray(change.transpose(1, 2, 0, 3)).reshape(len(rig.joints), 4, -1)
+        row = np.zeros(len(mesh.points), dtype=np.int64)
+        row[moved] = np.arange(len(moved))
+        _add_influences(skin, bound, flat, total, turning, row)
+        return total.reshape(len(moved), -1, 3).transpose(1, 0, 2).astype(np.float32)
     before = base.points[rig.starts[index] + moved]
     offsets = np.empty((len(weights), len(moved), 3), dtype=np.float32)
     for k, pose in enumerate(weights):

@@ -36,7 +36,8 @@ class Record:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for name in _array_fields(type(self)):
+        kind: Any = type(self)
+        for name in _array_fields(kind):
             freeze(getattr(self, name))
 
 

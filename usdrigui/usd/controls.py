@@ -85,9 +85,8 @@ def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool
 def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[list[Draft], list[LeftOff]]:
     """A control from 0 (base pose) to 1 (the pose, or the end of the clip) for each pose that moves anything."""
     drafts, left_off = [], []
-    for pose in poses:
+    for pose, drive in zip(poses, pose_drives(poses, base), strict=True):
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
-        drive = pose_drive(pose, base)
         if len(drive.channels) or len(drive.joints):
             span = Range(0.0, 0.0, 1.0, "default")
             drafts.append(Draft(name, pose.label, "pose", pose.name, span, drive))
@@ -144,13 +143,22 @@ def joint_settings(joint: Joint, joints: tuple[Joint, ...], said: Mapping[str, J
     return None
 
 
-def pose_drive(pose: NamedPose, base: State) -> Drive:
-    """What a pose adds to the base pose, on the joints and channels that it changes."""
-    frame, base_frame = rotation_part(pose.states.locals), rotation_part(base.locals)
-    turns = unwrapped(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)))
-    shifts = pose.states.locals[..., 3, :3] - base.locals[..., 3, :3]
-    scales = _log_scales(pose.states.locals, frame) - _log_scales(base.locals, base_frame)
+def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
+    """What each pose adds to the base pose, on the joints and channels that it changes."""
+    if not poses:
+        return []
+    local = np.concatenate([pose.states.locals for pose in poses])
+    frame, base_frame = rotation_part(local), rotation_part(base.locals)
+    turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
+    shifts = local[..., 3, :3] - base.locals[..., 3, :3]
+    scales = _log_scales(local, frame) - _log_scales(base.locals, base_frame)
+    ends = np.cumsum([len(pose.values) for pose in poses])[:-1]
+    parts = zip(poses, *(np.split(table, ends) for table in (turns, shifts, scales)), strict=True)
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
+    return [_pose_drive(pose, base, unwrapped(turn), shift, scale, size) for pose, turn, shift, scale in parts]
+
+
+def _pose_drive(pose: NamedPose, base: State, turns: Floats, shifts: Floats, scales: Floats, size: float) -> Drive:
     moving = np.flatnonzero(
         (np.abs(turns) > _STILL).any(axis=(0, 2))
         | (np.abs(shifts) > _STILL * size).any(axis=(0, 2))
@@ -158,15 +166,8 @@ def pose_drive(pose: NamedPose, base: State) -> Drive:
     )
     weights = pose.states.weights - base.weights
     channels = np.flatnonzero((np.abs(weights) > _STILL).any(axis=0))
-    return Drive(
-        pose.values,
-        channels,
-        weights[:, channels],
-        moving,
-        turns[:, moving],
-        shifts[:, moving],
-        scales[:, moving],
-    )
+    moves = (table[:, moving] for table in (turns, shifts, scales))
+    return Drive(pose.values, channels, weights[:, channels], moving, *moves)
 
 
 def unwrapped(vectors: Floats) -> Floats:
