@@ -9,14 +9,15 @@ the rules of the written layer, where tracks and handles are gprims that UsdSkel
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, deform, posed
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig, RigMesh, Shape
+from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig
+from usdrigui.pose.subset import subset
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,8 +66,8 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     Raises RigUIError LAYOUT_STALE when the layout was made for another version of the character: a mesh
     or a control is missing, or the topology has changed.
     """
-    wanted = [_anchor_place(rig, element) for element in layout.elements]
-    anchors, rows = _cut_down(rig, wanted)
+    points = np.array([_anchor_point(rig, element) for element in layout.elements], dtype=np.int64)
+    anchors, rows = subset(rig, points)
     names = {control.name: index for index, control in enumerate(rig.controls)}
     owned = tuple(_controls(names, element) for element in layout.elements)
     if len(layout.base_values) != len(rig.controls):
@@ -178,14 +179,14 @@ def _along(values: Floats, track: Floats, value: float) -> Floats:
 # --- matching ----------------------------------------------------------------------------------------
 
 
-def _anchor_place(rig: Rig, element: Element) -> tuple[int, int]:
-    """(mesh index, local point) of an element's anchor."""
+def _anchor_point(rig: Rig, element: Element) -> int:
+    """The point that an element is anchored at."""
     anchor = element.anchor
-    for index, mesh in enumerate(rig.meshes):
+    for start, mesh in zip(rig.starts.tolist(), rig.meshes, strict=False):
         if mesh.path == anchor.mesh:
             if mesh.topology_hash != anchor.topology_hash or not 0 <= anchor.point < len(mesh.points):
                 raise refuse("LAYOUT_STALE", mesh.path, f"its topology is not that which {element.name} is anchored to")
-            return index, anchor.point
+            return int(start) + anchor.point
     raise refuse("LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist")
 
 
@@ -194,33 +195,3 @@ def _controls(names: Mapping[str, int], element: Element) -> Indices:
         if member.control not in names:
             raise refuse("LAYOUT_STALE", member.control, f"the control of {element.name} does not exist")
     return np.array([names[member.control] for member in element.members], dtype=np.int64)
-
-
-def _cut_down(rig: Rig, wanted: list[tuple[int, int]]) -> tuple[Rig, Indices]:
-    """The rig with the wanted points of its meshes only, and the row of each wanted one among them."""
-    rows = np.zeros(len(wanted), dtype=np.int64)
-    meshes: list[RigMesh] = []
-    start = 0
-    for index, mesh in enumerate(rig.meshes):
-        mine = [i for i, (of, _) in enumerate(wanted) if of == index]
-        if mine:
-            kept, inverse = np.unique([wanted[i][1] for i in mine], return_inverse=True)
-            rows[mine] = start + inverse
-            meshes.append(_part(mesh, kept))
-            start += len(kept)
-    return replace(rig, meshes=tuple(meshes), clip=None), rows
-
-
-def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
-    """The `kept` points of a mesh, without faces."""
-    skin = mesh.skin
-    if skin is not None:
-        skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
-    shapes = tuple(shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points))
-    none = np.zeros(0, dtype=np.int64)
-    return replace(mesh, points=mesh.points[kept], face_counts=none, face_indices=none, skin=skin, shapes=shapes)
-
-
-def _shape_part(shape: Shape, kept: Indices) -> Shape:
-    _, local, row = np.intersect1d(kept, shape.points, assume_unique=True, return_indices=True)
-    return replace(shape, points=local.astype(np.int64), offsets=shape.offsets[:, row])

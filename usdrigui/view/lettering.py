@@ -125,10 +125,10 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
     """Text and place of the first element of each family in each column, column after column."""
     found: list[tuple[str, float, float]] = []
     order = np.lexsort((boxes[:, 0], rows))
-    for index in order:
+    for index in order.tolist():
         family, x, y = shown[index][0].family, float(boxes[index, 0]), float(rows[index])
         above = (np.abs(rows - (y - pitch)) < 0.4 * pitch) & (np.abs(boxes[:, 0] - x) < 3.0 * pitch)
-        left = np.flatnonzero((np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0))
+        left: list[int] = np.flatnonzero((np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0)).tolist()
         paired = any(shown[other][0].name == shown[index][0].mirror for other in left)
         if family and not above.any() and not paired:
             found.append((_FAMILIES.get(family, family), x - 4.0, y))
