@@ -161,7 +161,7 @@ def _tongue() -> Part:
     """Half a flattened tube from the throat to a rounded tip."""
     lengths = np.array([1.0, 0.985, 0.93, 0.84, 0.72, 0.58, 0.44, 0.30, 0.15, 0.0])
     turn = np.linspace(np.pi / 2, -np.pi / 2, 9)
-    width = 1.25 * np.sqrt(np.clip(1.0 - lengths**4, 0.0, 1.0)) * (0.85 + 0.15 * lengths)
+    width = 1.25 * np.sqrt(np.clip(1.0 - lengths**9, 0.0, 1.0)) * (0.85 + 0.15 * lengths)
     thick = 0.48 * np.sqrt(np.clip(1.0 - lengths**6, 0.0, 1.0))
     groove = 1.0 - 0.35 * np.exp(-((np.cos(turn) / 0.28) ** 2)) * (turn > 0)
     rows = [

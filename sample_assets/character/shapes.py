@@ -19,6 +19,8 @@ JAW_PIVOT = np.array([0.0, -2.6, -0.3])
 """A point of the axis through the jaw joints, which runs along X."""
 JAW_OPEN_DEGREES = 19.0
 NECK_PIVOT = np.array([0.0, -8.5, -1.5])
+_LIP_PULL = (0, 0, 0, 0.01, 0.04, 0.10, 0.20, 0.34, 0.5, 0.66, 0.80, 0.90, 0.96, 0.99, 1, 1, 1)
+"""Pull of the jaw round each loop of the mouth, from the middle of the upper lip to that of the lower."""
 SMALLEST = 4e-4
 """Offsets shorter than this in every coordinate are dropped."""
 
@@ -104,7 +106,7 @@ def jaw_weights(head: Head) -> Floats:
     weight[held] = 0.0
     chin = (y < -8.2) & (z > 4.0) & (y > -10.6)
     weight[chin] = 1.0
-    lips = np.interp(np.arange(mouth.shape[1]), [5, 6, 7, 8, 9, 10, 11], [0.0, 0.06, 0.24, 0.5, 0.76, 0.94, 1.0])
+    lips = np.array(_LIP_PULL)
     for ring in mouth[2:]:
         for vertices in (ring, head.mirror[ring]):
             weight[vertices] = lips
@@ -252,7 +254,7 @@ def _tongue_out(body: Body, w: float) -> Floats:
     s = body.tongue[:, None]
     lift = 0.55 * np.sin(np.pi * min(w * 1.25, 1.0)) + 0.42 * w
     droop = -1.0 * w * w * np.clip((s - 0.62) / 0.38, 0.0, 1.0) ** 2
-    forward = 3.3 * w * s**1.1
+    forward = 3.2 * w * s
     return np.concatenate([0 * s, s * lift + droop, forward], axis=1) * (s > 0)
 
 
@@ -264,7 +266,9 @@ def _at_corner(body: Body, radii: tuple[float, float, float]) -> Floats:
 
 
 def _smile(body: Body, w: float) -> Floats:
-    pull = _at_corner(body, (3.3, 2.7, 3.6)) * [0.85, 0.95, -0.62]
+    pull = _at_corner(body, (3.3, 2.7, 3.6)) * [0.85, 0.0, -0.62]
+    curl = np.clip(np.abs(body.points[:, :1]) / body.mouth_corner[0], 0.0, 1.0) ** 1.4
+    pull += _at_corner(body, (3.3, 2.7, 3.6)) * curl * [0.0, 1.0, 0.0]
     cheek = _bump(body, (4.0, -3.6, 6.6), (2.3, 2.0, 2.8)) * [0.20, 0.30, 0.45]
     return w * (pull + cheek)
 
@@ -301,7 +305,7 @@ def _upper_up(body: Body, w: float) -> Floats:
 def _pucker(body: Body, w: float) -> Floats:
     spot = _bump(body, (0.0, -6.35, 8.0), (4.2, 2.7, 4.0))
     inward = body.points * [-0.52, 0.0, 0.0]
-    taller = _upper(body) * [0.0, 0.14, 0.0] + _lower(body) * [0.0, -0.14, 0.0]
+    taller = 0.28 * (body.points - body.mouth_corner) * [0.0, 1.0, 0.0]
     return np.asarray(w * spot * (inward + taller + [0.0, 0.0, 0.80]))
 
 
@@ -344,8 +348,8 @@ def _close(body: Body, w: float) -> Floats:
 
 def _puff(body: Body, w: float) -> Floats:
     right = np.array([-1.0, 1.0, 1.0])
-    centre, out = np.array([4.1, -5.3, 6.0]), np.array([0.95, 0.0, 0.6])
-    radii = (2.7, 2.5, 3.4)
+    centre, out = np.array([3.9, -5.1, 6.0]), np.array([0.85, 0.0, 0.55])
+    radii = (3.1, 2.9, 3.6)
     return w * (_bump(body, centre, radii) * out + _bump(body, centre * right, radii) * out * right)
 
 
