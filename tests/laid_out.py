@@ -83,16 +83,22 @@ def _element(rig, names, members, position, point, beside, adapt):
 # --- posing ------------------------------------------------------------------------------------------
 
 
-def baked(layer, rig, poses):
-    """Stage of `layer` with pose k (controls,) keyed at time k, and UsdSkel's deformation baked into points."""
+def keyed(path, rig, poses):
+    """Stage over the layer at `path` with pose k (controls,) keyed at time k."""
     top = Sdf.Layer.CreateAnonymous(".usda")
-    top.subLayerPaths.append(layer.identifier)
+    top.subLayerPaths.append(path)
     stage = Usd.Stage.Open(top)
     for skeleton in rig.skeletons:
         if skeleton.animation:
             _key(stage, rig, skeleton, poses)
     stage.SetStartTimeCode(0)
     stage.SetEndTimeCode(len(poses) - 1)
+    return stage
+
+
+def baked(layer, rig, poses):
+    """`keyed`, and UsdSkel's deformation baked into points."""
+    stage = keyed(layer.identifier, rig, poses)
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
     return stage
 

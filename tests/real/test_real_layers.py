@@ -1,0 +1,71 @@
+"""Layers of the real rigs, baked by UsdSkel: every handle is centred on its deformed anchor."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import laid_out
+import numpy as np
+import pytest
+from pxr import Sdf, Usd, UsdValidation
+
+from usdrigui.settings import OutputSettings, Settings
+from usdrigui.usd.layer import stage_metadata, write_layout
+from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.rig import read_rigs
+
+ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
+RIGS = sorted(path for path in ASSETS.glob("*") if path.suffix in (".usda", ".usdc"))
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(not RIGS, reason=f"no rigs in {ASSETS}"),
+]
+
+
+@pytest.mark.parametrize("source", RIGS, ids=lambda path: path.stem)
+def test_handles_are_centred_on_their_deformed_anchors(tmp_path, source):
+    rigs = read_rigs(source, Settings())
+    layouts = [laid_out.layout_of(rig, seed=12) for rig in rigs]
+    target = tmp_path / "layout.rigui.usdc"
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    write_layout(list(zip(rigs, layouts, strict=True)), source, target, OutputSettings(), metadata)
+    assert [len(back.elements) for back in read_layout(target)] == [len(layout.elements) for layout in layouts]
+    layer = Sdf.Layer.FindOrOpen(str(target))
+    for rig, layout in zip(rigs, layouts, strict=True):
+        rng = np.random.default_rng(13)
+        poses = [laid_out.random_values(rig, rng) for _ in range(2)]
+        stage = laid_out.baked(layer, rig, poses)
+        worst = _worst_miss(stage, rig, layout, len(poses))
+        assert len(layout.elements) > 0.9 * len(rig.controls)
+        assert worst < 1e-5, rig.root
+
+
+def _worst_miss(stage, rig, layout, poses):
+    """Largest distance of a handle from its anchor, as a share of the diagonal of the character."""
+    worst, scope = 0.0, stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    for time in range(poses):
+        points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.root, time) for mesh in rig.meshes}
+        everything = np.concatenate(list(points.values()))
+        diagonal = np.linalg.norm(np.ptp(everything, axis=0))
+        for element, prim in zip(layout.elements, scope.GetChildren(), strict=True):
+            centre = laid_out.root_points(stage, f"{prim.GetPath()}/handle", rig.root, time).mean(axis=0)
+            miss = np.linalg.norm(centre - points[element.anchor.mesh][element.anchor.point])
+            worst = max(worst, float(miss / diagonal))
+    return worst
+
+
+@pytest.mark.parametrize("source", RIGS, ids=lambda path: path.stem)
+def test_a_layout_adds_no_validation_error(tmp_path, source):
+    rigs = read_rigs(source, Settings())
+    target = tmp_path / "layout.rigui.usdc"
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    laid = [(rig, laid_out.layout_of(rig, seed=12)) for rig in rigs]
+    write_layout(laid, source, target, OutputSettings(), metadata)
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    before, after = (
+        {error.GetMessage() for error in UsdValidation.ValidationContext(validators).Validate(stage)}
+        for stage in (Usd.Stage.Open(str(source)), Usd.Stage.Open(str(target)))
+    )
+    assert {message for message in after - before if "RigUI" in message} == set()
+    assert len(after) <= len(before)
