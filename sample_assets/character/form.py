@@ -73,7 +73,8 @@ def _skull(q: Floats) -> Floats:
     d = _union(d, _ellipsoid(q, (2.6, -4.9, 4.3), (2.2, 2.6, 2.7)), 1.6)
     d = _union(d, _ellipsoid(q, (0.0, -6.0, 5.8), (3.2, 2.5, 2.8)), 1.2)
     d = _union(d, _capsule(q, (0.0, 2.2, 6.95), (4.7, 2.55, 5.2), 0.75, 0.65), 1.5)
-    return _union(d, _capsule(q, (0.0, -5.0, -3.2), (0.0, -17.0, -4.4), 3.1, 3.7), 2.0)
+    d = _union(d, _capsule(q, (0.0, -5.0, -3.2), (0.0, -17.0, -4.4), 3.1, 3.6), 2.0)
+    return _union(d, _ellipsoid(q, (0.0, -18.0, -4.4), (8.5, 3.6, 4.6)), 3.5)
 
 
 def _nose(q: Floats) -> Floats:

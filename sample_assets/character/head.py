@@ -305,16 +305,16 @@ def _ear_loops() -> Floats:
     count = len(BLOCKS["ear"].outline())
     angle = np.pi - np.linspace(0.0, 2 * np.pi, count, endpoint=False)
     back, up, out = np.array([0.20, -0.12, -0.97]), np.array([0.05, 0.98, -0.16]), np.array([0.97, 0.0, 0.20])
-    foot = np.array([6.75, -1.2, -0.9])
+    foot = np.array([6.65, -1.2, -0.9])
     c, s = np.cos(angle), np.sin(angle)
     egg = 1.0 + 0.22 * s
     root = form.project(foot + np.outer(0.75 * c, [0.0, 0.0, -1.0]) * 1.5 + np.outer(2.3 * s, up), rounds=8)
     stem = form.project(foot + np.outer(0.5 * c + 0.05, [0.0, 0.0, -1.0]) * 1.5 + np.outer(1.9 * s, up), rounds=8)
 
     def ring(width: float, height: float, shift: float, lift: float, fold: float) -> Floats:
-        a = width * c * egg + shift
-        away = lift + fold * (1.0 + c) / 2
-        return foot + np.outer(a, back) + np.outer(height * s + 0.1, up) + np.outer(away, out)
+        a = 0.9 * width * c * egg + shift
+        away = 0.85 * (lift + fold * (1.0 + c) / 2)
+        return foot + np.outer(a, back) + np.outer(0.9 * height * s + 0.1, up) + np.outer(away, out)
 
     behind = ring(1.15, 2.35, 0.55, 0.20, 0.20)
     rim = ring(1.50, 2.70, 0.75, 0.36, 0.50)

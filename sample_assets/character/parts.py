@@ -185,7 +185,7 @@ def _brow() -> tuple[Floats, list[tuple[int, ...]]]:
     stations, sides = 11, 6
     t = np.linspace(0.0, 1.0, stations)
     x = 1.15 + 4.1 * t
-    y = 2.62 + 0.72 * np.sin(np.pi * np.clip(t * 0.80 + 0.04, 0, 1)) - 0.25 * t**3
+    y = 2.84 + 0.50 * np.sin(np.pi * np.clip(t * 0.80 + 0.04, 0, 1)) - 0.25 * t**3
     spine = form.cast(np.column_stack([x, y, 0 * x]), np.repeat([[0.0, 0.0, 1.0]], stations, axis=0), reach=14.0)
     normal = form.normals(spine)
     along = np.gradient(spine, axis=0)
@@ -215,7 +215,7 @@ def _lash(head: Head) -> tuple[Floats, list[tuple[int, ...]]]:
     share = np.arange(13) / 12.0
     away = root - EYE
     away /= np.linalg.norm(away, axis=1, keepdims=True)
-    length = (0.06 + 0.24 * np.sin(np.pi * share**1.3) + 0.12 * share**2)[:, None]
+    length = (0.06 + 0.24 * np.sin(np.pi * share**1.3) + 0.5 * share**3 * (1.0 - share))[:, None]
     sweep = np.column_stack([0.9 * (share - 0.35), np.full(13, 0.15), np.zeros(13)])
     middle = root + length * 0.55 * (away + 0.4 * sweep)
     tip = root + length * (away + sweep + [0.0, 0.45, -0.1])
@@ -224,10 +224,10 @@ def _lash(head: Head) -> tuple[Floats, list[tuple[int, ...]]]:
 
 _HAIR_CENTRE = np.array([0.0, 2.0, -1.0])
 _HAIR_LINE = (
-    (0, 33),
-    (25, 34),
-    (45, 40),
-    (56, 30),
+    (0, 30),
+    (25, 31),
+    (45, 37),
+    (56, 28),
     (66, -4),
     (74, -8),
     (82, 6),
