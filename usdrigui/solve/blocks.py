@@ -280,20 +280,26 @@ def near_pairs(one: Bodies, first: slice, other: Bodies, reach: float, extra: fl
     return rows + first.start, columns
 
 
-def pair_bounds(one: Bodies, i: Indices, other: Bodies, j: Indices, overlap: Overlap, separation: float) -> Floats:
+def pair_bounds(
+    one: Bodies, i: Indices, other: Bodies, j: Indices, overlap: Overlap, separation: float
+) -> tuple[Floats, Flags]:
     """Least overlap cost between members of body ``i[q]`` of `one` and ``j[q]`` of `other`.
 
-    +inf where all members' handles are nearer than the separation.  Exact for blocks of one label.
+    Returns the costs, +inf where all members' handles are nearer than the separation, and whether any
+    members can interact at all.  Exact for blocks of one label.
     """
-    cost = np.empty(len(i))
+    cost, near = np.empty(len(i)), np.empty(len(i), dtype=bool)
     for at in range(0, len(i), CHUNK):
-        p, q = i[at : at + CHUNK], j[at : at + CHUNK]
-        apart = sample_distance(one.samples, p, other.samples, q) + (one.slack[p] + other.slack[q])
-        piece = overlap.weight * overlap_cost(apart, overlap)
+        part = slice(at, at + CHUNK)
+        p, q = i[part], j[part]
+        apart = sample_distance(one.samples, p, other.samples, q)
+        slack = one.slack[p] + other.slack[q]
+        cost[part] = overlap.weight * overlap_cost(apart + slack, overlap)
         between = np.linalg.norm(one.handle[:, p] - other.handle[:, q], axis=0)
-        piece[between + (one.handle_slack[p] + other.handle_slack[q]) < separation] = np.inf
-        cost[at : at + CHUNK] = piece
-    return cost
+        handle_slack = one.handle_slack[p] + other.handle_slack[q]
+        cost[part][between + handle_slack < separation] = np.inf
+        near[part] = (apart - slack < overlap.reach) | (between - handle_slack < separation)
+    return cost, near
 
 
 def sample_distance(a: NDArray[np.float64], p: Indices, b: NDArray[np.float64], q: Indices) -> Floats:

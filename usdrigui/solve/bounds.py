@@ -30,6 +30,7 @@ class Edge:
         self.costs = (costs, np.ascontiguousarray(costs.T))
         self.used = (table.rows, table.columns)
         self.given = [np.zeros(sizes[0]), np.zeros(sizes[1])]
+        self._least: float | None = None
         self.full = tuple(len(used) == size for used, size in zip(self.used, sizes, strict=True))
         self.rest = tuple(_complement(used, size) for used, size in zip(self.used, sizes, strict=True))
 
@@ -45,6 +46,36 @@ class Edge:
         if len(self.used[side]):
             found[self.used[side]] = np.minimum((self.costs[1 - side] + inside[:, None]).min(axis=0), elsewhere)
         return found
+
+
+    def least(self) -> float:
+        """Least reparametrised cost."""
+        if self._least is None:
+            self._least = float((self.toward(0) - self.given[0]).min())
+        return self._least
+
+    def give(self, side: int, amount: Floats) -> None:
+        """Move costs from the table to one of its ends."""
+        self.given[side] = self.given[side] + amount
+        self._least = None
+
+    def at(self, i: int, j: int) -> float:
+        """Reparametrised cost of two entries."""
+        return float(self.against(0, j)[i] - self.given[0][i] - self.given[1][j])
+
+    def against(self, side: int, other: int) -> Floats:
+        """(n,) original costs of the entries of one end against one entry of the other."""
+        costs = np.zeros(len(self.given[side]))
+        at = int(np.searchsorted(self.used[1 - side], other))
+        if at < len(self.used[1 - side]) and self.used[1 - side][at] == other:
+            costs[self.used[side]] = self.costs[1 - side][at]
+        return costs
+
+    def block(self, rows: Indices, columns: Indices) -> Floats:
+        """Reparametrised costs of some entries of the first end against some of the second."""
+        full = np.zeros((len(self.given[0]), len(self.given[1])))
+        full[np.ix_(*self.used)] = self.costs[0]
+        return np.asarray(full[np.ix_(rows, columns)] - self.given[0][rows][:, None] - self.given[1][columns])
 
 
 class Dual:
@@ -84,8 +115,19 @@ class Dual:
         """Lower bound on the cost of every solution."""
         return self.parts()[0]
 
-    def parts(self) -> tuple[float, list[Floats]]:
-        """The bound, and for every variable a lower bound on the excess over it of each of its entries."""
+    def cost(self, chosen: Indices) -> float:
+        """Cost of a solution."""
+        total = sum(float(each[at]) for each, at in zip(self.unary, chosen, strict=True))
+        return total + sum(
+            float(edge.against(0, int(chosen[edge.ends[1]]))[chosen[edge.ends[0]]]) for edge in self.edges
+        )
+
+    def parts(self, member: Indices | None = None) -> tuple[float, list[Floats]]:
+        """The bound, and for every variable a lower bound on the excess over it of each of its entries.
+
+        With `member` (groups of variables, -1 for none) the excess uses nothing that belongs to another
+        group, so that what those groups gain may be added to it.
+        """
         total = 0.0
         excess = []
         for theta in self.theta:
@@ -95,12 +137,25 @@ class Dual:
         stars = [each.copy() for each in excess]
         for edge in self.edges:
             a, b = edge.ends
-            plain = edge.toward(0) - edge.given[0]
-            least = plain.min(initial=np.inf)
+            least = edge.least()
             total += least
-            stars[a] += edge.toward(0, excess[b]) - edge.given[0] - least
-            stars[b] += edge.toward(1, excess[a]) - edge.given[1] - least
+            for side in (0, 1):
+                mine, other = edge.ends[side], edge.ends[1 - side]
+                foreign = member is not None and member[other] >= 0 and member[other] != member[mine]
+                stars[mine] += edge.toward(side, None if foreign else excess[other]) - edge.given[side] - least
         return float(total), stars
+
+    def inner_excess(self, group: Sequence[int]) -> list[Floats]:
+        """Like the excess of `parts`, of the problem that a group of variables is by itself."""
+        inside = set(group)
+        excess = {each: self.theta[each] - self.theta[each].min() for each in group}
+        stars = {each: excess[each].copy() for each in group}
+        for variable in group:
+            for edge, side in self.near[variable]:
+                other = edge.ends[1 - side]
+                if other in inside:
+                    stars[variable] += edge.toward(side, excess[other]) - edge.given[side] - edge.least()
+        return [stars[each] for each in group]
 
     def _visit(self, variable: int, forward: bool) -> None:
         """Share a variable's reduced costs among the tables ahead and push them on to the other ends."""
@@ -114,7 +169,7 @@ class Dual:
             self._give(edge, 1 - side, edge.toward(1 - side) - edge.given[1 - side])
 
     def _give(self, edge: Edge, side: int, amount: Floats) -> None:
-        edge.given[side] = edge.given[side] + amount
+        edge.give(side, amount)
         self.theta[edge.ends[side]] += amount
 
 

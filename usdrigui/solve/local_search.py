@@ -57,7 +57,7 @@ class Neighbours:
             for other in pool.bodies:
                 near = self._near(one, at, other)
                 self._watch.spend(len(near))
-                piece = pair_bounds(
+                piece, _ = pair_bounds(
                     one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation
                 )
                 cost[other.owner[near]] += piece

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.model import Flags, Floats, Indices, LayoutProblem
 from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, whole
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.tables import pair_tables
+from usdrigui.solve.groups import decode, group_gains
+from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
 STEP = "blocks"
-SWEEPS = 12
+NODES = 400
+NEAR = 0.02
+SWEEPS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,11 +25,16 @@ class Residual:
 
     blocks: Blocks
     pool: Pool
+    near: list[NearPairs]
     dual: Dual
     bound: float
     """Lower bound on every solution of the unreduced problem that costs less than the cut-off."""
-    excess: Floats
-    """(n,) lower bound on what using an entry of the pool costs above `bound`."""
+    room: Floats
+    """(n,) lower bound on the cost of solutions that use an entry of the pool."""
+    chosen: Indices
+    """(variables,) entries of the best solution known of the problem that the blocks bound from below."""
+    value: float
+    """Its cost there: at best the bound can rise to this before blocks are split."""
 
     @property
     def exact(self) -> bool:
@@ -40,28 +48,54 @@ def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watc
     for _ in range(3):
         blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
     residual = _bounded(problem, labels, blocks, forbidden, watch, None, None)
-    while not (watch.closed() or residual.exact or watch.stopped()):
-        alive = residual.bound + residual.excess <= watch.cut
-        rest = keep(residual.blocks, alive)
-        blocks, parent = halve(labels, rest, _worth_splitting(rest, residual.excess[alive], watch))
-        parent = np.flatnonzero(alive)[parent]
-        if _planned(blocks) > watch.settings.memory_limit * 2**20:
+    nodes = NODES
+    while True:
+        _tell(residual, watch)
+        if watch.closed() or watch.stopped():
             break
-        residual = _bounded(problem, labels, blocks, forbidden, watch, residual, parent)
+        if residual.value - residual.bound > 0.5 * (watch.cut - residual.bound):
+            residual = _grouped(residual, watch, nodes)
+            nodes = nodes * 5 // 4
+            _tell(residual, watch)
+            if watch.closed() or watch.stopped():
+                break
+        alive = residual.room <= watch.cut
+        if residual.blocks.sizes[alive].max(initial=1) == 1 and residual.exact:
+            break
+        rest = keep(residual.blocks, alive)
+        blocks, parent = halve(labels, rest, _worth_splitting(residual, alive, watch))
+        residual = _bounded(problem, labels, blocks, forbidden, watch, residual, np.flatnonzero(alive)[parent])
     return residual
 
 
-def _planned(blocks: Blocks) -> float:
-    """Bytes that the tables of these blocks can take at most."""
-    sizes = np.bincount(blocks.variable).astype(np.float64)
-    return 24 * (sizes.sum() ** 2 - np.square(sizes).sum()) / 2 * 0.5
+def _tell(residual: Residual, watch: Watch) -> None:
+    watch.found(STEP, bound=min(residual.bound, watch.cut))
 
 
-def _worth_splitting(blocks: Blocks, excess: Floats, watch: Watch) -> Indices:
-    """The blocks near the bound: splitting these can raise it."""
-    several = blocks.sizes > 1
-    near = several & (excess <= 0.1 * (watch.cut - watch.bound))
+def _worth_splitting(residual: Residual, alive: Flags, watch: Watch) -> Flags:
+    """The blocks whose splitting can raise the bound: those of the solution, and those near the bound."""
+    several = residual.blocks.sizes[alive] > 1
+    near = residual.room <= residual.bound + NEAR * (watch.cut - residual.bound)
+    near[residual.pool.start[:-1] + residual.chosen] = True
+    near = several & near[alive]
     return near if near.any() else several
+
+
+def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
+    """The residual with the bound raised by groups of variables."""
+    dual = residual.dual
+    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes)
+    total = residual.bound + float(found.gain.sum())
+    _, excess = dual.parts(found.member)
+    own = np.array([found.gain[each] if each >= 0 else 0.0 for each in found.member])
+    room = np.concatenate([each + (total - mine) for each, mine in zip(excess, own, strict=True)])
+    return replace(
+        residual,
+        bound=total,
+        room=np.maximum(np.maximum(residual.room, room), total),
+        chosen=found.chosen,
+        value=dual.cost(found.chosen),
+    )
 
 
 def _bounded(
@@ -76,7 +110,11 @@ def _bounded(
     """Tables of the blocks, dual ascent on them, and what it proves."""
     pool = block_pool(labels, blocks)
     candidate = np.where(blocks.sizes == 1, labels.label[blocks.members[blocks.start[:-1]]], -2)
-    tables = pair_tables(problem, pool, candidate, watch)
+    if older is None or parent is None:
+        near = near_blocks(problem, pool, watch)
+    else:
+        near = refined(problem, pool, older.near, parent, watch)
+    tables = pair_tables(problem, pool, near, candidate)
     unary = [pool.cost[a:b].copy() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
     dual = Dual(unary, tables, forbidden)
     if older is not None and parent is not None:
@@ -84,6 +122,6 @@ def _bounded(
         dual.start_from(older.dual, [parent[a:b] - old for a, b, old in ends])
     for _ in range(SWEEPS):
         dual.sweep()
-    bound, stars = dual.parts()
-    watch.found(STEP, bound=min(bound, watch.cut))
-    return Residual(blocks, pool, dual, bound, np.concatenate(stars))
+    bound, excess = dual.parts()
+    chosen, value = decode(dual, watch.settings.seed)
+    return Residual(blocks, pool, near, dual, bound, bound + np.concatenate(excess), chosen, value)

@@ -1,4 +1,8 @@
-"""Pair costs of the blocks of every two variables that come near each other, as small dense tables."""
+"""Pair costs of blocks of candidates, kept up to date while blocks are split and discarded.
+
+Only pairs that can come within the reach of the overlap cost are held.  When a block is split, its near
+pairs become pairs of its halves; only those are worked out anew.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.model import ExtraPairs, Floats, Indices, LayoutProblem, Record
+from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
 from usdrigui.solve.blocks import Bodies, Pool, near_pairs, pair_bounds
 from usdrigui.solve.watch import Watch
 
@@ -25,110 +29,149 @@ class Table(Record):
     """(r, c) >= 0, +inf where forbidden."""
 
 
-def pair_tables(problem: LayoutProblem, pool: Pool, candidate: Indices, watch: Watch) -> list[Table]:
+@dataclass(frozen=True, eq=False)
+class NearPairs(Record):
+    """Pairs of blocks of two sets of bodies that may interact."""
+
+    sets: tuple[int, int]
+    """Indices into `Pool.bodies`."""
+    first: Indices
+    """(q,) blocks; of an earlier variable than `second`."""
+    second: Indices
+    costs: Floats
+    """(q,) lower bounds, +inf where forbidden."""
+
+
+def near_blocks(problem: LayoutProblem, pool: Pool, watch: Watch) -> list[NearPairs]:
+    """All pairs of blocks of different variables that may interact."""
+    found = []
+    for a, one in enumerate(pool.bodies):
+        for b, other in enumerate(pool.bodies):
+            i, j = near_pairs(one, slice(0, len(one.owner)), other, problem.overlap.reach, problem.separation)
+            first, second = one.owner[i], other.owner[j]
+            apart = pool.variable[first] < pool.variable[second]
+            found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], watch))
+    return found
+
+
+def refined(
+    problem: LayoutProblem, pool: Pool, older: list[NearPairs], parent: Indices, watch: Watch
+) -> list[NearPairs]:
+    """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old number."""
+    count = int(max((each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)), default=-1)) + 1
+    children = np.bincount(parent, minlength=count)
+    child = np.full(len(children), -1, dtype=np.int64)
+    child[parent[::-1]] = np.arange(len(parent))[::-1]
+    return [_children(problem, pool, pairs, children, child, watch) for pairs in older]
+
+
+def _children(
+    problem: LayoutProblem, pool: Pool, pairs: NearPairs, children: Indices, child: Indices, watch: Watch
+) -> NearPairs:
+    many, few = children[pairs.first], children[pairs.second]
+    same = (many == 1) & (few == 1)
+    kept = NearPairs(pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same])
+    split = (many * few > 1).nonzero()[0]
+    times = (many * few)[split]
+    source = np.repeat(split, times)
+    step = np.arange(len(source)) - np.repeat(np.cumsum(times) - times, times)
+    first = child[pairs.first[source]] + step // few[source]
+    second = child[pairs.second[source]] + step % few[source]
+    new = _evaluated(problem, pool, pairs.sets, first, second, watch)
+    return NearPairs(
+        pairs.sets,
+        np.concatenate([kept.first, new.first]),
+        np.concatenate([kept.second, new.second]),
+        np.concatenate([kept.costs, new.costs]),
+    )
+
+
+def _evaluated(
+    problem: LayoutProblem, pool: Pool, sets: tuple[int, int], first: Indices, second: Indices, watch: Watch
+) -> NearPairs:
+    """Bounds of the pairs; those out of reach are left out."""
+    one, other = pool.bodies[sets[0]], pool.bodies[sets[1]]
+    i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
+    watch.spend(len(i))
+    costs, near = pair_bounds(one, i, other, j, problem.overlap, problem.separation)
+    return NearPairs(sets, first[near], second[near], costs[near])
+
+
+# --- dense tables ------------------------------------------------------------------------------------
+
+
+def pair_tables(problem: LayoutProblem, pool: Pool, near: list[NearPairs], candidate: Indices) -> list[Table]:
     """Tables of all pairs of variables with a pair cost above zero, in order of (first, second).
 
     `candidate` (n,) says which candidate of its variable stands behind each entry of the pool: -1 for
     beside the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
     where both entries are single candidates; for blocks zero bounds them from below.
     """
-    found: list[Table] = []
-    for first in range(pool.count):
-        found.extend(_row_of_tables(problem, pool, candidate, first, watch))
+    count = int(pool.start[-1])
+    keys, costs = [], []
+    for pairs in near:
+        hit = pairs.costs > 0
+        keys.append(pairs.first[hit] * count + pairs.second[hit])
+        costs.append(pairs.costs[hit])
+    for extra in problem.extra:
+        first, second, cost = _explicit(pool, candidate, extra)
+        keys.append(first * count + second)
+        costs.append(cost)
+    if not keys:
+        return []
+    key, cost = _summed(np.concatenate(keys), np.concatenate(costs), single=len(keys) == 1)
+    return _split(pool, key // count, key % count, cost)
+
+
+def _summed(keys: Indices, costs: Floats, *, single: bool) -> tuple[Indices, Floats]:
+    """Costs of equal keys (other copies of the same pair) added up."""
+    order = np.argsort(keys, kind="stable")
+    keys, costs = keys[order], costs[order]
+    if single or not len(keys):
+        return keys, costs
+    first = np.flatnonzero(np.diff(keys, prepend=-1))
+    return keys[first], np.add.reduceat(costs, first)
+
+
+def _split(pool: Pool, first: Indices, second: Indices, costs: Floats) -> list[Table]:
+    """One table per pair of variables from sparse entries."""
+    pair = pool.variable[first] * pool.count + pool.variable[second]
+    order = np.argsort(pair, kind="stable")
+    edges = np.flatnonzero(np.diff(pair[order], prepend=-1, append=-1))
+    found = []
+    for low, high in zip(edges[:-1], edges[1:], strict=True):
+        part = order[low:high]
+        a, b = divmod(int(pair[part[0]]), pool.count)
+        rows, row_at = _ranks(first[part] - pool.start[a], int(pool.start[a + 1] - pool.start[a]))
+        columns, column_at = _ranks(second[part] - pool.start[b], int(pool.start[b + 1] - pool.start[b]))
+        table = np.zeros((len(rows), len(columns)))
+        table[row_at, column_at] = costs[part]
+        found.append(Table(a, b, rows, columns, table))
     return found
 
 
-def _row_of_tables(
-    problem: LayoutProblem, pool: Pool, candidate: Indices, first: int, watch: Watch
-) -> list[Table]:
-    """Tables of one variable with all later ones."""
-    low, high = int(pool.start[first]), int(pool.start[first + 1])
-    end = int(pool.start[-1])
-    keys, costs = [], []
-    for one in pool.bodies:
-        mine = slice(*np.searchsorted(one.owner, [low, high]).tolist())
-        if mine.start == mine.stop:
-            continue
-        for other in pool.bodies:
-            key, cost = _hits(problem, one, mine, other, high, watch)
-            keys.append(one.owner[key[0]] * end + other.owner[key[1]])
-            costs.append(cost)
-    for extra in problem.extra:
-        if extra.first == first:
-            key_pair, cost = _explicit(pool, candidate, extra)
-            keys.append(key_pair[0] * end + key_pair[1])
-            costs.append(cost)
-    if not keys:
-        return []
-    key, cost = _summed(np.concatenate(keys), np.concatenate(costs))
-    return _split(pool, first, key // end, key % end, cost)
+def _ranks(values: Indices, size: int) -> tuple[Indices, Indices]:
+    """The distinct values in [0, size), ascending, and each value's place among them."""
+    used: Flags = np.zeros(size, dtype=bool)
+    used[values] = True
+    rank = np.cumsum(used) - 1
+    return np.flatnonzero(used), rank[values]
 
 
-def _hits(
-    problem: LayoutProblem, one: Bodies, mine: slice, other: Bodies, beyond: int, watch: Watch
-) -> tuple[tuple[Indices, Indices], Floats]:
-    """Pairs of bodies with a cost, and their costs: `mine` of `one` with those of `other` owned from `beyond` on."""
-    later = _from(other, int(np.searchsorted(other.owner, beyond)))
-    i, j = near_pairs(one, mine, later, problem.overlap.reach, problem.separation)
-    watch.spend(len(i))
-    cost = pair_bounds(one, i, later, j, problem.overlap, problem.separation)
-    hit = cost > 0
-    return (i[hit], j[hit] + len(other.owner) - len(later.owner)), cost[hit]
-
-
-def _explicit(pool: Pool, candidate: Indices, extra: ExtraPairs) -> tuple[tuple[Indices, Indices], Floats]:
+def _explicit(pool: Pool, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:
     """Entries of the pool that explicit costs speak of, and the costs."""
     first = _entry(pool, candidate, extra.first, extra.first_labels)
     second = _entry(pool, candidate, extra.second, extra.second_labels)
     known = (first >= 0) & (second >= 0) & (extra.costs > 0)
-    return (first[known], second[known]), extra.costs[known]
+    return first[known], second[known], extra.costs[known]
 
 
 def _entry(pool: Pool, candidate: Indices, variable: int, labels: Indices) -> Indices:
     """(q,) the variable's entries that are the single candidates `labels`, or -1."""
     low, high = pool.start[variable], pool.start[variable + 1]
     mine = candidate[low:high]
-    order = np.argsort(mine, kind="stable")
-    at = np.minimum(np.searchsorted(mine[order], labels), max(len(mine) - 1, 0))
     if not len(mine):
         return np.full(len(labels), -1, dtype=np.int64)
-    entry = order[at]
+    order = np.argsort(mine, kind="stable")
+    entry = order[np.minimum(np.searchsorted(mine[order], labels), len(mine) - 1)]
     return np.where(mine[entry] == labels, entry + low, -1)
-
-
-def _from(body: Bodies, at: int) -> Bodies:
-    return Bodies(
-        body.owner[at:],
-        body.samples[:, :, at:],
-        body.slack[at:],
-        body.handle[:, at:],
-        body.handle_slack[at:],
-        body.middle[:, at:],
-        body.radius[at:],
-    )
-
-
-def _summed(keys: Indices, costs: Floats) -> tuple[Indices, Floats]:
-    """Costs of equal keys (other copies of the same pair) added up."""
-    unique, inverse = np.unique(keys, return_inverse=True)
-    return unique, np.bincount(inverse, weights=costs, minlength=len(unique))
-
-
-def _split(pool: Pool, first: int, rows: Indices, columns: Indices, costs: Floats) -> list[Table]:
-    """One table per second variable from sparse entries."""
-    second = pool.variable[columns]
-    order = np.argsort(second, kind="stable")
-    edges = np.searchsorted(second[order], np.arange(pool.count + 1))
-    found = []
-    for other in range(first + 1, pool.count):
-        part = order[edges[other] : edges[other + 1]]
-        if not len(part):
-            continue
-        row, row_at = np.unique(rows[part], return_inverse=True)
-        column, column_at = np.unique(columns[part], return_inverse=True)
-        table = np.zeros((len(row), len(column)))
-        table[row_at, column_at] = costs[part]
-        found.append(Table(first, other, row - pool.start[first], column - pool.start[other], table))
-    return found
-
-

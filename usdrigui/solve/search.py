@@ -1,0 +1,258 @@
+"""Exact search on what the bounds leave: depth first, with the dual kept warm and components apart.
+
+A node of the search is a smaller problem of the same kind, its costs reparametrised by the multipliers
+found so far.  Fixing a variable folds its rows into the neighbours' linear costs; entries that the bound
+rules out are dropped from the tables; what falls apart into components is solved component by component.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.model import Flags, Floats, Indices
+from usdrigui.solve.tables import Table
+from usdrigui.solve.watch import Watch
+
+EPSILON = 1e-11
+ROOT_SWEEPS = 10
+
+
+class Part:
+    """A pairwise problem over a few variables, its costs in one matrix, with the dual ascent built in.
+
+    The matrix holds the tables of all pairs of variables above its diagonal blocks.  Multipliers are worked
+    into the costs at once, so costs and matrix are always a reparametrisation of the original.
+    """
+
+    def __init__(self, variables: Indices, owner: Indices, entries: Indices, costs: Floats, matrix: Floats) -> None:
+        self.variables = variables
+        """(k,) names of the variables."""
+        self.owner = owner
+        """(n,) position of each entry's variable, ascending."""
+        self.entries = entries
+        """(n,) entry of the original problem."""
+        self.costs = costs
+        self.matrix = matrix
+        self.start = np.searchsorted(owner, np.arange(len(variables) + 1))
+        self.sizes = self.start[1:] - self.start[:-1]
+        """(k,) number of entries of each variable."""
+        self.constant = 0.0
+        self.linked: Flags = np.zeros((len(variables), len(variables)), dtype=bool)
+
+    def settle(self) -> None:
+        """Take the constants out of the tables and note which variables are linked at all."""
+        for at in range(len(self.variables) - 1):
+            low, high = self.start[at], self.start[at + 1]
+            block = self.matrix[low:high, high:]
+            segments = self.start[at + 1 : -1] - high
+            least = np.minimum.reduceat(block.min(axis=0), segments)
+            most = np.maximum.reduceat(block.max(axis=0), segments)
+            self.constant += float(least.sum())
+            block -= np.repeat(least, self.sizes[at + 1 :])
+            self.linked[at, at + 1 :] = self.linked[at + 1 :, at] = most - least > EPSILON
+
+    def sweep(self) -> None:
+        """One pass of dual ascent over the variables and one back (see `usdrigui.solve.bounds`)."""
+        count = len(self.variables)
+        linked = self.linked[:, self.owner]
+        ahead = np.triu(self.linked).sum(axis=1)
+        behind = np.tril(self.linked).sum(axis=1)
+        divisor = np.maximum(np.maximum(ahead, behind), 1)
+        for at in range(count):
+            if not ahead[at]:
+                continue
+            low, high = self.start[at], self.start[at + 1]
+            block, share = self.matrix[low:high, high:], self.costs[low:high] / divisor[at]
+            block += share[:, None] * linked[at, high:]
+            self.costs[low:high] -= share * ahead[at]
+            message = block.min(axis=0)
+            block -= message
+            self.costs[high:] += message
+        for at in range(count - 1, -1, -1):
+            if not behind[at]:
+                continue
+            low, high = self.start[at], self.start[at + 1]
+            block, share = self.matrix[:low, low:high], self.costs[low:high] / divisor[at]
+            block += share * linked[at, :low, None]
+            self.costs[low:high] -= share * behind[at]
+            message = block.min(axis=1)
+            block -= message[:, None]
+            self.costs[:low] += message
+
+    def bounds(self) -> tuple[float, Floats]:
+        """Lower bound of the part, and per entry a lower bound on the excess of solutions that use it."""
+        least = np.minimum.reduceat(self.costs, self.start[:-1])
+        excess = self.costs - least[self.owner]
+        stars = excess.copy()
+        total = self.constant + float(least.sum())
+        for at in range(len(self.variables) - 1):
+            low, high = self.start[at], self.start[at + 1]
+            block, segments = self.matrix[low:high, high:], self.start[at + 1 : -1] - high
+            plain = np.minimum.reduceat(block.min(axis=0), segments)
+            total += float(plain.sum())
+            stars[low:high] += (np.minimum.reduceat(block + excess[high:], segments, axis=1) - plain).sum(axis=1)
+            stars[high:] += (block + excess[low:high, None]).min(axis=0) - np.repeat(plain, self.sizes[at + 1 :])
+        return total, stars
+
+    def only(self, alive: Flags) -> Part:
+        """The part with the entries that are alive; every variable must keep one."""
+        return self._kept(self.variables, self.owner[alive], alive)
+
+    def picked(self, positions: Indices) -> Part:
+        """The part of some variables alone; its constant is 0."""
+        chosen = np.zeros(len(self.variables), dtype=bool)
+        chosen[positions] = True
+        mine = chosen[self.owner]
+        part = self._kept(self.variables[chosen], (np.cumsum(chosen) - 1)[self.owner[mine]], mine)
+        part.constant = 0.0
+        return part
+
+    def fixed(self, at: int, entry: int) -> Part:
+        """The rest of the part when the variable at a position takes its `entry`-th entry."""
+        low, high = self.start[at], self.start[at + 1]
+        row = low + entry
+        rest = np.ones(len(self.costs), dtype=bool)
+        rest[low:high] = False
+        others = np.arange(len(self.variables)) != at
+        part = self._kept(self.variables[others], self.owner[rest] - (self.owner[rest] > at), rest)
+        part.costs[:low] += self.matrix[:low, row]
+        part.costs[low:] += self.matrix[row, high:]
+        part.constant += float(self.costs[row])
+        return part
+
+    def components(self) -> list[Indices]:
+        """Positions of the variables of each connected component."""
+        label = np.arange(len(self.variables))
+        while True:
+            reached = np.where(self.linked, label, len(label)).min(axis=1, initial=len(label))
+            new = np.minimum(label, reached)
+            if (new == label).all():
+                return [np.flatnonzero(label == each) for each in np.unique(label)]
+            label = new
+
+    def value(self, chosen: Indices) -> float:
+        """Cost of one entry (index into the part) per variable."""
+        return self.constant + float(self.costs[chosen].sum() + np.triu(self.matrix[np.ix_(chosen, chosen)], 1).sum())
+
+    def _kept(self, variables: Indices, owner: Indices, alive: Flags) -> Part:
+        part = Part(variables, owner, self.entries[alive], self.costs[alive], self.matrix[np.ix_(alive, alive)])
+        part.constant = self.constant
+        return part
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """Outcome of a search below a cut-off."""
+
+    bound: float
+    """No solution of the part costs less than this."""
+    cost: float
+    """Of the best solution found below the cut-off; +inf if there is none."""
+    chosen: dict[int, int]
+    """Entry of each variable in that solution."""
+
+
+class Search:
+    """Depth-first branch and bound; remembers which variables made it fail."""
+
+    def __init__(self, watch: Watch, nodes: int) -> None:
+        self.nodes = 0
+        self._most = nodes
+        self._watch = watch
+        self._weight: dict[int, float] = {}
+
+    def solve(self, part: Part, cut: float, sweeps: int = 1) -> Found:
+        """Best solution of the part that costs less than `cut`; complete unless a limit is reached."""
+        self.nodes += 1
+        if not len(part.variables):
+            return Found(part.constant, part.constant if part.constant < cut else np.inf, {})
+        part.settle()
+        self._watch.spend(len(part.costs) ** 2 // 16 * sweeps + 50)
+        for _ in range(sweeps):
+            part.sweep()
+        bound, excess = part.bounds()
+        alive = bound + excess < cut
+        if bound >= cut or not np.logical_or.reduceat(alive, part.start[:-1]).all():
+            self._blame(part)
+            return Found(max(bound, cut), np.inf, {})
+        if self.nodes >= self._most or self._watch.stopped():
+            return Found(bound, np.inf, {})
+        part = part.only(alive)
+        part.settle()
+        groups = part.components()
+        if len(groups) > 1:
+            return self._apart(part, groups, cut)
+        return self._branch(part, excess[alive], bound, cut)
+
+    def _apart(self, part: Part, groups: list[Indices], cut: float) -> Found:
+        """Solve components one after another, each below what the others leave."""
+        pieces = sorted((part.picked(group) for group in groups), key=lambda each: len(each.costs))
+        bounds = [piece.bounds()[0] for piece in pieces]
+        costs, chosen = part.constant, {}
+        for at, piece in enumerate(pieces):
+            others = part.constant + sum(bounds) - bounds[at]
+            found = self.solve(piece, cut - others)
+            bounds[at] = max(bounds[at], found.bound)
+            costs += found.cost
+            chosen |= found.chosen
+            if not np.isfinite(costs):
+                break
+        total = part.constant + sum(bounds)
+        good = costs < cut
+        return Found(min(total, cut), costs if good else np.inf, chosen if good else {})
+
+    def _branch(self, part: Part, excess: Floats, bound: float, cut: float) -> Found:
+        """Try the entries of one variable, likeliest first."""
+        weight = np.array([1.0 + self._weight.get(int(each), 0.0) for each in part.variables])
+        at = int(np.argmin(np.where(part.sizes == 1, 0.0, part.sizes / weight)))
+        low, high = part.start[at], part.start[at + 1]
+        best, lowest = Found(cut, np.inf, {}), np.inf
+        for entry in np.argsort(excess[low:high], kind="stable"):
+            limit = min(cut, best.cost)
+            if bound + excess[low + entry] >= limit:
+                lowest = min(lowest, bound + float(excess[low + entry]))
+                break
+            found = self.solve(part.fixed(at, int(entry)), limit)
+            lowest = min(lowest, found.bound)
+            if found.cost < limit:
+                mine = {int(part.variables[at]): int(part.entries[low + entry])}
+                best = Found(0.0, found.cost, found.chosen | mine)
+        return Found(min(max(bound, min(lowest, best.cost)), cut), best.cost, best.chosen)
+
+    def deepen(self, part: Part, cut: float, gap: float) -> Found:
+        """Like `solve`, with the cut-off raised step by step from the bound: stopped early, it has still proved
+        the last step.  `gap` is an estimate of the part's optimum over its bound."""
+        part.settle()
+        for _ in range(ROOT_SWEEPS):
+            part.sweep()
+        bound = part.bounds()[0]
+        step = max(0.25 * gap, 1e-6)
+        while True:
+            limit = min(cut, bound + step)
+            found = self.solve(part.only(np.ones(len(part.costs), dtype=bool)), limit)
+            if not np.isfinite(found.cost) and found.bound < limit:
+                return Found(max(bound, found.bound), np.inf, {})
+            if np.isfinite(found.cost) or limit >= cut:
+                return found
+            bound, step = limit, 1.5 * step
+
+    def _blame(self, part: Part) -> None:
+        """Weigh the variables of a failed node, most those with least room."""
+        for variable, size in zip(part.variables.tolist(), part.sizes.tolist(), strict=True):
+            self._weight[variable] = self._weight.get(variable, 0.0) + 1.0 / size
+
+
+def whole_part(unary: Sequence[Floats], tables: Sequence[Table], forbidden: float) -> Part:
+    """The part that is the whole of a pairwise problem."""
+    sizes = [len(each) for each in unary]
+    start = np.concatenate([[0], np.cumsum(sizes)])
+    matrix = np.zeros((start[-1], start[-1]))
+    for table in tables:
+        rows, columns = start[table.first] + table.rows, start[table.second] + table.columns
+        matrix[np.ix_(rows, columns)] = np.minimum(table.costs, forbidden)
+    owner = np.repeat(np.arange(len(sizes)), sizes)
+    entries = np.concatenate([np.arange(size) for size in sizes])
+    return Part(np.arange(len(sizes)), owner, entries, np.concatenate(unary), matrix)
