@@ -373,6 +373,12 @@ _CODES: dict[str, Code] = {
     "POSE_VALUE": Code(
         "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
     ),
+    "TERM_INVALID": Code(
+        "error",
+        "A term of the objective from another package gave an answer that cannot be used.",
+        "Correct the term, or leave it out of objective.terms.",
+        Exit.USAGE,
+    ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),
 }

@@ -111,6 +111,15 @@ class Skin(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Subset(Record):
+    """A GeomSubset: a named part of a mesh."""
+
+    path: str
+    points: Indices
+    """Local points, ascending: those of its faces, for a subset of faces."""
+
+
+@dataclass(frozen=True, eq=False)
 class RigMesh(Record):
     """One mesh under the SkelRoot, as authored."""
 
@@ -131,6 +140,8 @@ class RigMesh(Record):
     shapes: tuple[Shape, ...]
     topology_hash: str
     """Hex digest of point count, face counts and face indices: changes when point indices mean others."""
+    subsets: tuple[Subset, ...] = ()
+    """GeomSubsets, for locality."""
 
 
 @dataclass(frozen=True, eq=False)

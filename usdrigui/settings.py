@@ -200,6 +200,8 @@ class ObjectiveSettings:
     beside_price: float = 0.3
     """Cost of sending a control beside the face, per copy; 0 or less than 0 is allowed."""
     beside_allowed: bool = True
+    terms: tuple[str, ...] = ()
+    """Names of further terms of the objective, from installed packages (entry points ``usdrigui.terms``)."""
     scene_units: bool = False
     """Use the paper's constants literally: tau is the mean edge length, s and displacement in scene units."""
 

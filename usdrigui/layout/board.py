@@ -13,6 +13,7 @@ from itertools import groupby
 
 import numpy as np
 
+from usdrigui.layout.names import common_label
 from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Floats, Group, Indices, Member, Side
@@ -104,7 +105,7 @@ def _element(
     own = row.index(entry)
     return Element(
         name=names[own],
-        label=" / ".join(context.rig.controls[control].label for control in entry.controls),
+        label=common_label([context.rig.controls[control].label for control in entry.controls]),
         kind=entry.group.kind,
         members=tuple(
             _member(context, control, place, direction, len(entry.controls) == 1)

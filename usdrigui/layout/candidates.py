@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from usdrigui.layout.composites import composites
+from usdrigui.layout.locality import fixed_anchor, kept_near, proxies
 from usdrigui.layout.reach import covering
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.layout.tracks import polylines
@@ -29,53 +30,85 @@ def candidates(context: Context) -> Candidates:
     would leave nothing, its weaker reasons give way in the reverse order: a control that any view can
     see always has a candidate.
     """
-    trajectories = context.trajectories
     coverage = _coverage(context)
     gone = vanishing(context)
     repeated = composites(context)
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
-    for index, motion in enumerate(trajectories.motions):
-        name = context.rig.controls[motion.control].name
-        said = context.settings.controls.get(name, ControlSettings())
+    for index, motion in enumerate(context.trajectories.motions):
+        said, name = context.said[motion.control], context.rig.controls[motion.control].name
         if said.exclude:
             left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
-        found = _candidate_set(context, index, motion, float(coverage[index]))
-        if gone[index]:
-            found = replace(found, globally=True, hidden=False, reason="makes parts of the character disappear")
-        if not (found.globally or found.hidden) and index in repeated:
-            found = replace(found, composite=True, reason=repeated[index])
-        sets.append(found)
+        verdict = _verdict(context, motion, float(coverage[index]), bool(gone[index]), repeated.get(index, ""))
+        points, sources = _places(context, motion, verdict, said)
+        sets.append(
+            CandidateSet(
+                motion=index,
+                points=points,
+                cost=linear_cost(context, motion, sources),
+                globally=verdict.family == "global",
+                hidden=verdict.family == "hidden",
+                composite=verdict.family == "composite",
+                coverage=float(coverage[index]),
+                sources=sources,
+                reason=verdict.reason,
+            )
+        )
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def _candidate_set(context: Context, index: int, motion: Motion, coverage: float) -> CandidateSet:
-    settings = context.settings.candidates
+@dataclass(frozen=True)
+class _Verdict:
+    """Whether a control belongs beside the face, under which heading, and why."""
+
+    family: str = ""
+    reason: str = ""
+
+
+def _verdict(context: Context, motion: Motion, coverage: float, gone: bool, repeats: str) -> _Verdict:
+    settings, said = context.settings.candidates, context.said[motion.control]
+    if said.place in ("face", "proxy") or said.anchor:
+        return _Verdict()
+    if settings.beside_global:
+        if gone:
+            return _Verdict("global", "makes parts of the character disappear")
+        if coverage > settings.global_coverage or _moves_everything(context, motion):
+            return _Verdict("global", "moves the face as a whole")
+    if settings.beside_hidden and _visible_share(context, motion) < settings.hidden_share:
+        return _Verdict("hidden", "moves only what no view shows")
+    if settings.beside_composite and repeats:
+        return _Verdict("composite", repeats)
+    if said.place == "beside":
+        return _Verdict("global", "placed beside the face by the configuration")
+    return _Verdict()
+
+
+def _places(context: Context, motion: Motion, verdict: _Verdict, said: ControlSettings) -> tuple[Indices, Indices]:
+    """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
+    name = context.rig.controls[motion.control].name
+    peak = motion.points[[int(np.argmax(motion.arc_length))]]
+    fixed = fixed_anchor(context.rig, name, said)
+    if fixed is not None:
+        point = np.array([fixed], dtype=np.int64)
+        return point, point if np.isin(point, motion.points).all() else peak
+    if verdict.family:
+        return peak, peak
+    if said.place == "proxy":
+        points = proxies(context, int(peak[0]))
+        return points, np.repeat(peak, len(points))
     points = _pruned(context, motion)
-    hidden = not len(points) or _visible_share(context, motion) < settings.hidden_share
-    globally = coverage > settings.global_coverage or _moves_everything(context, motion)
-    reason = "moves the face as a whole" if globally else "moves only what no view shows" if hidden else ""
     if not len(points):
-        points = motion.points[[int(np.argmax(motion.arc_length))]]
-    return CandidateSet(
-        motion=index,
-        points=points,
-        cost=linear_cost(context, motion, points),
-        globally=globally,
-        hidden=hidden,
-        composite=False,
-        coverage=coverage,
-        sources=points,
-        reason=reason,
-    )
+        points = _unseen(context, motion)
+    points = kept_near(context, name, said, points)
+    return points, points
 
 
 def _pruned(context: Context, motion: Motion) -> Indices:
     """Points at which the control may be anchored, ascending; empty when no view sees what it moves."""
     settings = context.settings.candidates
     first = context.trajectories.places[motion.points] == motion.points
-    seen = context.views.anywhere[motion.points] & first
+    seen = _seen(context, motion.points) & first
     if not seen.any():
         return np.zeros(0, dtype=np.int64)
     arc = motion.arc_length
@@ -89,6 +122,23 @@ def _pruned(context: Context, motion: Motion) -> Indices:
         if len(points):
             return np.asarray(points)
     return np.asarray(motion.points[seen & moving])
+
+
+def _unseen(context: Context, motion: Motion) -> Indices:
+    """Candidates of a control that no view sees but that is to stand on the face all the same."""
+    settings = context.settings.candidates
+    first = context.trajectories.places[motion.points] == motion.points
+    least = max(
+        settings.prune_at * float(motion.arc_length[first].mean()), settings.peak_share * motion.arc_length.max()
+    )
+    return np.asarray(motion.points[first & (motion.arc_length >= min(least, float(motion.arc_length.max())))])
+
+
+def _seen(context: Context, points: Indices) -> Flags:
+    """Which points can be seen from where the layout is judged: a flat layout has one view only."""
+    views = context.views
+    flat = context.settings.candidates.space == "view"
+    return np.asarray(views.visible[0, points] if flat else views.anywhere[points])
 
 
 def _occluded(context: Context, motion: Motion, points: Indices) -> Flags:

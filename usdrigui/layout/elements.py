@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.board import Board, beside_elements
+from usdrigui.layout.fans import fan_order
+from usdrigui.layout.names import common_label
 from usdrigui.layout.problem import Choice
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.terms import Context
@@ -22,7 +24,6 @@ from usdrigui.model import (
     Member,
     Side,
 )
-from usdrigui.settings import ControlSettings
 
 _ON_PLANE = 1e-3
 """An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
@@ -76,6 +77,11 @@ def element_name(context: Context, controls: tuple[int, ...]) -> str:
     return "_".join(context.rig.controls[control].name for control in controls)
 
 
+def element_label(context: Context, controls: tuple[int, ...]) -> str:
+    """What people read beside the element of these controls."""
+    return common_label([context.rig.controls[control].label for control in controls])
+
+
 def _copies(group: Group) -> tuple[tuple[int, ...], ...]:
     return (group.controls, *group.images)
 
@@ -102,17 +108,23 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
     """The element of a group and of its mirror images."""
     given = [group.name, *group.image_names]
     names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]
+    if len(set(names)) < len(names):
+        # The same controls on both sides: a double element in the middle.
+        names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
     made = []
     for copy, controls in enumerate(choice.controls):
         point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
-        said = context.settings.controls.get(context.rig.controls[controls[0]].name, ControlSettings())
+        said = context.said[controls[0]]
+        members, opposed = _ordered(
+            group, tuple(_member(context, control, point, source) for control in controls), _normal(context, point)
+        )
         made.append(
             Element(
                 name=names[copy],
-                label=_label(context, controls),
+                label=element_label(context, controls),
                 kind=group.kind,
-                members=tuple(_member(context, control, point, source) for control in controls),
-                opposed=group.opposed,
+                members=members,
+                opposed=opposed,
                 anchor=anchor_at(context, point),
                 side=_side(context, point),
                 mirror=names[1 - copy] if len(names) == 2 else "",
@@ -124,8 +136,20 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
     return made
 
 
-def _label(context: Context, controls: tuple[int, ...]) -> str:
-    return " / ".join(context.rig.controls[control].label for control in controls)
+def _normal(context: Context, point: int) -> Floats:
+    normal = context.trajectories.normals[point]
+    return normal if normal.any() else context.views.directions[0]
+
+
+def _ordered(
+    group: Group, members: tuple[Member, ...], normal: Floats
+) -> tuple[tuple[Member, ...], tuple[tuple[int, int], ...]]:
+    """Members of a fan by their angle about the anchor (paper section 3.2), and its opposed pairs so numbered."""
+    if group.kind != "fan":
+        return members, group.opposed
+    order = fan_order(np.stack([member.track[-1] - member.track[0] for member in members]), normal)
+    place = {old: new for new, old in enumerate(order)}
+    return tuple(members[i] for i in order), tuple((place[a], place[b]) for a, b in group.opposed)
 
 
 def _member(context: Context, control: int, point: int, source: int) -> Member:

@@ -9,12 +9,13 @@ merged on the other.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.layout.names import has_side
+from usdrigui.layout.orbits import configured_orbits
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
@@ -48,12 +49,15 @@ def find_groups(context: Context, candidates: Candidates) -> tuple[Group, ...]:
     other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the configuration.
     """
     grouping = _Grouping(context, candidates)
-    merged = [*grouping.of_the_user()]
+    merged = grouping.of_the_user()
+    orbits = configured_orbits(context)
+    turning = {i for orbit in orbits for i in orbit}
+    merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
     if context.settings.groups.patches:
         merged += grouping.patches(_free(merged, grouping))
     merged += [_Merged((i,), ((0,),), "") for i in sorted(_free(merged, grouping))]
-    return grouping.folded(merged)
+    return grouping.folded(merged, orbits)
 
 
 def suggested_groups(context: Context, candidates: Candidates) -> tuple[tuple[str, ...], ...]:
@@ -81,7 +85,12 @@ class _Grouping:
         self.names = [context.rig.controls[motion.control].name for motion in motions]
         twins = context.symmetry.twins
         fold = context.settings.symmetry.fold
-        self.twin = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
+        found = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
+        # A control with a place of its own is not folded, and neither is its twin.
+        alone = {i for i in self.sets if context.said[motions[i].control].anchor and found[i] != i}
+        self.twin = {
+            i: -1 if i in alone or twin in alone or twin not in self.sets else twin for i, twin in found.items()
+        }
         self.family = {i: _family(each) for i, each in self.sets.items()}
 
     # --- the user's -----------------------------------------------------------------------------
@@ -301,11 +310,11 @@ class _Grouping:
             common = np.intersect1d(common, self.sets[i].points, assume_unique=True)
         return bool(self.family[motions[0]]) or len(common) > 0
 
-    def folded(self, merged: list[_Merged]) -> tuple[Group, ...]:
-        """Groups of the merged motions, of two mirror images the left one only."""
+    def folded(self, merged: list[_Merged], orbits: tuple[tuple[int, ...], ...]) -> tuple[Group, ...]:
+        """Groups of the merged motions: of two mirror images the left one, of an orbit the first one only."""
         by_members = {frozenset(each.motions): each for each in merged}
-        groups = []
-        done: set[frozenset[int]] = set()
+        groups = [self._orbit_group(orbit) for orbit in orbits if orbit[0] in self.sets]
+        done = {frozenset([i]) for orbit in orbits for i in orbit}
         for each in merged:
             members = frozenset(each.motions)
             image = frozenset(self._image(each.motions))
@@ -329,6 +338,9 @@ class _Grouping:
     def _group(self, merged: _Merged, image_name: str, paired: bool) -> Group:
         motions = self.context.trajectories.motions
         controls = tuple(motions[i].control for i in merged.motions)
+        own_image = set(self._image(merged.motions)) == set(merged.motions) and self.twin[merged.motions[0]] >= 0
+        # A double element in the middle is its own twin; it may repeat its controls on the other side.
+        paired |= own_image and self.context.settings.symmetry.double_middle
         mirror = tuple(motions[i].control for i in self._image(merged.motions)) if paired else ()
         first = self.sets[merged.motions[0]]
         family = self.family[merged.motions[0]]
@@ -345,6 +357,12 @@ class _Grouping:
             images=(mirror,) if mirror else (),
             image_names=(image_name,) if mirror else (),
         )
+
+    def _orbit_group(self, orbit: tuple[int, ...]) -> Group:
+        motions = self.context.trajectories.motions
+        single = self._group(_Merged(orbit[:1], ((0,),), "one of an orbit"), "", False)
+        images = tuple((motions[i].control,) for i in orbit[1:])
+        return replace(single, images=images, image_names=("",) * len(images))
 
 
 def _kind(merged: _Merged) -> ElementKind:

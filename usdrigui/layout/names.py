@@ -28,5 +28,24 @@ def has_side(name: str) -> bool:
     return any(word in _SWAPPED for word in _words(name))
 
 
+def common_label(labels: list[str]) -> str:
+    """One label for controls that share an element: what they have in common, and what tells them apart.
+
+    ``eyeLookIn_L`` and ``eyeLookOut_L`` become ``eyeLook In/Out L``; labels with nothing in common are
+    joined by slashes.
+    """
+    if len(labels) == 1:
+        return labels[0]
+    parts = [_WORDS.findall(label) for label in labels]
+    least = min(len(words) for words in parts)
+    head = next((i for i in range(least) if len({words[i] for words in parts}) > 1), least)
+    tail = next((i for i in range(least - head) if len({words[-1 - i] for words in parts}) > 1), least - head)
+    middles = ["".join(words[head : len(words) - tail]).strip("_-. ") for words in parts]
+    if not (head or tail) or not all(middles):
+        return " / ".join(labels)
+    ends = "".join(parts[0][:head]), "".join(parts[0][len(parts[0]) - tail :] if tail else [])
+    return " ".join(each for each in (ends[0].strip("_-. "), "/".join(middles), ends[1].strip("_-. ")) if each)
+
+
 def _words(name: str) -> list[str]:
     return [word.lower() for word in _WORDS.findall(name)]

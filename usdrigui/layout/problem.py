@@ -7,12 +7,14 @@ radius in handle widths), so that the same character in metres and in centimetre
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.layout.extensions import user_pairs
+from usdrigui.layout.orbits import orbit_points
 from usdrigui.layout.terms import Context, off_plane
-from usdrigui.layout.tracks import arc_lengths, gains, paths, resampled
+from usdrigui.layout.tracks import arc_lengths, flattened, gains, lengths, paths, resampled
 from usdrigui.model import (
     Candidates,
     CandidateSet,
@@ -61,7 +63,8 @@ def layout_problem(
         variables.append(variable)
         choices.append(choice)
     weight = context.settings.objective.displacement_weight
-    return LayoutProblem(tuple(variables), overlap, separation, weight), tuple(choices)
+    problem = LayoutProblem(tuple(variables), overlap, separation, weight)
+    return replace(problem, extra=user_pairs(context, problem, tuple(choices))), tuple(choices)
 
 
 def _constants(context: Context) -> tuple[Overlap, float]:
@@ -95,7 +98,8 @@ def _variable(
     kept = np.isfinite(cost)
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     settings = context.settings.objective
-    beside = settings.beside_price * len(choice.controls) if settings.beside_allowed else np.inf
+    stays = any(context.said[c].place in ("face", "proxy") or context.said[c].anchor for c in group.controls)
+    beside = settings.beside_price * len(choice.controls) if settings.beside_allowed and not stays else np.inf
     variable = Variable(group.name, choice.anchors[:, 0], cost[kept], samples[kept], handles[kept], beside)
     return variable, choice
 
@@ -113,14 +117,22 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
         worst = np.full(len(cost), -np.inf)
         for control in controls:
             motion = context.trajectories.motions[sets[control].motion]
-            lengths = arc_lengths(motion, choice.sources[:, copy]) / _unit(context, motion)
+            reach = _displacements(context, motion, choice.sources[:, copy]) / _unit(context, motion)
             linear = _looked_up(sets[control], choice.anchors[:, copy])
-            worst = np.maximum(worst, np.where(lengths > 0.0, linear - weight * lengths, np.inf))
+            worst = np.maximum(worst, np.where(reach > 0.0, linear - weight * reach, np.inf))
         cost += worst
     if _symmetric(context, group):
         away = off_plane(context, choice.anchors[:, 0])
         cost += away - away.min(initial=np.inf) if len(away) else away
     return choice, cost
+
+
+def _displacements(context: Context, motion: Motion, sources: Indices) -> Floats:
+    """(R,) arc lengths of the trajectories; in a flat layout as the viewer sees them, which penalises
+    foreshortened ones (paper section 3.3 and fig. 7)."""
+    if context.settings.candidates.space == "object":
+        return arc_lengths(motion, sources)
+    return lengths(flattened(paths(motion, sources), context.views.directions[0]))
 
 
 def _unit(context: Context, motion: Motion) -> float:
@@ -147,14 +159,22 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
 
 
 def _with_copies(context: Context, group: Group, index: int, points: Indices, sources: Indices) -> Choice:
+    """Anchors and sources of all copies, of those candidates whose images lie on the character."""
     controls = (group.controls, *group.images)
-    anchors, drawn = [points], [sources]
-    if group.images:
-        anchors.append(context.symmetry.partner[points])
-        drawn.append(context.symmetry.partner[sources])
-    stacked = np.stack(anchors, axis=1), np.stack(drawn, axis=1)
-    kept = (stacked[0] >= 0).all(axis=1) & (stacked[1] >= 0).all(axis=1)
-    return Choice(index, controls, stacked[0][kept], stacked[1][kept])
+    anchors, drawn = (_images(context, group, each) for each in (points, sources))
+    kept = (anchors >= 0).all(axis=1) & (drawn >= 0).all(axis=1)
+    return Choice(index, controls, anchors[kept], drawn[kept])
+
+
+def _images(context: Context, group: Group, points: Indices) -> Indices:
+    """(R, copies) images of `points` under the symmetry of the group."""
+    if not group.images:
+        return points[:, None]
+    if group.mirror:
+        return np.stack([points, context.symmetry.partner[points]], axis=1)
+    motions = {motion.control: i for i, motion in enumerate(context.trajectories.motions)}
+    orbit = tuple(motions[controls[0]] for controls in (group.controls, *group.images))
+    return orbit_points(context, orbit, points)
 
 
 def _geometry(context: Context, choice: Choice) -> tuple[Floats, Floats]:
@@ -167,7 +187,11 @@ def _geometry(context: Context, choice: Choice) -> tuple[Floats, Floats]:
         )
         for copy, controls in enumerate(choice.controls)
     ]
-    return np.stack(samples, axis=1), base[choice.anchors]
+    stacked, handles = np.stack(samples, axis=1), base[choice.anchors]
+    if context.settings.candidates.space == "object":
+        return stacked, handles
+    toward = context.views.directions[0]
+    return flattened(stacked, toward), flattened(handles, toward)
 
 
 def drawn_track(context: Context, control: int, anchors: Indices, sources: Indices) -> Floats:

@@ -14,11 +14,13 @@ from functools import cached_property
 import numpy as np
 
 from usdrigui.layout.affinity import Affinity, affinity
+from usdrigui.layout.extensions import user_linear_cost
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
+from usdrigui.layout.remarks import remarks
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Floats, Indices, Motion, Rig, Symmetry, Trajectories
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, Settings
 from usdrigui.surface import mesh_triangles, point_areas
 
 
@@ -31,6 +33,11 @@ class Context:
     symmetry: Symmetry
     views: Views
     settings: Settings
+
+    @cached_property
+    def said(self) -> tuple[ControlSettings, ...]:
+        """(controls,) what the configuration says about each control."""
+        return remarks(self.rig, self.settings)
 
     @cached_property
     def areas(self) -> Floats:
@@ -65,7 +72,7 @@ LinearTerm = Callable[[Context, Motion, Indices], Floats]
 def linear_cost(context: Context, motion: Motion, points: Indices) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     cost = np.zeros(len(points))
-    for term in (occlusion,):
+    for term in (occlusion, user_linear_cost):
         cost += term(context, motion, points)
     return cost
 

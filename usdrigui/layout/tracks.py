@@ -22,10 +22,20 @@ def arc_lengths(motion: Motion, points: Indices) -> Floats:
     return np.where(motion.points[rows] == points, motion.arc_length[rows], 0.0)
 
 
-def gains(lengths: Floats, least: float) -> Floats:
-    """(p,) factors that bring `lengths` to at least `least`; 1 where they are long enough."""
-    short = (lengths < least) & (lengths > 0.0)
-    return np.where(short, least / np.where(short, lengths, 1.0), 1.0)
+def flattened(vectors: Floats, toward: Floats) -> Floats:
+    """(..., 3) `vectors` projected along the unit direction `toward`: what a viewer there sees of them."""
+    return np.asarray(vectors - (vectors @ toward)[..., None] * toward, dtype=np.float64)
+
+
+def lengths(lines: Floats) -> Floats:
+    """(p,) lengths of polylines (p, k, 3)."""
+    return np.asarray(np.linalg.norm(np.diff(lines, axis=1), axis=2).sum(axis=1), dtype=np.float64)
+
+
+def gains(long: Floats, least: float) -> Floats:
+    """(p,) factors that bring lengths `long` to at least `least`; 1 where they are long enough."""
+    short = (long < least) & (long > 0.0)
+    return np.where(short, least / np.where(short, long, 1.0), 1.0)
 
 
 def resampled(lines: Floats, samples: int) -> Floats:

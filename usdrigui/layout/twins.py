@@ -11,6 +11,7 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
 from usdrigui.layout.names import has_side, hints_at_twin
+from usdrigui.layout.remarks import control_index, remarks
 from usdrigui.model import Floats, Indices, Rig, Singles, Trajectories
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.surface import mesh_triangles, point_areas
@@ -63,12 +64,12 @@ def _mirrored(fields: Fields, partner: Indices, normal: Floats) -> tuple[Singles
 
 def _configured(rig: Rig, settings: Settings, twins: Indices, sources: list[str]) -> set[int]:
     """Enter what the configuration says into `twins` and `sources`; returns the controls it decides."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
+    index = control_index(rig, settings)
     fixed: set[int] = set()
-    for name, said in settings.controls.items():
-        if not said.twin or name not in index:
+    for own, said in enumerate(remarks(rig, settings)):
+        if not said.twin:
             continue
-        own = index[name]
+        name = rig.controls[own].name
         other = _named_twin(own, name, said, index)
         fixed |= {own, other} - {-1}
         twins[own] = other

@@ -1,0 +1,42 @@
+"""The order of a fan's members around their anchor (paper section 3.2, multi-parameter fan)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.model import Floats
+
+
+def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
+    """Order of members by the angle of their tangents in the tangent plane, counter-clockwise about `normal`.
+
+    `tangents` (k, 3), `normal` (3,).  It starts after the widest gap, so that members which span less than
+    a full turn follow each other without a break.
+    """
+    angles = _angles(tangents, normal)
+    order = np.argsort(angles, kind="stable")
+    gaps = np.diff(np.append(angles[order], angles[order[0]] + 2.0 * np.pi))
+    start = (int(np.argmax(np.round(gaps, 9))) + 1) % len(order)
+    return tuple(int(i) for i in np.roll(order, -start))
+
+
+def sectors(tangents: Floats, normal: Floats) -> tuple[tuple[int, int], ...]:
+    """Pairs of neighbouring members that span a parallelogram: those at an angle of at most 180 degrees.
+
+    Positions refer to `tangents`; each pair runs counter-clockwise about `normal`.
+    """
+    order = fan_order(tangents, normal)
+    angles = _angles(tangents, normal)
+    found = []
+    for first, second in zip(order, (*order[1:], order[0]), strict=True):
+        turn = float((angles[second] - angles[first]) % (2.0 * np.pi))
+        if first != second and 1e-6 < turn <= np.pi + 1e-9 and (second, first) not in found:
+            found.append((first, second))
+    return tuple(found)
+
+
+def _angles(tangents: Floats, normal: Floats) -> Floats:
+    """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary direction."""
+    across = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
+    across = across / max(float(np.linalg.norm(across)), 1e-300)
+    return np.asarray(np.arctan2(tangents @ np.cross(normal, across), tangents @ across), dtype=np.float64)
