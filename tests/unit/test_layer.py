@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from dataclasses import fields, replace
 from pathlib import Path
 
@@ -13,9 +14,9 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Sdf, Usd, UsdGeom, UsdValidation
+from pxr import Sdf, Tf, Usd, UsdGeom, UsdValidation
 
-from usdrigui.errors import RigUIError
+from usdrigui.errors import Exit, RigUIError
 from usdrigui.model import LeftOff
 from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd.layer import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
@@ -189,13 +190,29 @@ def test_stage_metadata_is_repeated(tmp_path):
     found = stage_metadata(layer)
     assert found["expressionVariables"] == {"SHOT": "a"}
     assert "customLayerData" not in found
-    assert "metersPerUnit" not in found
+    assert found["metersPerUnit"] == 0.01
     stage = Usd.Stage.Open(layer_for([], "./a.usda", PLAIN, found))
     assert UsdGeom.GetStageUpAxis(stage) == "Z"
     assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (1, 48)
     assert (stage.GetTimeCodesPerSecond(), stage.GetFramesPerSecond()) == (48, 24)
     assert stage.GetDefaultPrim().GetPath() in (Sdf.Path.emptyPath, Sdf.Path("/Char"))
     assert layer_for([], "", PLAIN, {"metersPerUnit": 1}).pseudoRoot.GetInfo("metersPerUnit") == 1.0
+
+
+def test_a_source_without_metadata_gets_a_layer_that_validates(tmp_path):
+    source = skinned_stages.character(tmp_path / "char.usda")
+    bare = Sdf.Layer.FindOrOpen(str(source))
+    for key in ("upAxis", "metersPerUnit", "defaultPrim", "timeCodesPerSecond"):
+        bare.pseudoRoot.ClearInfo(key)
+    bare.Save()
+    (rig,) = read_rigs(source, Settings())
+    target = tmp_path / "layout.usda"
+    write_layout([(rig, laid_out.layout_of(rig))], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    assert stage.GetDefaultPrim().GetName() == "World"
+    assert UsdGeom.GetStageMetersPerUnit(stage) == UsdGeom.GetStageMetersPerUnit(Usd.Stage.Open(str(source)))
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    assert UsdValidation.ValidationContext(validators).Validate(stage) == []
 
 
 def test_the_ranges_are_where_usd_looks_for_them(char, tmp_path):
@@ -422,3 +439,15 @@ def test_a_missing_layer_and_a_wrong_suffix(tmp_path):
         source_of(tmp_path / "none.usda")
     with pytest.raises(RigUIError, match="FILE_TARGET"):
         layer_bytes(hand_made(), ".usdz")
+
+
+def test_no_room_for_a_temporary_crate(monkeypatch, tmp_path):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "gone"))
+    with pytest.raises(RigUIError) as caught:
+        layer_bytes(hand_made(), ".usdc")
+    assert caught.value.exit_code is Exit.FILE
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setattr(Sdf.Layer, "Export", lambda *_: Tf.RaiseRuntimeError("disk full"))
+    with pytest.raises(RigUIError, match="FILE_WRITE"):
+        layer_bytes(hand_made(), ".usdc")
+    assert list(tmp_path.iterdir()) == []

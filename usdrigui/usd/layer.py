@@ -7,13 +7,14 @@ the way back.
 
 from __future__ import annotations
 
+import functools
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
-from pxr import Sdf
+from pxr import Sdf, Tf, UsdGeom
 
 import usdrigui
 from usdrigui.errors import refuse
@@ -24,7 +25,7 @@ from usdrigui.usd.carry import Carriage
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_part
-from usdrigui.usd.safe_write import commit
+from usdrigui.usd.safe_write import commit, file_error
 
 _METADATA = (
     "defaultPrim",
@@ -64,7 +65,8 @@ def write_layout(
     content = layer_bytes(layer, target.suffix)
     if guard is not None:
         guard()
-    return commit(content, target, verify=_verified)
+    roots = [layout.root for _, layout in laid]
+    return commit(content, target, verify=functools.partial(_verified, roots))
 
 
 def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:
@@ -75,7 +77,7 @@ def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mappi
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
-        _author_metadata(layer, metadata)
+        _author_metadata(layer, metadata, laid)
         if source and not settings.bare:
             layer.subLayerPaths.append(source)
         for rig, layout in laid:
@@ -85,9 +87,16 @@ def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mappi
 
 
 def stage_metadata(layer: Sdf.Layer) -> dict[str, Any]:
-    """What a layer over `layer` must repeat, as plain Python values; only what is authored."""
+    """What a layer over `layer` must repeat, as plain Python values.
+
+    Up axis and unit are said even where the source leaves them to USD's fallbacks.
+    """
     root = layer.pseudoRoot
-    found = {key: root.GetInfo(key) for key in _METADATA if root.HasInfo(key)}
+    found: dict[str, Any] = {
+        "upAxis": str(UsdGeom.GetFallbackUpAxis()),
+        "metersPerUnit": float(UsdGeom.LinearUnits.centimeters),
+    }
+    found |= {key: root.GetInfo(key) for key in _METADATA if root.HasInfo(key)}
     for key, value in found.items():
         if isinstance(value, Sdf.AssetPath):
             found[key] = value.path
@@ -108,31 +117,38 @@ def relative_asset_path(source: Path, target: Path) -> str:
 def layer_bytes(layer: Sdf.Layer, suffix: str) -> bytes:
     """The content of a layer as a file of that suffix: ``.usda`` as text, ``.usdc`` and ``.usd`` as crate.
 
-    Raises FILE_TARGET for any other suffix.
+    Raises FILE_TARGET for any other suffix, and another FILE_ code when there is no room for a temporary.
     """
     if suffix == ".usda":
         return str(layer.ExportToString()).encode()
     if suffix not in (".usd", ".usdc"):
         raise refuse("FILE_TARGET", suffix, "a layout layer ends in .usda, .usdc or .usd")
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "layout.usdc"
-        layer.Export(str(path))
-        return path.read_bytes()
+    try:
+        # USD writes crates to files only, and must never write to the final one.
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "layout.usdc"
+            layer.Export(str(path))
+            return path.read_bytes()
+    except OSError as error:
+        raise file_error(Path(tempfile.gettempdir()), error) from error
+    except Tf.ErrorException:
+        raise refuse("FILE_WRITE", tempfile.gettempdir(), "USD cannot write a temporary crate") from None
 
 
-def _verified(path: Path) -> bool:
-    """Whether the file is a layer with a layout in it."""
+def _verified(roots: Sequence[str], path: Path) -> bool:
+    """Whether the file is a layer with a layout below each of the SkelRoots."""
     layer = Sdf.Layer.OpenAsAnonymous(str(path))
-    found: list[Sdf.Path] = []
-    layer.Traverse(Sdf.Path.absoluteRootPath, lambda where: found.append(where) if where.name == schema.SCOPE else None)
-    return bool(found)
+    return all(layer.GetPrimAtPath(Sdf.Path(root).AppendChild(schema.SCOPE)) for root in roots)
 
 
 # --- the layer ---------------------------------------------------------------------------------------
 
 
-def _author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any]) -> None:
+def _author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -> None:
     root = layer.pseudoRoot
+    if laid:
+        # A source may do without; whoever references the layer then still gets the character.
+        root.SetInfo("defaultPrim", Sdf.Path(laid[0][1].root).GetPrefixes()[0].name)
     for key in _METADATA:
         if key in metadata:
             value = metadata[key]

@@ -57,8 +57,14 @@ def commit(
             return "unchanged"
         _replace(place, wanted, target, verify)
     except OSError as error:
-        raise _refused(target, error) from error
+        raise file_error(target, error) from error
     return "written"
+
+
+def file_error(target: Path, error: OSError) -> RigUIError:
+    """The refusal that an operating-system error on the way to `target` calls for."""
+    reason = error.strerror or type(error).__name__
+    return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
 
 
 def _resolved(target: Path) -> Path:
@@ -173,8 +179,3 @@ def _alive(process: int) -> bool:
     except (OSError, OverflowError):
         return True
     return True
-
-
-def _refused(target: Path, error: OSError) -> RigUIError:
-    reason = error.strerror or type(error).__name__
-    return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
