@@ -168,14 +168,7 @@ def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _
     """Start the child, wait for its end, and be sure that it is gone whatever happens here."""
     deadline = time.monotonic() + seconds
     try:
-        process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "usdrigui.usd.inside"],
-            stdin=letter,
-            stdout=mailbox,
-            stderr=subprocess.PIPE,
-            env=_environment(),
-            start_new_session=True,
-        )
+        process = _started(letter, mailbox)
     except (OSError, TypeError) as error:
         raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
     printed = _Printed(process)
@@ -187,6 +180,18 @@ def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _
         code, peak = _reaped(process)
         printed.close()
     return _End(code, late, peak, printed.text)
+
+
+def _started(letter: IO[bytes], mailbox: IO[bytes]) -> subprocess.Popen[bytes]:
+    """The child, leader of a process group of its own, so that all that it may start can be killed with it."""
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", "usdrigui.usd.inside"],
+        stdin=letter,
+        stdout=mailbox,
+        stderr=subprocess.PIPE,
+        env=_environment(),
+        start_new_session=True,
+    )
 
 
 def _environment() -> dict[str, str]:

@@ -1,0 +1,183 @@
+"""Feed damaged files to `usdrigui process` and see that every end is one that the documentation knows.
+
+    python tests/fuzz/fuzz.py --format usdc --count 10000
+
+The command runs in this process, as `usdrigui.cli.main`; every `--spawn-every`-th file is read by a freshly
+started child, the others by a forked one (see zygote.py).  Files that find a fault are kept in `--keep`.
+Prints one JSON document: how the runs ended, and the faults.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import contextlib
+import json
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import mutations
+from pxr import Sdf
+from zygote import Zygote
+
+from usdrigui.cli import main
+from usdrigui.errors import CODES, Exit
+from usdrigui.usd import child
+
+SECONDS = 10.0
+"""Limit on reading one file."""
+_DOCUMENTED = {int(each) for each in Exit} - {int(Exit.BUG)}
+_SETTINGS = (f"read.time_limit={SECONDS}", "read.memory_limit=1024", "solve.work_limit=20000", "solve.threads=1")
+
+
+@dataclass(frozen=True)
+class End:
+    """How one run ended."""
+
+    exit_code: int
+    code: str
+    """Of the issue that ended it; empty if none did."""
+    seconds: float
+    faults: tuple[str, ...]
+    """What should not have happened."""
+
+
+def seeds(folder: Path) -> dict[str, bytes]:
+    """Small sound characters that have all that a character can have, as text and as crate."""
+    sys.path.append(str(Path(__file__).parents[1]))
+    import skel_stages
+    import skinned_stages
+
+    makers = {"all": skel_stages.character, "head": skel_stages.head, "face": skinned_stages.character}
+    found = {}
+    for name, make in makers.items():
+        path = make(folder / f"{name}.usda")
+        Sdf.Layer.FindOrOpen(str(path)).Export(str(folder / f"{name}.usdc"))
+        for form in ("usda", "usdc"):
+            found[f"{name}.{form}"] = (folder / f"{name}.{form}").read_bytes()
+    return found
+
+
+def run(content: bytes, form: str, folder: Path) -> End:
+    """Process one file in an empty folder, and look at everything that is left."""
+    source, target = folder / f"char.{form}", folder / "out.usda"
+    source.write_bytes(content)
+    arguments = ["process", str(source), "-o", str(target), "--json", "--quiet"]
+    for setting in _SETTINGS:
+        arguments += ["--set", setting]
+    start = time.monotonic()
+    with _captured() as printed:
+        exit_code, escaped = _called(arguments)
+    seconds = time.monotonic() - start
+    out, err = printed
+    faults = list(escaped)
+    code = _code(out, exit_code, faults)
+    if b"Traceback" in out + err:
+        faults.append("a traceback")
+    if seconds > SECONDS + 2 and code == "SOURCE_TIME_LIMIT":
+        faults.append(f"{seconds:.1f} s")
+    if source.read_bytes() != content:
+        faults.append("the source was changed")
+    left = {each.name for each in folder.iterdir()} - {source.name}
+    if left != ({target.name} if exit_code == 0 else set()):
+        faults.append(f"files left: {sorted(left)}")
+    for each in folder.iterdir():
+        each.unlink()
+    return End(exit_code, code, seconds, tuple(faults))
+
+
+def _called(arguments: list[str]) -> tuple[int, list[str]]:
+    try:
+        return main(arguments), []
+    except BaseException as error:
+        return -1, [f"{type(error).__name__} left the command"]
+
+
+def _code(out: bytes, exit_code: int, faults: list[str]) -> str:
+    """The code that the printed report gives, after checking that the report is one."""
+    try:
+        document = json.loads(out)
+        issues = document["issues"]
+        code = str(issues[0]["code"]) if exit_code else ""
+    except (ValueError, KeyError, IndexError) as error:
+        faults.append(f"the report is none: {error}")
+        return ""
+    if exit_code not in _DOCUMENTED:
+        faults.append(f"exit {exit_code}: {issues[0]['message'] if issues else ''}")
+    if document["exit"] != exit_code or any(each["code"] not in CODES for each in issues):
+        faults.append("exit or issue code are not the documented ones")
+    if code and not issues[0]["repair"]:
+        faults.append("no word on how to repair it")
+    return code
+
+
+@contextlib.contextmanager
+def _captured() -> Iterator[list[bytes]]:
+    """What is printed meanwhile, by Python or by C++: standard output and standard error."""
+    printed: list[bytes] = []
+    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+        saved = os.dup(1), os.dup(2)
+        for stream in (sys.stdout, sys.stderr):
+            stream.flush()
+        os.dup2(out.fileno(), 1)
+        os.dup2(err.fileno(), 2)
+        try:
+            yield printed
+        finally:
+            for stream in (sys.stdout, sys.stderr):
+                stream.flush()
+            for number, each in enumerate(saved, 1):
+                os.dup2(each, number)
+                os.close(each)
+            for stream in (out, err):
+                stream.seek(0)
+                printed.append(stream.read())
+
+
+def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path | None) -> dict[str, object]:
+    """Run many; returns the figures."""
+    ends: collections.Counter[str] = collections.Counter()
+    faulty, slowest = [], 0.0
+    fresh, zygote = child._started, Zygote(child._environment())
+    with tempfile.TemporaryDirectory() as place:
+        grounds = Path(place) / "run"
+        grounds.mkdir()
+        stock = seeds(Path(place))
+        current = (keep or Path(place)) / f"running-{os.getpid()}.{form}"
+        for number in numbers:
+            content = mutations.mutant(form, stock, number, seed)
+            current.write_bytes(content)  # Should this very process die of it.
+            child._started = fresh if number % spawn_every == 0 else zygote.start  # type: ignore[assignment]
+            end = run(content, form, grounds)
+            ends[f"{end.exit_code} {end.code}".strip()] += 1
+            slowest = max(slowest, end.seconds)
+            if end.faults:
+                faulty.append({"number": number, "faults": end.faults, "bytes": len(content)})
+                if keep is not None:
+                    (keep / f"fault-{form}-{seed}-{number}.{form}").write_bytes(content)
+        current.unlink()
+    zygote.close()
+    return {"format": form, "count": len(numbers), "seed": seed, "ends": dict(sorted(ends.items())),
+            "slowest_seconds": round(slowest, 2), "faults": faulty}  # fmt: skip
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--format", choices=("usda", "usdc", "usdz"), required=True)
+    parser.add_argument("--count", type=int, default=150)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--spawn-every", type=int, default=15)
+    parser.add_argument("--keep", type=Path, help="folder for the files that find a fault")
+    asked = parser.parse_args()
+    if asked.keep:
+        asked.keep.mkdir(parents=True, exist_ok=True)
+    span = range(asked.first, asked.first + asked.count)
+    found = campaign(asked.format, span, asked.seed, asked.spawn_every, asked.keep)
+    print(json.dumps(found, indent=2))
+    sys.exit(bool(found["faults"]))

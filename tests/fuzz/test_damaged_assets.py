@@ -1,0 +1,55 @@
+"""Damaged files: the command ends with a documented exit and issue code, every time, and changes nothing.
+
+150 per format here; the long run and its last figures are in docs/reliability.md.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import pytest
+from mutations import mutant, package
+from skel_stages import head
+
+from usdrigui.errors import RigUIError
+from usdrigui.settings import Settings
+from usdrigui.usd.child import read_rigs_isolated
+
+HERE = Path(__file__).parent
+FOUND = sorted((HERE / "found").glob("*.usd*"))
+"""Files that once broke something, by this fuzzer or otherwise, with what they must end in."""
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
+
+
+@pytest.mark.parametrize("form", ["usda", "usdc", "usdz"])
+def test_every_damaged_file_has_a_documented_end(form, tmp_path):
+    command = [sys.executable, str(HERE / "fuzz.py"), "--format", form, "--count", "150", "--keep", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+    assert done.stdout, f"the process under test died ({done.returncode}): {done.stderr[-2000:]}"
+    found = json.loads(done.stdout)
+    assert found["faults"] == []
+    assert sum(found["ends"].values()) == 150
+    assert len(found["ends"]) > 5, "the damage has become too gentle or too rough to tell anything"
+    assert found["ends"].get("0", 0) < 120
+
+
+def test_a_mutant_is_the_same_every_time(tmp_path):
+    stock = {"head.usda": head(tmp_path / "head.usda").read_bytes()}
+    first = [mutant(form, stock, number) for form in ("usda", "usdz") for number in range(30)]
+    assert first == [mutant(form, stock, number) for form in ("usda", "usdz") for number in range(30)]
+    assert len(set(first)) > 50
+
+
+def test_a_package_is_read_and_a_wrong_checksum_is_not(tmp_path):
+    content = head(tmp_path / "head.usda").read_bytes()
+    path = tmp_path / "char.usdz"
+    path.write_bytes(package("head.usda", content))
+    assert read_rigs_isolated(path, Settings()).rigs
+    path.write_bytes(package("head.usda", content, zlib.crc32(content) ^ 1))
+    with pytest.raises(RigUIError, match="FILE_CORRUPT"):
+        read_rigs_isolated(path, Settings())
