@@ -138,7 +138,7 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
 
 def _normal(context: Context, point: int) -> Floats:
     normal = context.trajectories.normals[point]
-    return normal if normal.any() else context.views.directions[0]
+    return np.array(normal if normal.any() else context.views.directions[0])
 
 
 def _ordered(

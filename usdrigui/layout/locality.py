@@ -63,7 +63,7 @@ def _centres(context: Context, where: str, near: str) -> Floats:
             return np.array(context.trajectories.base[start : start + len(mesh.points)])
         for subset in mesh.subsets:
             if subset.path == near:
-                return context.trajectories.base[start + subset.points]
+                return np.array(context.trajectories.base[start + subset.points])
     raise refuse("CONFIG_VALUE", where, f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}")
 
 

@@ -16,9 +16,6 @@ from usdrigui.layout.problem import Choice, layout_problem
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.model import Candidates, CandidateSet, Element, Floats, Group, Indices, Layout, LayoutProblem, Rig
 from usdrigui.overlap import pair_costs, total_cost
-from usdrigui.settings import ControlSettings
-
-_NOTHING_SAID = ControlSettings()
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
@@ -118,7 +115,7 @@ def _unplaced(context: Context, layout: Layout) -> Iterator[Issue]:
     laid |= {left.control for left in layout.left_off}
     for motion in context.trajectories.motions:
         name = context.rig.controls[motion.control].name
-        if name not in laid and not context.settings.controls.get(name, _NOTHING_SAID).exclude:
+        if name not in laid and not context.said[motion.control].exclude:
             yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not said to be left off")
 
 
@@ -235,7 +232,7 @@ def _rated(
         overlap=float(alone[label] - variable.cost[label]),
         nearest=nearest,
         distance=distance / context.handle_width,
-        gain=gain if gain > 0.0 else 0.0,
+        gain=max(0.0, gain),
         better=_place(context.rig, int(choice.anchors[best, 0])) if gain > 0.0 else "",
     )
 

@@ -1,0 +1,119 @@
+"""What must not change a layout: where the character stands, how large it is, how it is numbered."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+ROTATION = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
+ROTATION *= np.sign(np.linalg.det(ROTATION))
+Y_TO_Z = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
+MIRROR = np.diag([-1.0, 1.0, 1.0])
+
+
+@pytest.fixture(scope="module")
+def plain():
+    return chain.lay_out(makers.face())
+
+
+def anchors(line):
+    """Anchor point of every element on the face, by the controls it holds."""
+    return {
+        frozenset(member.control for member in element.members): element.anchor.point
+        for element in line.layout.elements
+        if not element.anchor.beside
+    }
+
+
+def test_the_face_is_laid_out_at_all(plain):
+    assert plain.assignment.status == "optimal"
+    assert len(anchors(plain)) == len(plain.layout.elements) == 11
+
+
+@pytest.mark.parametrize(
+    ("matrix", "offset"),
+    [
+        (100.0 * np.eye(3), np.zeros(3)),
+        (0.01 * np.eye(3), np.zeros(3)),
+        (ROTATION, np.array([10.0, -4.0, 3.0])),
+        (Y_TO_Z, np.zeros(3)),
+        (100.0 * Y_TO_Z, np.array([500.0, 0.0, 2.0])),
+    ],
+    ids=["times-100", "times-0.01", "rotated-and-moved", "z-up", "z-up-times-100"],
+)
+def test_size_and_place_change_nothing(plain, matrix, offset):
+    moved = chain.lay_out(makers.moved(makers.face(), matrix, offset))
+    assert anchors(moved) == anchors(plain)
+    scale = np.linalg.norm(matrix[0])
+    assert moved.layout.handle_width == pytest.approx(scale * plain.layout.handle_width, rel=1e-5)
+    assert moved.assignment.cost == pytest.approx(plain.assignment.cost, rel=1e-5)
+
+
+def test_the_order_of_points_changes_nothing(plain):
+    rig = makers.face()
+    order = np.random.default_rng(5).permutation(len(rig.meshes[0].points))
+    shuffled = chain.lay_out(makers.shuffled(rig, order))
+    assert {key: int(order[point]) for key, point in anchors(shuffled).items()} == anchors(plain)
+
+
+def test_the_order_of_controls_changes_nothing(plain):
+    rig = makers.face()
+    order = np.random.default_rng(7).permutation(len(rig.controls))
+    reordered = chain.lay_out(replace(rig, controls=tuple(rig.controls[i] for i in order)))
+    assert anchors(reordered) == anchors(plain)
+    assert [e.name for e in reordered.layout.elements] == [e.name for e in plain.layout.elements]
+
+
+def test_a_mirrored_character_gets_the_mirrored_layout(plain):
+    mirrored = chain.lay_out(makers.moved(makers.face(), MIRROR))
+    partner = plain.context.symmetry.partner
+    there, here = anchors(mirrored), anchors(plain)
+    # In the mirror "brow_L" sits on the other side, so the same point must carry it or its image.
+    assert there.keys() == here.keys()
+    same = there == here
+    image = there == {key: int(partner[point]) for key, point in here.items()}
+    assert same or image
+
+
+def test_two_runs_give_the_same_bytes(plain):
+    again = chain.lay_out(makers.face())
+    assert repr(again.layout.elements) == repr(plain.layout.elements)
+
+
+def test_displacement_alone_takes_every_peak():
+    alone = chain.settings(
+        objective={"displacement_weight": 1.0, "separation": False},
+        candidates={"occlusion_price": 0.0, "occlusion": False},
+        symmetry={"plane_price": 0.0},
+        groups={"opposed": False},
+    )
+    points, quads = makers.mask()
+    shapes = {name: offsets for name, offsets in makers.face_shapes(points).items() if not name.startswith("jaw")}
+    # Without the jaw's twins: both peak at one point of the mirror plane, and a point holds one element.
+    line = chain.lay_out(makers.rig(points, quads, shapes), alone)
+    peaks = {
+        line.context.rig.controls[motion.control].name: motion.arc_length.max()
+        for motion in line.context.trajectories.motions
+    }
+    for element in line.layout.elements:
+        for member in element.members:
+            assert member.arc_length == pytest.approx(peaks[member.control], rel=1e-6)
+
+
+def test_pairs_mirror_exactly_where_the_mesh_does(plain):
+    elements = chain.by_name(plain)
+    pairs = [(e, elements[e.mirror]) for e in elements.values() if e.mirror]
+    assert len(pairs) == 8
+    for one, other in pairs:
+        image = one.anchor.position * [-1.0, 1.0, 1.0]
+        assert np.abs(image - other.anchor.position).max() < 1e-5
+        for a, b in zip(one.members, other.members, strict=True):
+            assert np.abs(a.track * [-1.0, 1.0, 1.0] - b.track).max() < 1e-5
+
+
+def test_no_two_handles_are_nearer_than_a_handle(plain):
+    handles = np.array([e.anchor.position for e in plain.layout.elements])
+    apart = np.linalg.norm(handles[:, None] - handles[None], axis=2) + 9e9 * np.eye(len(handles))
+    assert apart.min() >= plain.layout.handle_width
