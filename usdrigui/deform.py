@@ -429,14 +429,19 @@ def _reached(mesh: RigMesh, turning: NDArray[np.bool_], channels: Indices) -> In
 def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) -> Floats:
     """Dual-quaternion skinning (Kavan et al. 2007) as affine maps (p, 4, 3) into skeleton space.
 
-    As in UsdSkel the scale and shear of the joints are blended linearly and act first; rotations and
-    translations are blended as dual quaternions, each turned to the hemisphere of the joint of largest
-    weight.
+    As in UsdSkel the scale and shear of the joints, if any has some, are blended linearly and act first;
+    rotations and translations are blended as dual quaternions, each turned to the hemisphere of the joint
+    of largest weight; a joint whose matrix is singular takes no part in them.
     """
     frame = rotation_part(skinning)
-    stretch = _weighted(weights, joints, skinning[:, :3, :3] @ np.swapaxes(frame, -1, -2))
+    scale = skinning[:, :3, :3] @ np.swapaxes(frame, -1, -2)
     real = quaternions(frame)
     dual = 0.5 * quaternion_product(np.insert(skinning[:, 3, :3], 0, 0.0, axis=-1), real)
+    singular = np.linalg.svd(skinning[:, :3, :3], compute_uv=False)[:, -1] < 1e-5
+    scale[singular], real[singular], dual[singular] = np.eye(3), 0.0, 0.0
+    stretch = np.broadcast_to(np.eye(3), (len(joints), 3, 3))
+    if np.abs(scale[joints[weights != 0.0]] - np.eye(3)).max(initial=0.0) > 1e-6:
+        stretch = _weighted(weights, joints, scale)
     pivot = joints[np.arange(len(joints)), weights.argmax(axis=1)]
     signs = np.where(np.einsum("pki,pi->pk", real[joints], real[pivot]) < 0.0, -1.0, 1.0)
     blend = _weighted(weights * signs, joints, np.concatenate([real, dual], axis=1))

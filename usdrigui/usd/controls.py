@@ -293,6 +293,15 @@ def _joint_range(
     return None
 
 
+def unknown_joints(joints: tuple[Joint, ...], settings: Settings) -> set[str]:
+    """Names in ``[joints]`` that fit no joint."""
+    return {
+        name
+        for name, said in settings.joints.items()
+        if not any(joint_settings(joint, joints, {name: said}) for joint in joints)
+    }
+
+
 def unknown_names(drafts: list[Draft], left_off: list[LeftOff], settings: Settings) -> set[str]:
     """Names in ``[controls]`` that neither a draft nor something left off bears."""
     return set(settings.controls) - {draft.name for draft in drafts} - {each.control for each in left_off}

@@ -226,9 +226,9 @@ def _shape(
     stage: Usd.Stage, token: str, target: Sdf.Path, armature: Armature, count: int, found: Found
 ) -> Shape | None:
     prim, path = stage.GetPrimAtPath(target), str(target)
-    if not prim or not prim.IsA(UsdSkel.BlendShape):
+    if not prim or not prim.IsActive() or not prim.IsA(UsdSkel.BlendShape):
         found.issues.append(issue("TARGET_INVALID", path, f"is the target of {token!r}"))
-        found.shapeless[token] = f"its target {path} is not a BlendShape"
+        found.shapeless[token] = f"its target {path} is not an active BlendShape"
         return None
     offsets = _offsets(prim.GetAttribute("offsets").Get(), path, "offsets")
     indices = prim.GetAttribute("pointIndices").Get()

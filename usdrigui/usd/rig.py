@@ -20,9 +20,9 @@ from usdrigui.usd.controls import (
     State,
     blend_shape_drafts,
     joint_drafts,
-    joint_settings,
     pose_drafts,
     settled,
+    unknown_joints,
     unknown_names,
 )
 from usdrigui.usd.mesh import Binding, Found, left_off_tokens, read_meshes
@@ -117,12 +117,7 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         left_off=lost,
         issues=(*scene.found.issues, *scene.names.issues, *issues),
     )
-    unmatched = {
-        name
-        for name in settings.joints
-        if not any(joint_settings(each, scene.joints, {name: settings.joints[name]}) for each in scene.joints)
-    }
-    return _Reading(rig, unknown_names(drafts, list(lost), settings), unmatched)
+    return _Reading(rig, unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings))
 
 
 def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
@@ -143,7 +138,7 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     found.issues.extend(heard)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
     meshes = read_meshes(root, _bound(bindings, armatures), frames, found)
-    channels = _with_unanimated(channels, found)
+    channels = _with_unanimated(root, channels, found)
     clip, heard = read_clip(armatures, joints, channels, root.GetStage().GetTimeCodesPerSecond())
     found.issues.extend(heard)
     authored = weights_at(armatures, channels, None)
@@ -182,10 +177,10 @@ def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> 
     }
 
 
-def _with_unanimated(channels: tuple[Channel, ...], found: Found) -> tuple[Channel, ...]:
+def _with_unanimated(root: Usd.Prim, channels: tuple[Channel, ...], found: Found) -> tuple[Channel, ...]:
     """The channels with those added that meshes name but no animation lists."""
     more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
-    found.issues.extend(issue("TOKEN_NOT_ANIMATED", "", f"{token!r}") for token in more)
+    found.issues.extend(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{token!r}") for token in more)
     return (*channels, *(Channel(token, "", -1) for token in more))
 
 

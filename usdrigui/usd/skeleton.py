@@ -11,7 +11,7 @@ from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
 
 _CLIP_BYTES = 128 * 1024 * 1024
-"""Memory that the joint transforms of a clip may take."""
+"""Memory that a clip may take."""
 
 
 @dataclass(frozen=True)
@@ -41,11 +41,12 @@ class Armature:
 
 
 class Frames:
-    """Transforms relative to the SkelRoot at one time code."""
+    """Transforms relative to the SkelRoot at one time code; for the default time, at the earliest."""
 
     def __init__(self, root: Usd.Prim, time: Usd.TimeCode) -> None:
         self.time = time
-        self._cache = UsdGeom.XformCache(time)
+        # Exporters often write transforms as samples only, which the default time does not see.
+        self._cache = UsdGeom.XformCache(Usd.TimeCode.EarliestTime() if time.IsDefault() else time)
         self._world_to_root = self._cache.GetLocalToWorldTransform(root).GetInverse()
 
     def to_root(self, prim: Usd.Prim) -> Floats:
@@ -140,7 +141,7 @@ def read_clip(
     if len(times) < 2:
         return None, ()
     issues: tuple[Issue, ...] = ()
-    most = max(2, _CLIP_BYTES // (128 * max(1, len(joints))))
+    most = max(2, _CLIP_BYTES // (128 * len(joints) + 8 * len(channels) + 1))
     if len(times) > most:
         issues = (issue("CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"),)
         times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
