@@ -230,7 +230,7 @@ def _on_ball(x: Floats, y: Floats, radius: float) -> Floats:
     length = np.linalg.norm(flat, axis=1)
     flat *= np.minimum(1.0, 0.97 * radius / length)[:, None]
     depth = np.sqrt(radius**2 - (flat**2).sum(axis=1))
-    return EYE + np.column_stack([flat, depth])
+    return np.asarray(EYE + np.column_stack([flat, depth]))
 
 
 def _eye_loops() -> Floats:

@@ -33,7 +33,7 @@ _WEIGHTS: dict[str, Keys] = {
 }
 _LOOK: dict[str, Keys] = {
     "x": ((3, 0), (8, 7), (22, -9), (34, 0)),
-    "y": ((2, 0), (7, 22), (16, 20), (22, -18), (32, -12), (44, 0)),
+    "y": ((2, 0), (7, 20), (16, 18), (22, -20), (32, -12), (44, 0)),
 }
 _TURNS: dict[str, dict[str, Keys]] = {
     "Neck/Head/EyeRight": _LOOK,
@@ -41,11 +41,11 @@ _TURNS: dict[str, dict[str, Keys]] = {
     "Neck/Head/Jaw": {"x": ((25, 0), (29, 6), (33, 2), (38, 8), (46, 0))},
     "Neck/Head": {
         "x": ((4, 0), (12, 5), (24, -6), (36, 4), (48, 0)),
-        "y": ((4, 0), (14, 16), (28, -12), (40, -6), (48, 0)),
-        "z": ((26, 0), (37, -6), (48, 0)),
+        "y": ((4, 0), (14, 14), (28, -14), (40, -6), (48, 0)),
+        "z": ((4, 0), (14, 5), (26, 0), (37, -5), (48, 0)),
     },
 }
-"""Rotations in degrees about the joint's own axes, applied x first, then y, then z."""
+"""Rotation vectors in degrees, along the joint's own axes: without torsion, as eyes turn (Listing's law)."""
 
 
 def weight_curves() -> dict[str, Floats]:
@@ -55,22 +55,14 @@ def weight_curves() -> dict[str, Floats]:
 
 def joint_turns() -> dict[str, Floats]:
     """(frames, 4) unit quaternions (real part first) per joint that moves, in the order of the animation."""
-    turns = {}
-    for joint, axes in _TURNS.items():
-        whole = np.tile([1.0, 0.0, 0.0, 0.0], (LAST_FRAME - FIRST_FRAME + 1, 1))
-        for axis, keys in axes.items():
-            half = np.radians(_curve(keys)) / 2
-            turn = np.zeros_like(whole)
-            turn[:, 0], turn[:, 1 + "xyz".index(axis)] = np.cos(half), np.sin(half)
-            whole = _times(turn, whole)
-        turns[joint] = np.round(whole, 7) + 0.0
-    return turns
+    return {joint: _quaternions(axes) for joint, axes in _TURNS.items()}
 
 
-def _times(a: Floats, b: Floats) -> Floats:
-    """Quaternion product: first b, then a."""
-    real = a[:, :1] * b[:, :1] - (a[:, 1:] * b[:, 1:]).sum(axis=1, keepdims=True)
-    return np.hstack([real, a[:, :1] * b[:, 1:] + b[:, :1] * a[:, 1:] + np.cross(a[:, 1:], b[:, 1:])])
+def _quaternions(axes: dict[str, Keys]) -> Floats:
+    still = np.zeros(LAST_FRAME - FIRST_FRAME + 1)
+    vectors = np.radians(np.column_stack([_curve(axes[axis]) if axis in axes else still for axis in "xyz"]))
+    half = np.linalg.norm(vectors, axis=1, keepdims=True) / 2
+    return np.asarray(np.round(np.hstack([np.cos(half), vectors * np.sinc(half / np.pi) / 2]), 7) + 0.0)
 
 
 def _curve(keys: Keys) -> Floats:

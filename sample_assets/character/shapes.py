@@ -118,7 +118,7 @@ def jaw_weights(head: Head) -> Floats:
     for _ in range(600):
         mean = np.bincount(edges[:, 0], weights=weight[edges[:, 1]], minlength=len(points)) / valence
         weight = np.where(seeds, weight, mean)
-    return np.round((weight + weight[head.mirror]) / 2, 4)
+    return np.asarray(np.round((weight + weight[head.mirror]) / 2, 4))
 
 
 def _lid_fields(head: Head, lash_start: int, count: int) -> tuple[Floats, Floats]:
@@ -154,7 +154,7 @@ def _control(name: str, weights: tuple[float, ...], offsets: Floats) -> ControlS
 def _bump(body: Body, centre: tuple[float, ...] | Floats, radii: tuple[float, ...]) -> Floats:
     """(n, 1) smooth, compact falloff on the skin."""
     d = np.sum(((body.points - np.asarray(centre)) / radii) ** 2, axis=1)
-    return (np.clip(1.0 - d, 0.0, None) ** 2 * body.soft)[:, None]
+    return np.asarray((np.clip(1.0 - d, 0.0, None) ** 2 * body.soft)[:, None])
 
 
 def _left(body: Body, width: float = 0.9) -> Floats:
@@ -350,7 +350,7 @@ def _puff(body: Body, w: float) -> Floats:
     right = np.array([-1.0, 1.0, 1.0])
     centre, out = np.array([3.9, -5.1, 6.0]), np.array([0.85, 0.0, 0.55])
     radii = (3.1, 2.9, 3.6)
-    return w * (_bump(body, centre, radii) * out + _bump(body, centre * right, radii) * out * right)
+    return np.asarray(w * (_bump(body, centre, radii) * out + _bump(body, centre * right, radii) * out * right))
 
 
 def _cheek_squint(body: Body, w: float) -> Floats:
