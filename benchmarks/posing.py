@@ -74,7 +74,7 @@ def measure(rig: Rig, count: int, drags: int, feel: Feel) -> None:
 
 def unbounded_outside(grip, target) -> float:
     """Share of the taking-part controls that leave their range without bounds, from rest."""
-    rows = grip.paths.slopes(np.zeros(len(grip.cost)), False) / max(grip.length, 1e-30)
+    rows = grip.paths.slopes(np.zeros(len(grip.cost))) / max(grip.length, 1e-30)
     wanted = np.zeros(grip.positions.shape)
     wanted[:1] = (target - grip.positions[:1]) / max(grip.length, 1e-30)
     x = np.linalg.solve(rows.T @ rows + np.diag(grip.cost), rows.T @ wanted.ravel())

@@ -138,9 +138,11 @@ def grab(
     low, high = _bounds(small, start, ranges, controls, variable)
     share = np.ones(len(reach)) if peaks is None else np.minimum(reach / np.maximum(peaks, 1e-300), 1.0)
     each = feel.stay * (1.0 + feel.elsewhere * (1.0 - share[controls]) ** 2)
+    # A twin may take part without moving the points in hand.
+    still = np.array([0.0, 1.0]), np.zeros((2, 3 * len(rows)))
     paths = lines(
-        [found[j][0] for j in controls.tolist()],
-        [found[j][1] for j in controls.tolist()],
+        [found.get(j, still)[0] for j in controls.tolist()],
+        [found.get(j, still)[1] for j in controls.tolist()],
         start[controls],
         ranges[controls],
         variable[controls],

@@ -123,7 +123,8 @@ def _fitted(
     wanted = goal - _handle(tracks, values, base, base)
     start = (np.clip(current[chosen], low, high) - home) / span
     cost = np.full(len(chosen), _STAY * size**2)
-    return np.clip(home + span * fit(paths, wanted, cost, (low - home) / span, (high - home) / span, start), low, high)
+    x = fit(paths, wanted, cost, (low - home) / span, (high - home) / span, start)
+    return np.asarray(np.clip(home + span * x, low, high))
 
 
 def _handle(tracks: list[Floats], values: list[Floats], base: Floats, at: Floats) -> Floats:
@@ -156,7 +157,7 @@ def _downhill(away: Floats, piece: int) -> int:
 
 
 def _place(track: Floats, values: Floats, value: float) -> Floats:
-    return np.array([np.interp(value, values, track[:, axis]) for axis in (0, 1)])
+    return np.array([float(np.interp(value, values, track[:, axis])) for axis in (0, 1)])
 
 
 def _arm(track: Floats, values: Floats, base: float) -> Floats:

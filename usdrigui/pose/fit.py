@@ -20,8 +20,9 @@ import numpy as np
 from usdrigui.model import Floats, Indices, Record
 
 _STEPS = 10
-_NEWTON_STEPS = 40
+_NEWTON_STEPS = 100
 _HALVINGS = 12
+_NUDGE = 0.02
 _TOLERANCE = 1e-9
 """Of the variables, relative to the size of the solution."""
 
@@ -50,9 +51,9 @@ class Lines(Record):
         """(r,) change of the rows from home."""
         return np.asarray((self._at(self.home + self.span * x[self.variable]) - self._at(self.home)).sum(axis=0))
 
-    def slopes(self, x: Floats, before: bool) -> Floats:
-        """(r, variables) derivative of the rows; at a knot that of the piece after it, or `before` it."""
-        low = self._piece(self.home + self.span * x[self.variable], before)
+    def slopes(self, x: Floats, nudge: float = 0.0) -> Floats:
+        """(r, variables) derivative of the rows, on the pieces a `nudge` (in units of x) further along."""
+        low = self._piece(self.home + self.span * (x[self.variable] + nudge))
         every = np.arange(len(self.knots))
         rise = self.offsets[every, low + 1] - self.offsets[every, low]
         run = self.knots[every, low + 1] - self.knots[every, low]
@@ -62,18 +63,18 @@ class Lines(Record):
         return total.T
 
     def _at(self, values: Floats) -> Floats:
-        low = self._piece(values, False)
+        low = self._piece(values)
         every = np.arange(len(self.knots))
         start, end = self.knots[every, low], self.knots[every, low + 1]
         share = (values - start) / np.where(end > start, end - start, np.inf)
         first, second = self.offsets[every, low], self.offsets[every, low + 1]
         return np.asarray(first + share[:, None] * (second - first))
 
-    def _piece(self, values: Floats, before: bool) -> Indices:
+    def _piece(self, values: Floats) -> Indices:
         """(m,) first knot of the piece on which each value lies; never a piece of no length."""
-        below = self.knots < values[:, None] if before else self.knots <= values[:, None]
         last = (self.knots < self.knots[:, -1:]).sum(axis=1) - 1
-        return np.asarray(np.clip(below.sum(axis=1) - 1, 0, np.maximum(last, 0)), dtype=np.int64)
+        low = (self.knots <= values[:, None]).sum(axis=1) - 1
+        return np.asarray(np.clip(low, 0, np.maximum(last, 0)), dtype=np.int64)
 
 
 def lines(knots: list[Floats], offsets: list[Floats], home: Floats, span: Floats, variable: Indices) -> Lines:
@@ -110,53 +111,71 @@ def bounded(rows: Floats, wanted: Floats, cost: Floats, low: Floats, high: Float
     """(m,) minimiser of ``1/2 |rows x - wanted|^2 + 1/2 sum cost x^2`` within ``low <= x <= high``.
 
     ``rows`` (r, m), ``cost`` (m,) > 0.  With the residual u = wanted - rows x as unknown, the optimum is
-    x_j(u) = clip(rows_j . u / cost_j, low_j, high_j), and u solves  u + rows x(u) = wanted:  the zero of
-    the gradient of a convex function of r variables, found by Newton steps of r by r systems, each
-    shortened until the function falls.  Piecewise quadratic, so it ends exactly, mostly in 3 to 8 steps.
+    x_j(u) = clip(rows_j . u / cost_j, low_j, high_j), and u solves  u - wanted + rows x(u) = 0:  the
+    gradient of a convex, piecewise quadratic function of r variables.  Newton steps of r by r systems
+    with exact line search end at the optimum, mostly after 3 to 15 steps.
     """
     light = rows / cost
-    u = wanted
-    x, value = _dual(rows, light, wanted, cost, low, high, u)
+    u: Floats = wanted
+    enough = 1e-11 * (1.0 + float(np.abs(wanted).max(initial=0.0)))
     for _ in range(_NEWTON_STEPS):
+        at = u @ light
+        x = np.minimum(np.maximum(at, low), high)
         slope = u - wanted + rows @ x
-        if float(np.abs(slope).max(initial=0.0)) <= 1e-10 * (1.0 + float(np.abs(wanted).max(initial=0.0))):
+        if float(np.abs(slope).max(initial=0.0)) <= enough:
             break
-        free = (x > low) & (x < high)
-        step = np.linalg.solve(np.eye(len(u)) + light[:, free] @ rows[:, free].T, slope)
-        share = 1.0
-        for _ in range(_HALVINGS):
-            ahead = u - share * step
-            moved, after = _dual(rows, light, wanted, cost, low, high, ahead)
-            if after < value:
-                break
-            share *= 0.5
+        free = (at > low) & (at < high)
+        step: Floats = np.linalg.solve(np.eye(len(u)) + light[:, free] @ rows[:, free].T, slope).astype(np.float64)
+        u = u - step * _step_length(rows.T @ step, step @ light, at, u - wanted, step, low, high)
+    return np.minimum(np.maximum(u @ light, low), high)
+
+
+def _step_length(
+    pull: Floats, speed: Floats, at: Floats, short: Floats, step: Floats, low: Floats, high: Floats
+) -> float:
+    """t > 0 at which the function of `bounded` is least along ``u - t step``.
+
+    Its derivative there, ``t step.step - step.short - pull.x(t)``, grows with t and is linear between
+    the values at which some x_j meets a bound; the piece with the zero is found by bisection.
+    """
+    first, second = float(step @ short), float(step @ step)
+
+    def rise(t: float) -> float:
+        return t * second - first - float(pull @ np.minimum(np.maximum(at - t * speed, low), high))
+
+    moving = speed != 0.0
+    corners = np.concatenate([(at - low)[moving] / speed[moving], (at - high)[moving] / speed[moving]])
+    corners = np.sort(corners[corners > 0.0])
+    before, after = 0, len(corners)
+    while before < after:
+        middle = (before + after) // 2
+        if rise(float(corners[middle])) < 0.0:
+            before = middle + 1
         else:
-            break
-        u, x, value = ahead, moved, after
-    return x
-
-
-def _dual(
-    rows: Floats, light: Floats, wanted: Floats, cost: Floats, low: Floats, high: Floats, u: Floats
-) -> tuple[Floats, float]:
-    """x(u) and the convex function whose gradient is ``u - wanted + rows x(u)``."""
-    x = np.minimum(np.maximum(u @ light, low), high)
-    return x, float((0.5 * u - wanted) @ u + (u @ rows) @ x - 0.5 * (cost * x) @ x)
+            after = middle
+    start = float(corners[before - 1]) if before else 0.0
+    end = float(corners[before]) if before < len(corners) else start + 1.0
+    down, up = rise(start), rise(end)
+    return start - down * (end - start) / (up - down) if up > down else end
 
 
 def _improved(
     paths: Lines, wanted: Floats, cost: Floats, low: Floats, high: Floats, x: Floats, energy: float
 ) -> tuple[Floats, float] | None:
-    """A better x and its energy, from the problem linearised after the knots at x, or else before them."""
+    """A better x and its energy, or None.
+
+    The problem is linearised on the pieces that x lies on and, should that not help, on those a little
+    further along or back: where a path bends, the least energy of one piece lies just short of the bend.
+    """
     short = wanted - paths.moved(x)
-    for before in (False, True):
-        rows = paths.slopes(x, before)
+    for nudge in (0.0,) if paths.straight else (0.0, _NUDGE, -_NUDGE):
+        rows = paths.slopes(x, nudge)
         best = bounded(rows, short + rows @ x, cost, low, high)
         share = 1.0
         for _ in range(_HALVINGS):
             moved = x + share * (best - x)
             after = _energy(paths, wanted, cost, moved)
-            if after < energy:
+            if after < energy - 1e-12 * abs(energy):
                 return moved, after
             share *= 0.5
     return None
