@@ -86,6 +86,21 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
     return _strict(found.issues, arguments)
 
 
+def _check(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+
+    screen = _screen(arguments)
+    with screen.progress() as shown:
+        found = pipeline.check(arguments.layer, _settings(arguments), progress=shown)
+    if arguments.json:
+        sys.stdout.write(report.review_json(found.layer, found.characters, found.issues))
+    else:
+        screen.review(found)
+    if any(each.severity == "error" for each in found.issues):
+        return Exit.REFUSED
+    return _strict(found.issues, arguments)
+
+
 def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.view import page, serve
@@ -121,6 +136,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     _add_process(commands)
     _add_inspect(commands)
+    _add_check(commands)
     _add_view(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
     schema.set_defaults(run=_schema_path)
@@ -142,6 +158,12 @@ def _add_process(commands: Any) -> None:
 def _add_inspect(commands: Any) -> None:
     parser = _command(commands, "inspect", _inspect, "list the controls without solving")
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    _add_settings(parser)
+
+
+def _add_check(commands: Any) -> None:
+    parser = _command(commands, "check", _check, "say whether a layout layer still fits its rig, and how good it is")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
     _add_settings(parser)
 
 
@@ -289,7 +311,7 @@ def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, 
 
 
 def _strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
-    warned = any(found.severity != "info" for found in issues)
+    warned = any(found.severity == "warning" for found in issues)
     return Exit.REFUSED if arguments.strict and warned else Exit.OK
 
 

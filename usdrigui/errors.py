@@ -234,7 +234,7 @@ _CODES: dict[str, Code] = {
         "Add the name to the blendShapes of the SkelAnimation.",
     ),
     "TOKEN_REPEATED": Code(
-        "warning", "A list names the same blend shape or joint twice; the first is taken.", "Remove the repetition."
+        "warning", "A list names the same blend shape twice; the last is taken, as UsdSkel does.", "Remove the repetition."
     ),
     "INBETWEEN_INVALID": Code(
         "warning",
@@ -378,6 +378,37 @@ _CODES: dict[str, Code] = {
         "A term of the objective from another package gave an answer that cannot be used.",
         "Correct the term, or leave it out of objective.terms.",
         Exit.USAGE,
+    ),
+    # --- layouts that exist ------------------------------------------------------------------------
+    "LAYOUT_MESH_GONE": Code(
+        "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_TOPOLOGY": Code(
+        "error",
+        "The mesh under an element has other points or faces than when it was laid out.",
+        "Run `usdrigui process` again, with --previous to keep what can be kept.",
+    ),
+    "LAYOUT_ANCHOR_MOVED": Code(
+        "warning",
+        "The point under an element is no longer where it was.",
+        "Run `usdrigui process` again if the shape of the face has changed.",
+    ),
+    "LAYOUT_CONTROL_GONE": Code(
+        "error", "An element drives a control that the rig does not have.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_CONTROL_NEW": Code(
+        "warning", "The rig has a control that the layout does not know.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_HANDLES_COLLIDE": Code(
+        "warning",
+        "Two handles are nearer than a handle's width and cannot both be grabbed.",
+        "Move one of them, or run `usdrigui process` again.",
+    ),
+    "LAYOUT_ANCHOR_HIDDEN": Code(
+        "warning", "No view shows the point that an element is anchored to.", "Move the element to where it can be seen."
+    ),
+    "LAYOUT_BETTER_PLACE": Code(
+        "info", "An element would do better elsewhere.", "Set the control's `anchor` to the place named, if you agree."
     ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),

@@ -17,12 +17,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import Issue, refuse
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
 from usdrigui.layout import candidates as candidates_stage
 from usdrigui.layout import elements as elements_stage
 from usdrigui.layout import groups as groups_stage
 from usdrigui.layout import problem as problem_stage
+from usdrigui.layout import review as review_stage
 from usdrigui.layout import symmetry as symmetry_stage
 from usdrigui.layout import trajectory as trajectory_stage
 from usdrigui.layout import visibility as visibility_stage
@@ -70,6 +71,22 @@ class Loaded:
 
     characters: tuple[tuple[Rig, Layout], ...]
     source: str
+    cameras: Mapping[str, Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class LayerReview:
+    """What `check` finds out about one layer."""
+
+    layer: str
+    characters: tuple[tuple[str, review_stage.Review], ...]
+    """By SkelRoot."""
+    seconds: tuple[tuple[str, float], ...]
+
+    @property
+    def issues(self) -> tuple[Issue, ...]:
+        """All findings."""
+        return tuple(found for _, review in self.characters for found in review.issues)
 
 
 def process(
@@ -156,11 +173,28 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     layouts, source = {each.root: each for each in found.layouts}, found.source
     if not source:
         raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
-    rigs = read_rigs_isolated(Path(source), settings).rigs
-    missing = set(layouts) - {each.root for each in rigs}
+    read = read_rigs_isolated(Path(source), settings)
+    missing = set(layouts) - {each.root for each in read.rigs}
     if missing:
         raise refuse("LAYOUT_STALE", min(missing), f"{source} has no such character any more")
-    return Loaded(tuple((each, layouts[each.root]) for each in rigs if each.root in layouts), source)
+    characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
+    return Loaded(characters, source, read.cameras)
+
+
+def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
+    """Whether a layout layer still fits its rig, and how good it is; writes nothing.
+
+    Works on layers from any tool or hand.  Raises RigUIError where the layer or its source cannot be read.
+    """
+    clock = _Clock(progress)
+    with clock.stage("read"):
+        loaded = load_layer(layer, settings)
+    reviews = []
+    for rig, layout in loaded.characters:
+        ready = posed(rig, settings, clock, loaded.cameras)
+        with clock.stage("review"):
+            reviews.append((rig.root, review_stage.review(ready.context, ready.candidates, layout)))
+    return LayerReview(str(layer), tuple(reviews), clock.seconds)
 
 
 def default_output(asset: Path) -> Path:

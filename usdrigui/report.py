@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
@@ -119,6 +119,21 @@ def failure_json(asset: str, found: Issue, exit_code: Exit) -> str:
         "issues": [asdict(found)],
     }
     return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
+def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Sequence[Issue]) -> str:
+    """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review) pairs."""
+    document = {
+        "format": "usdrigui.review",
+        "version": VERSION,
+        "layer": layer,
+        "characters": [
+            {"root": root, "cost": review.cost, "elements": [asdict(each) for each in review.elements]}
+            for root, review in characters
+        ],
+        "issues": [asdict(each) for each in issues],
+    }
+    return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:

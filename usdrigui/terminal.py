@@ -20,11 +20,15 @@ if TYPE_CHECKING:
 
     from usdrigui.errors import Issue
     from usdrigui.inspection import ControlFacts, Inspection
-    from usdrigui.pipeline import Event
+    from usdrigui.layout.review import ElementReview
+    from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
 
 _LOG_WIDTH = 160
 """Columns where the output is not a terminal."""
+
+_WRAPPED = ("why", "flags", "element", "twin", "nearest", "where")
+"""Columns that give way when the line is too long."""
 
 Watch = Callable[["Event"], None]
 
@@ -75,6 +79,20 @@ class Screen:
         count = sum(len(character.controls) for character in found.characters)
         self._out.print(f"usdrigui: inspected {found.asset}: {count} controls; nothing was written")
 
+    def review(self, found: LayerReview) -> None:
+        """Faults first, then every element by the objective, then the verdict."""
+        if not self._quiet:
+            for root, review in found.characters:
+                self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
+                self._out.print(_review_table(review.elements))
+            self._issues(found.issues)
+        counts = {
+            severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
+        }
+        state = "fits its rig" if not counts["error"] else "does not fit its rig"
+        told = f"{counts['error']} errors, {counts['warning']} warnings"
+        self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
+
     def _live(self, status: Status, event: Event) -> None:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
 
@@ -122,6 +140,16 @@ def _rows_table(rows: Sequence[ControlRow]) -> Table:
     return table
 
 
+def _review_table(elements: Sequence[ElementReview]) -> Table:
+    table = _table("element", "kept", "linear", "overlap", "nearest", "handles apart", "gain elsewhere", "where")
+    for each in elements:
+        apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
+        gain = f"{each.gain:.3f}" if each.better else ""
+        numbers = (_percent(each.kept), f"{each.linear:.3f}", f"{each.overlap:.3f}")
+        table.add_row(*map(Text, (each.element, *numbers, each.nearest, apart, gain, each.better)))
+    return table
+
+
 def _facts_table(controls: Sequence[ControlFacts]) -> Table:
     table = _table("control", "kind", "range", "from", "points", "coverage", "peak", "twin", "flags")
     for facts in controls:
@@ -143,7 +171,7 @@ def _facts_table(controls: Sequence[ControlFacts]) -> Table:
 def _table(*columns: str) -> Table:
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     for column in columns:
-        table.add_column(column, overflow="fold", no_wrap=column not in ("why", "flags"))
+        table.add_column(column, overflow="fold", no_wrap=column not in _WRAPPED)
     return table
 
 

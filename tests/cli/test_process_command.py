@@ -119,7 +119,9 @@ def test_inspect_lists_every_control_and_writes_nothing(character, tmp_path, cap
     assert main(["inspect", str(character), "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
     assert sorted(tmp_path.iterdir()) == files
-    assert all(facts["minimum"] <= facts["default"] <= facts["maximum"] for facts in document["characters"][0]["controls"])
+    assert all(
+        facts["minimum"] <= facts["default"] <= facts["maximum"] for facts in document["characters"][0]["controls"]
+    )
 
 
 @pytest.mark.parametrize("argument", ["--help", "--version"])

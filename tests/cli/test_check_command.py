@@ -1,0 +1,89 @@
+"""`usdrigui check`: silent on a good layout, names each fault of a spoiled one by its code."""
+
+import json
+import shutil
+
+import pytest
+import skinned_stages
+from pxr import Sdf, Usd, UsdGeom
+
+from usdrigui.cli import main
+
+
+@pytest.fixture(scope="module")
+def laid_out(tmp_path_factory):
+    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
+    assert main(["process", str(character), "--quiet"]) == 0
+    return character.parent
+
+
+@pytest.fixture
+def layer(laid_out, tmp_path):
+    shutil.copytree(laid_out, tmp_path / "asset")
+    return tmp_path / "asset" / "char.rigui.usda"
+
+
+def codes(layer, capsys, expected_exit=0, *options):
+    capsys.readouterr()
+    assert main(["check", str(layer), "--json", *options]) == expected_exit
+    document = json.loads(capsys.readouterr().out)
+    return {each["code"] for each in document["issues"] if each["severity"] != "info"}
+
+
+def elements(stage):
+    scope = next(prim for prim in stage.TraverseAll() if prim.GetName() == "RigUI")
+    return [prim for prim in scope.GetChildren() if prim.GetRelationship("rigUI:anchor:prim").GetTargets()]
+
+
+def test_a_fresh_layout_is_silent(layer, capsys):
+    assert codes(layer, capsys) == set()
+
+
+def test_rates_every_element_on_the_face(layer, capsys):
+    capsys.readouterr()
+    main(["check", str(layer), "--json"])
+    rated = json.loads(capsys.readouterr().out)["characters"][0]["elements"]
+    assert len(rated) == len(elements(Usd.Stage.Open(str(layer))))
+    assert all(0.0 < each["kept"] <= 1.0 + 1e-6 for each in rated)
+
+
+def test_two_handles_on_one_spot(layer, capsys):
+    stage = Usd.Stage.Open(str(layer))
+    first, second = elements(stage)[:2]
+    for name in ("rigUI:anchor:position", "rigUI:anchor:pointIndex"):
+        second.GetAttribute(name).Set(first.GetAttribute(name).Get())
+    stage.GetRootLayer().Save()
+    assert "LAYOUT_HANDLES_COLLIDE" in codes(layer, capsys)
+    assert main(["check", str(layer), "--strict"]) == 1
+
+
+def test_a_changed_topology_is_stale(layer, capsys):
+    source = Usd.Stage.Open(str(layer.with_name("char.usda")))
+    mesh = next(UsdGeom.Mesh(prim) for prim in source.Traverse() if prim.IsA(UsdGeom.Mesh))
+    counts, indices = list(mesh.GetFaceVertexCountsAttr().Get()), list(mesh.GetFaceVertexIndicesAttr().Get())
+    mesh.GetFaceVertexCountsAttr().Set(counts[1:])
+    mesh.GetFaceVertexIndicesAttr().Set(indices[counts[0] :])
+    source.GetRootLayer().Save()
+    assert "LAYOUT_TOPOLOGY" in codes(layer, capsys, expected_exit=1)
+
+
+def test_a_control_that_is_gone_and_one_that_is_new(layer, capsys):
+    stage = Usd.Stage.Open(str(layer))
+    element = elements(stage)[0]
+    instance = element.GetAttribute("rigUI:element:controls").Get()[0]
+    element.CreateAttribute(f"rigUI:control:{instance}:name", Sdf.ValueTypeNames.String).Set("nobody")
+    stage.GetRootLayer().Save()
+    assert {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"} <= codes(layer, capsys, expected_exit=1)
+
+
+def test_a_moved_point_is_told(layer, capsys):
+    stage = Usd.Stage.Open(str(layer))
+    attribute = elements(stage)[0].GetAttribute("rigUI:anchor:position")
+    attribute.Set(attribute.Get() + type(attribute.Get())(0.1, 0, 0))
+    stage.GetRootLayer().Save()
+    assert "LAYOUT_ANCHOR_MOVED" in codes(layer, capsys)
+
+
+def test_a_layer_without_layout_is_refused(layer, capsys):
+    assert main(["check", str(layer.with_name("char.usda"))]) == 1
+    assert "LAYOUT_MISSING" in capsys.readouterr().err
