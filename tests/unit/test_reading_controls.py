@@ -21,7 +21,7 @@ from skel_stages import (
     new_stage,
 )
 
-from usdrigui.deform import channel_state
+from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings, load
 from usdrigui.usd.rig import read_rigs
@@ -146,6 +146,28 @@ def test_invalid_inbetweens_are_ignored_as_usdskel_does(tmp_path):
     rig = edited(tmp_path, edit)
     assert rig.meshes[0].shapes[0].weights.tolist() == [0.5, 1.0]
     assert [each.code for each in rig.issues].count("INBETWEEN_INVALID") == 3
+
+
+def test_of_repeated_names_the_last_counts_as_in_usdskel(tmp_path):
+    def edit(stage):
+        UsdSkel.BindingAPI(stage.GetPrimAtPath("/Char/Face")).GetBlendShapesAttr().Set(["smile", "smile"])
+        _animation(stage).GetBlendShapesAttr().Set(["smile", "frown", "smile"])
+        _animation(stage).GetBlendShapeWeightsAttr().Set([0.0, 0.0, 0.0])
+
+    path = head(tmp_path / "char.usda", edit=edit)
+    rig = read(path)
+    assert [(each.code, each.path) for each in rig.issues] == [
+        ("TOKEN_REPEATED", "/Char/Anim"),
+        ("TOKEN_REPEATED", "/Char/Face"),
+    ]
+    stage = Usd.Stage.Open(str(path))
+    stage.SetEditTarget(stage.GetSessionLayer())
+    weights = [0.0, 0.0, 0.0]
+    weights[rig.channels[int(rig.controls[0].drive.channels[0])].index] = 1.0
+    _animation(stage).GetBlendShapeWeightsAttr().Set(weights)
+    UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath("/Char")), Gf.Interval(1, 1))
+    baked = UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetPointsAttr().Get(1)
+    assert np.abs(deform(rig, [1.0]) - np.asarray(baked)).max() < 1e-6
 
 
 # --- ranges ------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Floats, Indices, LeftOff, RigMesh, Shape, Singles, Skin
-from usdrigui.usd.skeleton import Armature, Frames
+from usdrigui.usd.skeleton import Armature, Frames, repeated
 
 
 @dataclass
@@ -214,8 +214,9 @@ def _shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Found) -
         found.issues.append(issue("MESH_UNBOUND", path, f"has {len(tokens)} blend shapes"))
         found.shapeless.update(dict.fromkeys(tokens, f"no Skeleton is bound to {path}"))
         return ()
+    found.issues.extend(repeated(tokens, path, "skel:blendShapes"))
     shapes = []
-    for token, target in zip(tokens, targets, strict=True):
+    for token, target in dict(zip(tokens, targets, strict=True)).items():
         shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
         if shape is not None:
             shapes.append(shape)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -114,20 +116,20 @@ def read_channels(armatures: tuple[Armature, ...]) -> tuple[tuple[Channel, ...],
     """All blend-shape weights of all animations, each animation once."""
     channels: list[Channel] = []
     issues: list[Issue] = []
-    seen: set[str] = set()
-    for armature in armatures:
-        path = armature.record.animation
-        if path in seen:
-            continue
-        seen.add(path)
-        taken: set[str] = set()
-        for i, token in enumerate(armature.tokens):
-            if token in taken:
-                issues.append(issue("TOKEN_REPEATED", path, f"blendShapes lists {token!r} more than once"))
-                continue
-            taken.add(token)
-            channels.append(Channel(token, path, i))
+    for path, tokens in {each.record.animation: each.tokens for each in armatures}.items():
+        place = {token: i for i, token in enumerate(tokens)}
+        channels.extend(Channel(token, path, i) for token, i in place.items())
+        issues.extend(repeated(tokens, path, "blendShapes"))
     return tuple(channels), tuple(issues)
+
+
+def repeated(tokens: Sequence[str], path: str, name: str) -> list[Issue]:
+    """One issue for each token that a list names more than once."""
+    return [
+        issue("TOKEN_REPEATED", path, f"{name} lists {token!r} {count} times")
+        for token, count in Counter(tokens).items()
+        if count > 1
+    ]
 
 
 def read_clip(
