@@ -1,0 +1,163 @@
+"""usdrigui.usd.carry: which joints carry what, worked out by hand on small skeletons."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.model import Anchor, Control, Drive, Element, Joint, Layout, Member, Skeleton, Skin
+from usdrigui.usd import carry
+from usdrigui.usd.carry import Carriage, PointShape
+
+PARENTS = [-1, 0, 1, 1, -1]
+"""Hips, head, jaw and eye below the head, and a prop with a root of its own."""
+HIPS, HEAD, JAW, EYE, PROP = range(5)
+
+
+def joint(index, parent, offset=(0.0, 1.0, 0.0)):
+    matrix = np.eye(4)
+    matrix[3, :3] = offset
+    bind = np.eye(4)
+    step = index
+    while step >= 0:
+        bind[3, :3] += offset
+        step = PARENTS[step]
+    return Joint(f"j{index}", 0, parent, bind, matrix, matrix)
+
+
+def turning(name, joints, angle=0.5):
+    """A control that turns joints about x."""
+    turns = np.zeros((2, len(joints), 3))
+    turns[1, :, 0] = angle
+    none = np.zeros((2, len(joints), 3))
+    drive = Drive(
+        np.array([0.0, 1.0]), np.zeros(0, dtype=np.int64), np.zeros((2, 0)), np.array(joints), turns, none, none
+    )
+    return Control(name, name, "joint", name, 0.0, 0.0, 1.0, "default", drive)
+
+
+def rig(weights, to_root=None, controls=None, **skin):
+    """The mask with every point skinned to `weights` {joint: weight}."""
+    face = makers.face(9, 11)
+    count = len(face.meshes[0].points)
+    joints = np.tile(list(weights), (count, 1))
+    shares = np.tile([float(each) for each in weights.values()], (count, 1))
+    bound = Skin(joints, shares, "classicLinear", np.eye(4), False)
+    skeleton = Skeleton("/Root/Skel", "/Root/anim", np.eye(4) if to_root is None else to_root)
+    return replace(
+        face,
+        meshes=(replace(face.meshes[0], skin=replace(bound, **skin)),),
+        skeletons=(skeleton,),
+        joints=tuple(joint(i, parent) for i, parent in enumerate(PARENTS)),
+        controls=face.controls if controls is None else controls,
+    )
+
+
+def element(names, point=60, adapt="deform", beside=False):
+    members = tuple(Member(name, np.array([0.0, 1.0]), np.array([[0.0, 0, 0], [0, 1, 0]]), 1.0, 1.0) for name in names)
+    anchor = Anchor("/Root/mesh", point, 99, "", np.zeros(3), np.array([0.0, 0, 1]), beside)
+    return Element("e", "e", "slider", members, (), anchor, "none", "", "", "", adapt)
+
+
+def layout(made, *elements):
+    return Layout(
+        made.root, elements, (), 0.1, "object", np.array([0.0, 0, 1]), np.zeros(3), np.zeros(3),
+        np.zeros(len(made.controls)), "", "stopped", 0.0, 0.0, 0.0,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("weights", "own", "kept"),
+    [
+        ({HEAD: 0.5, JAW: 0.5}, set(), {HEAD: 0.5, JAW: 0.5}),
+        ({HEAD: 0.5, JAW: 0.5}, {EYE}, {HEAD: 0.5, JAW: 0.5}),
+        ({HEAD: 0.5, JAW: 0.5}, {JAW}, {HEAD: 1.0}),
+        ({EYE: 0.25, JAW: 0.75}, {JAW}, {EYE: 0.25, HEAD: 0.75}),
+        ({EYE: 0.25, JAW: 0.75}, {HEAD, JAW}, {HIPS: 1.0}),
+        ({HEAD: 0.5, JAW: 0.5}, {HIPS}, {}),
+        ({HEAD: 0.5, PROP: 0.5}, {HIPS}, {PROP: 1.0}),
+        ({HEAD: 0.2, JAW: 0.2, PROP: 0.6}, {HIPS, PROP}, {}),
+    ],
+)
+def test_influences_go_to_the_nearest_joint_that_stays(weights, own, kept):
+    given = np.array(list(weights)), np.array(list(weights.values()))
+    joints, shares = carry._without(rig({HEAD: 1.0}), given, own)
+    assert dict(zip(joints.tolist(), np.round(shares, 12).tolist(), strict=True)) == kept
+    if kept == weights:
+        assert joints is given[0]
+
+
+def test_controls_that_move_nothing_notable_own_nothing():
+    still, moving = turning("still", [HEAD, JAW], 1e-9), turning("moving", [JAW])
+    assert carry._own_joints([still], 1.0) == set()
+    assert carry._own_joints([still, moving], 1.0) == {JAW}
+
+
+@pytest.mark.parametrize(
+    ("weights", "carrier"),
+    [
+        ({HEAD: 0.95, JAW: 0.05}, HEAD),
+        ({HEAD: 0.3, JAW: 0.3, EYE: 0.4}, HEAD),
+        ({JAW: 1.0}, JAW),
+        ({HIPS: 0.2, HEAD: 0.8}, HIPS),
+        ({HEAD: 0.7, PROP: 0.3}, HIPS),
+    ],
+)
+def test_static_elements_hang_on_the_joint_that_carries_the_face(weights, carrier):
+    made = rig(weights)
+    grip = Carriage(made, layout(made, element(["chin"], adapt="static"))).grip(element(["chin"], adapt="static"))
+    assert (grip.handle.joints.tolist(), grip.handle.weights.tolist()) == ([carrier], [1.0])
+    assert grip.shapes == ()
+
+
+def test_the_rest_arrangement_is_root_space_at_bind():
+    to_root = np.array([[0.0, 2, 0, 0], [-2, 0, 0, 0], [0, 0, 2, 0], [1, 2, 3, 1]])
+    geom_bind = np.eye(4)
+    geom_bind[3, :3] = (0.5, 0, 0)
+    made = rig({HEAD: 0.5, JAW: 0.5}, to_root, geom_bind=geom_bind)
+    grip = Carriage(made, layout(made, element(["chin"]))).grip(element(["chin"]))
+    point = made.meshes[0].points[60] + (0.5, 0, 0)
+    assert np.allclose(grip.rest, (1 - 2 * point[1], 2 + 2 * point[0], 3 + 2 * point[2]))
+    assert np.allclose(grip.handle.base, np.eye(4)[:, :3])
+    assert np.allclose(grip.handle.unposed(grip.rest[None]), grip.rest)
+
+
+def test_only_shapes_that_move_the_anchor_are_taken_in_the_order_of_channels():
+    made = rig({HEAD: 1.0})
+    for point in (20, 60, 95):
+        found = Carriage(made, layout(made, element(["chin"], point))).grip(element(["chin"], point)).shapes
+        wanted = [
+            (shape.channel, shape.offsets[0][shape.points == point][0])
+            for shape in made.meshes[0].shapes
+            if point in shape.points
+        ]
+        assert [shape.channel for shape in found] == [channel for channel, _ in wanted]
+        for shape, (_, offset) in zip(found, wanted, strict=True):
+            assert np.allclose(shape.offsets, offset)
+
+
+def test_a_shape_bends_at_its_in_betweens_and_goes_on_beyond():
+    shape = PointShape(0, np.array([-0.5, 0.5, 1.0]), np.array([[-1.0, 0, 0], [0, 1, 0], [0, 3, 0]]))
+    wanted = {0.0: (0, 0, 0), 0.25: (0, 0.5, 0), 0.75: (0, 2, 0), 1.5: (0, 5, 0), -0.25: (-0.5, 0, 0), -1: (-2, 0, 0)}
+    for weight, offset in wanted.items():
+        assert np.allclose(shape.at(weight), offset), weight
+
+
+def test_layouts_of_another_rig_are_a_bug_of_ours():
+    made = rig({HEAD: 1.0})
+    with pytest.raises(RigUIError, match="BUG"):
+        Carriage(made, layout(made)).grip(element(["unknown"]))
+    with pytest.raises(RigUIError, match="BUG"):
+        Carriage(made, layout(made)).grip(element(["chin"], point=99))
+    with pytest.raises(RigUIError, match="BUG"):
+        Carriage(made, replace(layout(made), base_values=np.zeros(2)))
+
+
+def test_a_skeleton_that_collapses_space_is_refused():
+    made = rig({HEAD: 1.0}, np.diag([1.0, 1, 0, 1]))
+    with pytest.raises(RigUIError, match="SKELETON_INVALID"):
+        Carriage(made, layout(made, element(["chin"])))
