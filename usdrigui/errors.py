@@ -254,6 +254,11 @@ _CODES: dict[str, Code] = {
         "The Skeleton has no rest transforms; they are derived from the bind transforms.",
         "Author restTransforms.",
     ),
+    "JOINT_MOTION_IGNORED": Code(
+        "info",
+        "The animation moves or scales joints besides turning them; only rotations become joint controls.",
+        "Name its frames or clips as poses in the configuration to lay out the rest.",
+    ),
     "CLIP_THINNED": Code(
         "info", "The animation is too long to keep whole; evenly spaced frames of it are kept.", "Nothing."
     ),

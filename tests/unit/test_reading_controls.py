@@ -312,6 +312,13 @@ def test_a_joint_without_axes_is_no_control(tmp_path):
     assert not any(name.startswith("neck:") for name in controls(rig))
 
 
+def test_joints_that_are_moved_or_scaled_are_mentioned(tmp_path):
+    rig = read(_posed_stage(tmp_path / "p.usda", None))
+    assert [(each.code, each.message) for each in rig.issues] == [("JOINT_MOTION_IGNORED", "1 joints: a")]
+    rig = read(_posed_stage(tmp_path / "q.usda", None), {"read": {"joints": "none"}, "poses": {"p": {"frame": 2.0}}})
+    assert rig.issues == ()
+
+
 # --- poses -------------------------------------------------------------------------------------------
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, Settings
@@ -16,6 +16,9 @@ from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 _AXES = "xyz"
 _STILL = 1e-7
 """Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves nothing."""
+
+_SLIGHT = 1e-3
+"""Share of the greatest translation, or of scale, by which an animation may move a joint unmentioned."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,20 @@ def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool
                 label = f"{said.label} {_AXES[axis]}" if said and said.label else ""
                 drafts.append(Draft(name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)))
     return drafts
+
+
+def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> tuple[Issue, ...]:
+    """A note on joints that the animation translates or scales, which no joint control can do."""
+    if clip is None or not joints:
+        return ()
+    places, rows = clip.locals[:, :, 3, :3], np.linalg.norm(clip.locals[:, :, :3, :3], axis=-1)
+    size = float(np.abs(places).max(initial=0.0))
+    moved = (np.ptp(places, axis=0) > _SLIGHT * size).any(axis=1) | (np.ptp(rows, axis=0) > _SLIGHT).any(axis=1)
+    names = [joints[i].path.rsplit("/", 1)[-1] for i in np.flatnonzero(moved)]
+    if not names:
+        return ()
+    listed = ", ".join(names[:3]) + (" and more" if len(names) > 3 else "")
+    return (issue("JOINT_MOTION_IGNORED", root, f"{len(names)} joints: {listed}"),)
 
 
 def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[list[Draft], list[LeftOff]]:

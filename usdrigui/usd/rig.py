@@ -19,6 +19,7 @@ from usdrigui.usd.controls import (
     Draft,
     State,
     blend_shape_drafts,
+    ignored_motion,
     joint_drafts,
     pose_drafts,
     settled,
@@ -154,6 +155,8 @@ def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Dra
     )
     drafts = blend_shape_drafts(scene.channels, used, authored, scene.base_weights, settings)
     drafts += joint_drafts(scene.joints, scene.clip, bool(scene.names.frames), settings)
+    if settings.read.joints != "none" and not scene.names.frames:
+        issues += ignored_motion(str(root.GetPath()), scene.joints, scene.clip)
     base = State(scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4))
     poses = named_poses(scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings)
     more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
