@@ -71,7 +71,7 @@ def test_a_control_that_is_gone_and_one_that_is_new(layer, capsys):
     stage = Usd.Stage.Open(str(layer))
     element = elements(stage)[0]
     instance = element.GetAttribute("rigUI:element:controls").Get()[0]
-    element.CreateAttribute(f"rigUI:control:{instance}:name", Sdf.ValueTypeNames.String).Set("nobody")
+    element.CreateAttribute(f"rigUI:control:{instance}:name", Sdf.ValueTypeNames.Token).Set("nobody")
     stage.GetRootLayer().Save()
     assert {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"} <= codes(layer, capsys, expected_exit=1)
 
