@@ -24,7 +24,7 @@ CHUNK = 4096
 class Bodies(Record):
     """One copy of the elements of many labels (or blocks), all with the same number of samples.
 
-    Scene units, positions relative to the middle of all samples of the problem.
+    Scene units.
     """
 
     owner: Indices
@@ -34,13 +34,13 @@ class Bodies(Record):
     slack: Floats
     """(n,) largest change of the element distance when a member replaces the centre."""
     handle: Floats
-    """(3, n); not shifted, so that handles exactly a separation apart are judged as the objective does."""
+    """(3, n)."""
     handle_slack: Floats
     """(n,) largest distance of a member's handle from `handle`."""
     middle: Floats
     """(3, n) mean of the samples."""
     radius: Floats
-    """(n,) largest distance of a sample from `middle`."""
+    """(n,) of a ball around `middle` that holds the samples and handles of all members."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,7 +119,6 @@ def _bodies(problem: LayoutProblem, variables: Indices, labels: Indices, start: 
     for index, each in enumerate(problem.variables):
         for copy in range(each.samples.shape[1]):
             groups.setdefault((each.samples.shape[2], copy), []).append(index)
-    middle = _middle(problem)
     found = []
     for (_, copy), members in sorted(groups.items()):
         owner, samples, handles = [], [], []
@@ -127,37 +126,28 @@ def _bodies(problem: LayoutProblem, variables: Indices, labels: Indices, start: 
             spot = np.arange(start[index], start[index + 1])
             spot = spot[labels[spot] >= 0]
             owner.append(spot)
-            samples.append(problem.variables[index].samples[labels[spot], copy] - middle)
+            samples.append(problem.variables[index].samples[labels[spot], copy])
             handles.append(problem.variables[index].handles[labels[spot], copy])
-        found.append(
-            _single(np.concatenate(owner), np.concatenate(samples), np.concatenate(handles))
-        )
+        found.append(_single(np.concatenate(owner), np.concatenate(samples), np.concatenate(handles)))
     return tuple(each for each in found if len(each.owner))
 
 
 def _single(owner: Indices, samples: Floats, handles: Floats) -> Bodies:
     """Bodies without slack from (n, u, 3) samples and (n, 3) handles."""
     positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1), dtype=np.float64)
-    centre, radius = _ball(positions)
+    handle = np.ascontiguousarray(handles.T, dtype=np.float64)
     none = np.zeros(len(owner))
-    return Bodies(owner, positions, none, np.ascontiguousarray(handles.T, dtype=np.float64), none, centre, radius)
+    centre, radius = _ball(positions, np.zeros(positions.shape[::2]), handle, none)
+    return Bodies(owner, positions, none, handle, none, centre, radius)
 
 
-def _ball(samples: Floats) -> tuple[Floats, Floats]:
-    """Middle (3, n) and radius (n,) of (u, 3, n) samples."""
-    centre = samples.mean(axis=0)
-    radius = np.sqrt(np.square(samples - centre).sum(axis=1).max(axis=0))
-    return centre, radius
-
-
-def _middle(problem: LayoutProblem) -> Floats:
-    """(3,) a point amid the samples, so that differences of positions keep their digits."""
-    ends = [each.handles.reshape(-1, 3) for each in problem.variables if each.handles.size]
-    if not ends:
-        return np.zeros(3)
-    low = np.min([each.min(axis=0) for each in ends], axis=0)
-    high = np.max([each.max(axis=0) for each in ends], axis=0)
-    return np.asarray((low + high) / 2)
+def _ball(samples: Floats, around: Floats, handle: Floats, handle_around: Floats) -> tuple[Floats, Floats]:
+    """Middle (3, n) and radius (n,) of a ball around (u, 3, n) samples and (3, n) handles, each with the
+    ball that its members fill."""
+    centre = samples.mean(axis=0) if len(samples) else handle
+    far = np.linalg.norm(samples - centre, axis=1) + around
+    far_handle = np.linalg.norm(handle - centre, axis=0) + handle_around
+    return centre, np.maximum(far.max(axis=0, initial=0.0), far_handle)
 
 
 # --- blocks ------------------------------------------------------------------------------------------
@@ -229,12 +219,13 @@ def _bounding(body: Bodies, blocks: Blocks, labels: int, most: int) -> Bodies:
     handles = body.handle[:, place]
     handle = _box_middle(handles, first)
     off = np.linalg.norm(handles - np.repeat(handle, sizes, axis=-1), axis=0)
-    middle, radius = _ball(centre)
+    handle_slack = np.maximum.reduceat(off, first)
+    middle, radius = _ball(centre, apart, handle, handle_slack)
     # Moving each sample i by at most apart[i] changes the sum over this element's samples by at most
     # sum(apart), and each of the other element's v nearest distances by at most max(apart); the mean over
     # both grows with v.
     slack = (apart.sum(axis=0) + most * apart.max(axis=0)) / (len(apart) + most)
-    return Bodies(owner, centre, slack, handle, np.maximum.reduceat(off, first), middle, radius)
+    return Bodies(owner, centre, slack, handle, handle_slack, middle, radius)
 
 
 def _box_middle(positions: Floats, first: Indices) -> Floats:

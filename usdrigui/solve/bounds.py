@@ -47,7 +47,6 @@ class Edge:
             found[self.used[side]] = np.minimum((self.costs[1 - side] + inside[:, None]).min(axis=0), elsewhere)
         return found
 
-
     def least(self) -> float:
         """Least reparametrised cost."""
         if self._least is None:

@@ -4,25 +4,35 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.errors import refuse
-from usdrigui.model import Assignment, Floats, Indices, LayoutProblem
+from usdrigui.model import Assignment, Indices, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.solve.blocks import Labels, all_labels
-from usdrigui.solve.local_search import Neighbours, search
+from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.reduce import reduce
 from usdrigui.solve.watch import Watch
+
+
+TRIES = 150
 
 
 def solve_whole(problem: LayoutProblem, watch: Watch) -> Assignment:
     """Best layout over every candidate of every variable, with a lower bound (paper eq. 2-5, unreduced)."""
     labels = all_labels(problem)
     forbidden = forbidden_price(problem, labels)
-    neighbours = Neighbours(problem, labels, watch)
-    chosen, cost = search(labels, neighbours, forbidden, watch, 200)
-    watch.note("local search", cost=cost, labels=len(labels.label))
-    residual = reduce(problem, labels, forbidden, watch)
-    watch.note("blocks", bound=residual.bound, blocks=len(residual.blocks.variable))
-    return assignment(problem, labels, labels.label[chosen], watch, "highs")
+    incumbent = Incumbent(problem, labels, forbidden, watch)
+    incumbent.construct()
+    incumbent.search(TRIES)
+    watch.note("local search", cost=incumbent.cost, labels=len(labels.label), work=watch.work)
+    residual = reduce(problem, labels, forbidden, watch, incumbent.improve_from)
+    watch.note(
+        "blocks",
+        cost=incumbent.cost,
+        bound=watch.bound,
+        blocks=len(residual.blocks.variable),
+        labels=int(residual.blocks.sizes.sum()),
+        work=watch.work,
+    )
+    return assignment(problem, labels, labels.label[incumbent.chosen], watch, "highs")
 
 
 def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
@@ -35,9 +45,7 @@ def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
     return float(1.0 + spread.sum() + overlaps + sum(each.costs.sum() for each in problem.extra))
 
 
-def assignment(
-    problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str
-) -> Assignment:
+def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str) -> Assignment:
     """The record of a solution, with its cost worked out by the objective itself."""
     cost = total_cost(problem, chosen)
     bound = min(watch.bound, cost)

@@ -37,9 +37,7 @@ class Grouped:
     """Whether every group was solved to the end and all agree, so that `chosen` is optimal."""
 
 
-def group_gains(
-    dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int
-) -> Grouped:
+def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int) -> Grouped:
     """Solve and merge groups until they agree, reach the cut-off, or have spent `nodes`."""
     chosen = chosen.copy()
     label = _joined(np.arange(len(chosen)), _disagreements(dual, chosen, 0.02 * max(cut - bound, 0.0)))

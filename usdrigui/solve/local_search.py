@@ -17,6 +17,8 @@ from usdrigui.solve.blocks import Bodies, Labels, Pool, pair_bounds
 from usdrigui.solve.watch import Watch
 
 STEP = "local search"
+WORSE = 0.02
+"""How much worse than the best a layout may be for the search to go on from it."""
 CACHE = 32_000_000
 """Neighbour entries kept: 16 bytes each."""
 
@@ -172,34 +174,55 @@ class State:
         return np.maximum(pool.cost[self.chosen] + self._pair[self.chosen] - least, 0.0)
 
 
-def search(
-    labels: Labels, neighbours: Neighbours, forbidden: float, watch: Watch, tries: int, start: Indices | None = None
-) -> tuple[Indices, float]:
-    """A good layout (pool indices) and its cost; at most `tries` attempts of large-neighbourhood search."""
-    state = State(labels, neighbours, forbidden)
-    generator = np.random.default_rng(watch.settings.seed)
-    if start is None:
-        insert(state, np.argsort([state.best(each)[1] for each in range(state.pool.count)], kind="stable"))
-    else:
-        state.set(start)
-    descend(state, range(state.pool.count), watch)
-    watch.found(STEP, _cost(state, forbidden))
-    chosen, cost = state.chosen.copy(), state.total()
-    for attempt in range(tries):
-        if attempt % 8 == 0 and watch.stopped():
-            break
-        group = _group(state, generator)
-        for variable in group:
-            state.place(variable, -1)
-        insert(state, generator.permutation(group))
-        descend(state, group, watch)
-        new = state.total()
-        if new < cost - 1e-9:
-            chosen, cost = state.chosen.copy(), new
-            watch.found(STEP, _cost(state, forbidden))
-        elif new > cost + 0.02:
-            state.set(chosen)
-    return chosen, cost
+class Incumbent:
+    """The best layout so far, and the ways to a better one."""
+
+    def __init__(self, problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> None:
+        self.neighbours = Neighbours(problem, labels, watch)
+        self.state = State(labels, self.neighbours, forbidden)
+        self.chosen = self.state.chosen.copy()
+        self.cost = np.inf
+        self._forbidden = forbidden
+        self._watch = watch
+        self._generator = np.random.default_rng(watch.settings.seed)
+        self._tried: set[bytes] = set()
+
+    def construct(self) -> None:
+        """A first layout: the variables in order of what their best labels cost, then descent."""
+        count = self.state.pool.count
+        insert(self.state, np.argsort([self.state.best(each)[1] for each in range(count)], kind="stable"))
+        self._settle(range(count))
+
+    def improve_from(self, chosen: Indices) -> None:
+        """Descent from a given layout, unless it was tried before."""
+        key = chosen.tobytes()
+        if key in self._tried:
+            return
+        self._tried.add(key)
+        self.state.set(chosen)
+        self._settle(range(len(chosen)))
+
+    def search(self, tries: int) -> None:
+        """Large-neighbourhood search: take a few rivals out, put them back in another order, descend."""
+        self.state.set(self.chosen)
+        for attempt in range(tries):
+            if attempt % 8 == 0 and self._watch.stopped():
+                return
+            group = _group(self.state, self._generator)
+            for variable in group:
+                self.state.place(variable, -1)
+            insert(self.state, self._generator.permutation(group))
+            if self._settle(group) > self.cost + WORSE:
+                self.state.set(self.chosen)
+
+    def _settle(self, variables: Iterable[int]) -> float:
+        """Descend, and remember the layout if it is the best so far; its cost."""
+        descend(self.state, variables, self._watch)
+        cost = self.state.total()
+        if cost < self.cost - 1e-9:
+            self.chosen, self.cost = self.state.chosen.copy(), cost
+            self._watch.found(STEP, _cost(self.state, self._forbidden))
+        return cost
 
 
 def _cost(state: State, forbidden: float) -> float:

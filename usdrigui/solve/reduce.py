@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,6 +17,7 @@ from usdrigui.solve.watch import Watch
 STEP = "blocks"
 NODES = 400
 NEAR = 0.02
+SLOW = 0.1
 SWEEPS = 8
 
 
@@ -42,40 +44,67 @@ class Residual:
         return bool(self.blocks.sizes.max(initial=1) == 1)
 
 
-def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> Residual:
-    """Split and discard blocks until the gap is closed, all blocks are single labels, or the budget is spent."""
+def reduce(
+    problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch, improve: Callable[[Indices], None]
+) -> Residual:
+    """Split and discard blocks until the gap is closed or a limit is reached.
+
+    `improve` is handed labels (pool indices, one per variable) that may be near a better layout.
+    """
     blocks = whole(labels)
     for _ in range(3):
         blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
     residual = _bounded(problem, labels, blocks, forbidden, watch, None, None)
-    nodes = NODES
+    nodes, share = NODES, NEAR
     while True:
-        _tell(residual, watch)
-        if watch.closed() or watch.stopped():
-            break
-        if residual.value - residual.bound > 0.5 * (watch.cut - residual.bound):
-            residual = _grouped(residual, watch, nodes)
-            nodes = nodes * 5 // 4
-            _tell(residual, watch)
-            if watch.closed() or watch.stopped():
-                break
+        residual = _examined(labels, residual, watch, nodes, improve)
         alive = residual.room <= watch.cut
-        if residual.blocks.sizes[alive].max(initial=1) == 1 and residual.exact:
-            break
+        if watch.closed() or watch.stopped() or not _all_keep(residual, alive):
+            return residual
+        nodes = nodes * 5 // 4 if residual.blocks.sizes[alive].max() > 1 else nodes * 2
         rest = keep(residual.blocks, alive)
-        blocks, parent = halve(labels, rest, _worth_splitting(residual, alive, watch))
+        blocks, parent = halve(labels, rest, _worth_splitting(residual, alive, watch.cut, share))
+        before = residual.bound
         residual = _bounded(problem, labels, blocks, forbidden, watch, residual, np.flatnonzero(alive)[parent])
+        share = NEAR if residual.bound - before > SLOW * (watch.cut - before) else min(1.0, 2.0 * share)
+
+
+def _examined(
+    labels: Labels, residual: Residual, watch: Watch, nodes: int, improve: Callable[[Indices], None]
+) -> Residual:
+    """Tell of the bound, raise it by groups where splitting no longer would, and try the blocks' solution."""
+    watch.found(STEP, bound=min(residual.bound, watch.cut))
+    improve(_representatives(labels, residual))
+    missing = watch.cut - residual.bound
+    splitting = residual.value - residual.bound <= 0.5 * missing and not residual.exact
+    if watch.closed() or watch.stopped() or splitting:
+        return residual
+    residual = _grouped(residual, watch, nodes)
+    improve(_representatives(labels, residual))
+    watch.found(STEP, bound=min(residual.bound, watch.cut))
     return residual
 
 
-def _tell(residual: Residual, watch: Watch) -> None:
-    watch.found(STEP, bound=min(residual.bound, watch.cut))
+def _all_keep(residual: Residual, alive: Flags) -> bool:
+    """Whether every variable keeps an entry; otherwise nothing better than the cut-off exists."""
+    return bool(np.logical_or.reduceat(alive, residual.pool.start[:-1]).all())
 
 
-def _worth_splitting(residual: Residual, alive: Flags, watch: Watch) -> Flags:
-    """The blocks whose splitting can raise the bound: those of the solution, and those near the bound."""
+def _representatives(labels: Labels, residual: Residual) -> Indices:
+    """(variables,) for each block of the solution its member of least linear cost."""
+    blocks = residual.blocks
+    found = np.empty(len(residual.chosen), dtype=np.int64)
+    for variable, at in enumerate(residual.pool.start[:-1] + residual.chosen):
+        members = blocks.members[blocks.start[at] : blocks.start[at + 1]]
+        found[variable] = members[labels.pool.cost[members].argmin()]
+    return found
+
+
+def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:
+    """The blocks whose splitting can raise the bound: those of the solution, and those whose room lies within
+    a share of the way from the bound to the cut-off."""
     several = residual.blocks.sizes[alive] > 1
-    near = residual.room <= residual.bound + NEAR * (watch.cut - residual.bound)
+    near = residual.room <= residual.bound + share * (cut - residual.bound)
     near[residual.pool.start[:-1] + residual.chosen] = True
     near = several & near[alive]
     return near if near.any() else several

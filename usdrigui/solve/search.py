@@ -233,11 +233,11 @@ class Search:
         while True:
             limit = min(cut, bound + step)
             found = self.solve(part.only(np.ones(len(part.costs), dtype=bool)), limit)
-            if not np.isfinite(found.cost) and found.bound < limit:
+            if not np.isfinite(found.cost) and found.bound < limit - 1e-9:
                 return Found(max(bound, found.bound), np.inf, {})
             if np.isfinite(found.cost) or limit >= cut:
                 return found
-            bound, step = limit, 1.5 * step
+            bound, step = limit - 1e-9, 1.5 * step
 
     def _blame(self, part: Part) -> None:
         """Weigh the variables of a failed node, most those with least room."""

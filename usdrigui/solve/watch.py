@@ -99,7 +99,9 @@ class Watch:
     def note(self, name: str, **figures: float) -> None:
         """End a step: its figures and the time since the last one."""
         now = time.monotonic()
-        self.steps.append(Step(name, tuple((key, float(value)) for key, value in figures.items()), now - self._step_began))
+        self.steps.append(
+            Step(name, tuple((key, float(value)) for key, value in figures.items()), now - self._step_began)
+        )
         self._step_began = now
 
     def _gap(self) -> float:
