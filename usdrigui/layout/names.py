@@ -20,7 +20,16 @@ def mirrored(name: str) -> str:
 def hints_at_twin(name: str, other: str) -> bool:
     """True when one name is the other with its sides swapped, and has a side at all."""
     swapped = mirrored(name)
-    return swapped != name.lower() and swapped == other.lower()
+    return (swapped != name.lower() and swapped == other.lower()) or _differ_by_initial(name, other)
+
+
+def _differ_by_initial(name: str, other: str) -> bool:
+    """``.Lsmile`` and ``.Rsmile``: a side glued to the front of a word."""
+    apart = [i for i, (a, b) in enumerate(zip(name, other, strict=False)) if a != b]
+    if len(name) != len(other) or len(apart) != 1 or {name[apart[0]].lower(), other[apart[0]].lower()} != {"l", "r"}:
+        return False
+    before = name[: apart[0]][-1:]
+    return not before.isalpha() or (name[apart[0]].isupper() and before.islower())
 
 
 def has_side(name: str) -> bool:

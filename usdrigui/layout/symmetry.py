@@ -21,10 +21,15 @@ from usdrigui.surface import mesh_triangles, point_areas
 
 _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
-_ROUGH = 400
+_ROUGH = 250
 """Points among them on which candidate planes are compared."""
-_DIRECTIONS = 24
+_LARGE = 4.0
+"""Points of more than this many times the usual area count no more than that."""
+_DIRECTIONS = 16
 """Candidate normals around the up axis, besides the principal axes."""
+_LEVELS = (0.3, 0.5, 0.7)
+"""Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
+_FINALISTS = 6
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
 _TIE = 1e-3
@@ -90,11 +95,12 @@ def _find_plane(rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plan
         return None
     tree = cKDTree(region)
     sample = _thinned(region, weights)
-    middle = np.average(region, axis=0, weights=weights)
     rough = sample[:: max(1, len(sample) // _ROUGH)]
+    starts = [_refined(plane, tree, rough, 2) for plane in _starts(region, weights, rig.up)]
+    starts.sort(key=lambda plane: _misfit(plane, tree, rough))
     best = min(
-        (_Plane(normal, float(normal @ middle)) for normal in _normals(region - middle, weights, rig.up)),
-        key=lambda plane: _misfit(_refined(plane, tree, rough, 4), tree, rough),
+        (_refined(plane, tree, rough, 12) for plane in starts[:_FINALISTS]),
+        key=lambda plane: _misfit(plane, tree, sample),
     )
     plane = _refined(best, tree, sample, 60)
     plane = _polished(plane, tree, sample, tolerance)
@@ -109,7 +115,9 @@ def _moving_region(rig: Rig, trajectories: Trajectories) -> tuple[Floats, Floats
     for motion in trajectories.motions:
         moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
     area = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
-    weights = area * moved
+    usual = float(np.median(area[(area > 0.0) & (moved > 0.0)])) if (area * moved).any() else 0.0
+    # A few huge faces (cards, cloth) must not drag the middle to themselves.
+    weights = np.minimum(area, _LARGE * usual) * moved
     chosen = np.flatnonzero(weights > 0.0)
     if not len(chosen):
         chosen = np.flatnonzero((trajectories.places == np.arange(count)) & (moved > 0.0))
@@ -123,6 +131,17 @@ def _thinned(points: Floats, weights: Floats) -> Floats:
         return points
     heaviest = np.lexsort((*points.T, -weights))[: 4 * _SAMPLE]
     return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
+
+
+def _starts(region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
+    """Candidate planes: normals in all directions about the up axis, at the middle and to both sides of it."""
+    found = []
+    for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
+        along = region @ normal
+        order = np.argsort(along)
+        share = np.cumsum(weights[order]) / weights.sum()
+        found += [_Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS]
+    return found
 
 
 def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
