@@ -26,9 +26,10 @@ from usdrigui.usd.controls import (
     unknown_joints,
     unknown_names,
 )
-from usdrigui.usd.mesh import Binding, Found, left_off_tokens, read_meshes
+from usdrigui.usd.mesh import read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import metres_per_unit, read_ranges
+from usdrigui.usd.shapes import Binding, Found, left_off_tokens
 from usdrigui.usd.skeleton import (
     Armature,
     Frames,

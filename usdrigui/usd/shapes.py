@@ -1,0 +1,161 @@
+"""Blend shapes of one mesh, and the tokens that drive them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, Usd, UsdSkel
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.model import Indices, LeftOff, Shape, Singles
+from usdrigui.usd.arrays import check_range, integers, vectors
+from usdrigui.usd.skeleton import Armature, repeated
+
+
+@dataclass
+class Found:
+    """What reading the meshes brought up besides the meshes."""
+
+    tokens: dict[tuple[str, str], int] = field(default_factory=dict)
+    """Channel index by (token, animation path); grows by tokens that no animation lists."""
+    shapeless: dict[str, str] = field(default_factory=dict)
+    """Why a token got no shape from some mesh."""
+    issues: list[Issue] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Binding:
+    """How a prim hangs on a Skeleton."""
+
+    armature: Armature
+    query: UsdSkel.SkinningQuery
+
+
+def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Found) -> tuple[Shape, ...]:
+    """The shapes of a mesh of `count` points, in the order of its tokens; `found` takes tokens and issues.
+
+    Raises TARGETS_LENGTH, OFFSETS_LENGTH, INDEX_RANGE, NOT_FINITE or ARRAY_TYPE.
+    """
+    api = UsdSkel.BindingAPI(prim)
+    tokens = [str(token) for token in api.GetBlendShapesAttr().Get() or ()]
+    if not tokens and not api.GetBlendShapeTargetsRel().HasAuthoredTargets():
+        return ()
+    path = str(prim.GetPath())
+    targets = api.GetBlendShapeTargetsRel().GetTargets()
+    if len(tokens) != len(targets):
+        raise refuse(
+            "TARGETS_LENGTH", path, f"{len(tokens)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
+        )
+    if binding is None:
+        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(tokens)} blend shapes"))
+        found.shapeless.update(dict.fromkeys(tokens, f"no Skeleton is bound to {path}"))
+        return ()
+    found.issues.extend(repeated(tokens, path, "skel:blendShapes"))
+    shapes = []
+    for token, target in dict(zip(tokens, targets, strict=True)).items():
+        shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
+        if shape is not None:
+            shapes.append(shape)
+    return tuple(shapes)
+
+
+def _shape(
+    stage: Usd.Stage, token: str, target: Sdf.Path, armature: Armature, count: int, found: Found
+) -> Shape | None:
+    prim, path = stage.GetPrimAtPath(target), str(target)
+    if not prim or not prim.IsActive() or not prim.IsA(UsdSkel.BlendShape):
+        found.issues.append(issue("TARGET_INVALID", path, f"is the target of {token!r}"))
+        found.shapeless[token] = f"its target {path} is not an active BlendShape"
+        return None
+    offsets = _offsets(prim.GetAttribute("offsets").Get(), path, "offsets")
+    indices = prim.GetAttribute("pointIndices").Get()
+    between = _inbetweens(prim, found)
+    size = len(indices) if indices is not None and len(indices) else count
+    for name, array in (("offsets", offsets), *((f"inbetweens:{w:g}", o) for w, o in between)):
+        if len(array) not in (0, size):
+            what = "pointIndices" if size != count or (indices is not None and len(indices)) else "points"
+            raise refuse("OFFSETS_LENGTH", path, f"{len(array)} {name} for {size} {what}")
+    if not len(offsets) and not any(len(each) for _, each in between):
+        found.shapeless[token] = f"its shape {path} has no offsets"
+        return None
+    return _assembled(_channel(token, armature, found), path, indices, offsets, between, size, count)
+
+
+def _assembled(
+    channel: int,
+    path: str,
+    indices: Any,
+    offsets: Singles,
+    between: list[tuple[float, Singles]],
+    size: int,
+    count: int,
+) -> Shape:
+    """A Shape with its rows in the order of weight and its points ascending and unique."""
+    rows = sorted([(1.0, offsets), *between], key=lambda row: row[0])
+    empty = np.zeros((size, 3), dtype=np.float32)
+    table = np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
+    if indices is None or not len(indices):
+        points = np.flatnonzero(table.any(axis=(0, 2)))
+        table = table if len(points) == count else table[:, points]
+    else:
+        points = integers(indices, path, "pointIndices")
+        if (points[1:] <= points[:-1]).any():
+            points, table = _merged(points, table)
+        if points[0] < 0 or points[-1] >= count:
+            check_range(points, count, path, "pointIndices")
+    return Shape(channel, path, np.array([weight for weight, _ in rows]), points, table)
+
+
+def _merged(points: Indices, table: Singles) -> tuple[Indices, Singles]:
+    """Points ascending and unique; offsets of a repeated point add up, as in UsdSkel."""
+    unique, place = np.unique(points, return_inverse=True)
+    merged = np.zeros((len(table), len(unique), 3), dtype=np.float32)
+    for row, offsets in zip(merged, table, strict=True):
+        np.add.at(row, place, offsets)
+    return unique, merged
+
+
+def _inbetweens(prim: Usd.Prim, found: Found) -> list[tuple[float, Singles]]:
+    """Weight and offsets of each in-between that UsdSkel would use."""
+    if not any(name.startswith("inbetweens:") for name in prim.GetPropertyNames()):
+        return []
+    path, taken, between = str(prim.GetPath()), {0.0, 1.0}, []
+    for each in UsdSkel.BlendShape(prim).GetInbetweens():
+        weight, name = each.GetWeight(), each.GetAttr().GetName()
+        if weight is None or not np.isfinite(weight) or any(abs(weight - other) < 1e-6 for other in taken):
+            found.issues.append(issue("INBETWEEN_INVALID", path, f"{name} has weight {weight}"))
+            continue
+        taken.add(float(weight))
+        between.append((float(weight), _offsets(each.GetOffsets(), path, name)))
+    return between
+
+
+def _offsets(values: Any, path: str, name: str) -> Singles:
+    return vectors(values, path, name).astype(np.float32, copy=False)
+
+
+def _channel(token: str, armature: Armature, found: Found) -> int:
+    """Index of the weight that drives a token under a Skeleton; a new one if no animation lists it."""
+    key = (token, armature.record.animation)
+    if key in found.tokens:
+        return found.tokens[key]
+    return found.tokens.setdefault((token, ""), len(found.tokens))
+
+
+def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
+    """Remember why the tokens of a prim got no shape from it."""
+    for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ():
+        found.shapeless[str(token)] = reason
+
+
+def left_off_tokens(found: Found, used: set[int]) -> tuple[LeftOff, ...]:
+    """Tokens that no mesh implements, with the reason."""
+    shaped = {token for (token, _), channel in found.tokens.items() if channel in used}
+    names = dict.fromkeys([*(token for token, _ in found.tokens), *found.shapeless])
+    return tuple(
+        LeftOff(name, "read", found.shapeless.get(name, "no mesh has a shape for it"))
+        for name in names
+        if name not in shaped
+    )
