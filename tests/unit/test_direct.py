@@ -225,6 +225,19 @@ def test_inbetweens_are_followed_round_their_corner():
         assert solve(grab(rig, [0.0], [point], feel=FIRM), goal).values == pytest.approx([value], abs=0.02)
 
 
+def test_inbetweens_are_followed_from_a_pose_in_which_they_are_set():
+    points, quads = makers.mask()
+    first = makers.bump(points, (0.0, 0.0), (1.0, 0.0, 0.0))
+    second = first + makers.bump(points, (0.0, 0.0), (0.0, 1.0, 0.0))
+    rig = makers.rig(points, quads, {"bent": {0.5: first, 1.0: second}, "other": first})
+    point = int(np.argmin(np.linalg.norm(points[:, :2], axis=1)))
+    for start, value in ((0.8, 0.3), (0.3, 0.8)):
+        goal = deform(rig, [value, 0.0])[[point]]
+        grip = grab(rig, [start, 0.0], [point], locked={1}, feel=FIRM)
+        assert solve(grip, goal).values == pytest.approx([value, 0.0], abs=0.02)
+        assert solve(grip, goal).reached == pytest.approx(deform(rig, solve(grip, goal).values)[[point]], abs=1e-7)
+
+
 def test_joints_and_shapes_arrive_together(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips/Head", "Hips/Head/Jaw"))
     (rig,) = read_rigs(source, Settings())

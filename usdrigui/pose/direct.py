@@ -32,12 +32,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.deform import deform, knots, posed, sweep
+from usdrigui.deform import deform, knots, posed
 from usdrigui.errors import refuse
 from usdrigui.model import Control, Flags, Floats, Indices, Layout, Record, Rig
 from usdrigui.pose.evaluate import checked_values
 from usdrigui.pose.fit import Lines, fit, lines
-from usdrigui.pose.subset import subset
+from usdrigui.pose.subset import paths_around, subset
 
 _SAMPLES = 9
 """Values at which paths under joints are sampled."""
@@ -212,10 +212,11 @@ def longest_paths(rig: Rig, values: ArrayLike | None = None) -> Floats:
 
     Looks at all points, which takes a fraction of a second on a large rig; once per session is enough.
     """
-    base = posed(rig, values)
+    at = checked_values(rig, [control.default for control in rig.controls] if values is None else values)
+    base = posed(rig, at)
     found = np.zeros(len(rig.controls))
     for j in range(len(rig.controls)):
-        _, offsets = sweep(rig, base, j, _values_along(rig, j))
+        _, offsets = paths_around(rig, base, at, j, _values_along(rig, j))
         if offsets.shape[1]:
             found[j] = float(np.linalg.norm(np.diff(offsets, axis=0), axis=2).sum(axis=0).max())
     return found
@@ -257,7 +258,7 @@ def _paths(rig: Rig, start: Floats, rows: Indices, pulled: int) -> tuple[Floats,
             continue
         straight = not len(control.drive.joints) and bending.isdisjoint(channels) and len(control.drive.values) == 2
         at = _ends(control) if straight else _values_along(rig, j)
-        points, offsets = sweep(rig, base, j, at)
+        points, offsets = paths_around(rig, base, start, j, at)
         if len(points):
             full = np.zeros((len(at), int(rig.starts[-1]), 3))
             full[:, points] = offsets

@@ -9,7 +9,7 @@ the rules of the written layer, where tracks and handles are gprims that UsdSkel
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from usdrigui.deform import Posed, deform, posed
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig
-from usdrigui.pose.subset import subset
+from usdrigui.pose.subset import paths_around, subset
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,17 +87,10 @@ def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
 def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
     whole = posed(poser.anchors, values)
-    base_values = poser.layout.base_values
-    found: list[PosedElement] = []
-    for index, element in enumerate(poser.layout.elements):
-        owned = poser.owned[index]
-        others = whole
-        if (values[owned] != base_values[owned]).any():
-            without = values.copy()
-            without[owned] = base_values[owned]
-            others = posed(poser.anchors, without)
-        found.append(_element(poser, element, index, others, whole, values))
-    return tuple(found)
+    return tuple(
+        _element(poser, element, index, _others(poser, index, whole, values), whole, values)
+        for index, element in enumerate(poser.layout.elements)
+    )
 
 
 def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
@@ -144,6 +137,26 @@ def _element(poser: Poser, element: Element, index: int, others: Posed, whole: P
         handle = whole.points[row]
     normal = element.anchor.normal @ np.linalg.pinv(carry).T
     return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30))
+
+
+def _others(poser: Poser, index: int, whole: Posed, values: Floats) -> Posed:
+    """The anchors with the element's own controls at the base pose and all others at `values`."""
+    owned, base_values = poser.owned[index], poser.layout.base_values
+    away = owned[values[owned] != base_values[owned]]
+    if not len(away):
+        return whole
+    drives = [poser.rig.controls[j].drive for j in away.tolist()]
+    channels = [channel for drive in drives for channel in drive.channels.tolist()]
+    if any(len(drive.joints) for drive in drives) or len(set(channels)) < len(channels):
+        without = values.copy()
+        without[owned] = base_values[owned]
+        return posed(poser.anchors, without)
+    # Shapes of different channels add up and leave the skin alone: taking them back is a few additions.
+    points = whole.points.copy()
+    for j in away.tolist():
+        moved, offsets = paths_around(poser.anchors, whole, values, j, base_values[j : j + 1])
+        points[moved] += offsets[0]
+    return replace(whole, points=points)
 
 
 def _carried(poser: Poser, element: Element, row: int, at: Posed) -> tuple[Floats, Floats]:

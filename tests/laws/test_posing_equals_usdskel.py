@@ -1,0 +1,54 @@
+"""A layout posed without USD stands where UsdSkel puts the written layer's gprims."""
+
+from __future__ import annotations
+
+import laid_out
+import numpy as np
+import pytest
+import skinned_stages
+from pxr import Sdf
+
+from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.settings import OutputSettings, Settings
+from usdrigui.usd.layer import layer_for, stage_metadata
+from usdrigui.usd.rig import read_rigs
+
+KINDS = {
+    "linear": {},
+    "dual quaternion": {"method": "dualQuaternion"},
+    "without skin": {"skinned": False},
+    "transforms everywhere": {"moved": True, "reordered": True, "meshes": 2},
+    "joint controls": {"animated_joints": ("Hips", "Hips/Head", "Hips/Head/Jaw")},
+}
+CLOSE = 1e-5
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_meshes_handles_and_tracks(tmp_path, kind):
+    source = skinned_stages.character(tmp_path / "char.usda", **KINDS[kind])
+    (rig,) = read_rigs(source, Settings())
+    layout = laid_out.layout_of(rig, seed=6)
+    rng = np.random.default_rng(7)
+    poses = [laid_out.random_values(rig, rng) for _ in range(3)]
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    layer = layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata)
+    layer.Export(str(tmp_path / "layout.usda"))
+    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
+    poser = prepare(rig, layout)
+    prims = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChildren()
+    shapes = {control.name for control in rig.controls if control.kind == "blendShape"}
+    followed = 0
+    for time, values in enumerate(poses):
+        ours = evaluate(poser, values)
+        diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
+        theirs = [laid_out.root_points(stage, mesh.path, rig.root, time) for mesh in rig.meshes]
+        assert np.abs(ours.points - np.concatenate(theirs)).max() < CLOSE * diagonal
+        for element, at, prim in zip(layout.elements, ours.elements, prims, strict=True):
+            centre = laid_out.root_points(stage, f"{prim.GetPath()}/handle", rig.root, time).mean(axis=0)
+            assert np.abs(at.handle - centre).max() < CLOSE * diagonal, element.name
+            # Where joints are the element's own controls a gprim can only hang on the joints above.
+            if element.members[0].control in shapes:
+                track = laid_out.root_points(stage, f"{prim.GetPath()}/track", rig.root, time)
+                assert np.abs(at.tracks[0] - track).max() < CLOSE * diagonal, element.name
+                followed += 1
+    assert followed >= 3 * len(shapes) - 3

@@ -1,0 +1,127 @@
+"""Layouts at a pose: what follows the skin, what does not, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import laid_out
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.deform import deform
+from usdrigui.errors import RigUIError
+from usdrigui.pose.evaluate import checked_values, evaluate, prepare, values_of
+from usdrigui.pose.subset import subset
+
+
+@pytest.fixture(scope="module")
+def rig():
+    return makers.face()
+
+
+@pytest.fixture(scope="module")
+def layout(rig):
+    return laid_out.layout_of(rig, seed=1)
+
+
+def element(layout, name):
+    return [each.name for each in layout.elements].index(name)
+
+
+def test_at_the_base_pose_everything_is_as_laid_out(rig, layout):
+    posed = evaluate(prepare(rig, layout))
+    assert posed.points == pytest.approx(deform(rig), abs=1e-12)
+    for laid, at in zip(layout.elements, posed.elements, strict=True):
+        assert at.handle == pytest.approx(laid.anchor.position, abs=1e-12)
+        assert at.rest == pytest.approx(laid.anchor.position, abs=1e-6)
+        assert at.tracks[0] == pytest.approx(laid.members[0].track, abs=1e-12)
+        assert at.normal == pytest.approx(laid.anchor.normal, abs=1e-12)
+
+
+def test_handles_lie_on_their_deformed_anchors(rig, layout):
+    values = laid_out.random_values(rig, np.random.default_rng(2))
+    posed = evaluate(prepare(rig, layout), values)
+    for laid, at in zip(layout.elements, posed.elements, strict=True):
+        assert at.handle == pytest.approx(posed.points[laid.anchor.point], abs=1e-6)
+
+
+def test_a_track_ignores_its_own_control_and_follows_the_others(rig, layout):
+    poser = prepare(rig, layout)
+    smile = element(layout, "smile_L")
+    own, other = (values_of(rig, {name: 1.0}) for name in ("smile_L", "pucker"))
+    laid = layout.elements[smile].members[0].track
+    assert evaluate(poser, own).elements[smile].tracks[0] == pytest.approx(laid, abs=1e-7)
+    anchor = layout.elements[smile].anchor.point
+    moved = deform(rig, other)[anchor] - deform(rig)[anchor]
+    assert evaluate(poser, other).elements[smile].tracks[0] == pytest.approx(laid + moved, abs=1e-6)
+
+
+def test_enlarged_tracks_carry_enlarged_handles(rig, layout):
+    smile = element(layout, "smile_L")
+    one = layout.elements[smile]
+    base = one.anchor.position
+    large = replace(one.members[0], track=base + 3.0 * (one.members[0].track - base), gain=3.0)
+    changed = replace(layout, elements=(replace(one, members=(large,)),))
+    at = evaluate(prepare(rig, changed), values_of(rig, {"smile_L": 0.5})).elements[0]
+    assert at.handle == pytest.approx(base + 1.5 * (one.members[0].track[-1] - base), abs=1e-6)
+
+
+@pytest.mark.parametrize("given", [{"beside": ("smile_L",)}, {"adapt": "static"}])
+def test_beside_the_face_and_static_nothing_follows_shapes_but_the_value_shows(rig, given):
+    layout = laid_out.layout_of(rig, seed=1, only=["smile_L"], **given)
+    at = evaluate(prepare(rig, layout), values_of(rig, {"smile_L": 0.5, "pucker": 1.0, "sneer_L": 1.0})).elements[0]
+    member = layout.elements[0].members[0]
+    assert at.tracks[0] == pytest.approx(member.track, abs=1e-7)
+    assert at.handle == pytest.approx(member.track.mean(axis=0), abs=1e-6)
+
+
+def test_members_of_one_element_add_up(rig):
+    layout = laid_out.layout_of(rig, groups=[("smile_L", "sneer_L")])
+    at = evaluate(prepare(rig, layout), values_of(rig, {"smile_L": 0.5, "sneer_L": 1.0})).elements[0]
+    moves = [member.track - layout.elements[0].anchor.position for member in layout.elements[0].members]
+    expected = layout.elements[0].anchor.position + 0.5 * moves[0][-1] + moves[1][-1]
+    assert at.handle == pytest.approx(expected, abs=1e-6)
+    assert at.rest == pytest.approx(layout.elements[0].anchor.position, abs=1e-6)
+    assert at.tracks[0] == pytest.approx(layout.elements[0].members[0].track, abs=1e-7)
+
+
+def test_a_subset_of_points_deforms_as_the_whole_does(rig):
+    points = np.array([700, 3, 3, 1200])
+    small, rows = subset(rig, points)
+    values = laid_out.random_values(rig, np.random.default_rng(5))
+    assert deform(small, values)[rows] == pytest.approx(deform(rig, values)[points], abs=1e-12)
+    assert len(deform(small)) == 3
+
+
+def test_poses_by_name_start_from_defaults_or_a_base(rig):
+    assert values_of(rig, {"chin": 0.25}).sum() == 0.25
+    base = np.full(len(rig.controls), 0.5)
+    changed = values_of(rig, {"chin": 0.25}, base)
+    assert changed.sum() == pytest.approx(base.sum() - 0.25)
+    assert (base == 0.5).all()
+
+
+def test_refuses_poses_that_are_none(rig, layout):
+    with pytest.raises(RigUIError, match="POSE_CONTROL chinn"):
+        values_of(rig, {"chinn": 1.0})
+    with pytest.raises(RigUIError, match="POSE_VALUE chin"):
+        values_of(rig, {"chin": float("nan")})
+    with pytest.raises(RigUIError, match="POSE_VALUE"):
+        evaluate(prepare(rig, layout), [0.0])
+    with pytest.raises(RigUIError, match="POSE_VALUE"):
+        checked_values(rig, np.full(len(rig.controls), np.inf))
+
+
+def test_refuses_layouts_of_another_character(rig, layout):
+    one = layout.elements[0]
+    for broken in (
+        replace(one, anchor=replace(one.anchor, mesh="/Root/gone")),
+        replace(one, anchor=replace(one.anchor, point=10**6)),
+        replace(one, anchor=replace(one.anchor, topology_hash="other")),
+        replace(one, members=(replace(one.members[0], control="gone"),)),
+    ):
+        with pytest.raises(RigUIError, match="LAYOUT_STALE"):
+            prepare(rig, replace(layout, elements=(broken,)))
+    with pytest.raises(RigUIError, match="LAYOUT_STALE"):
+        prepare(rig, replace(layout, base_values=np.zeros(3)))
