@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from pxr import Gf
@@ -21,6 +21,7 @@ from usdrigui.rotation import (
 vectors = arrays(np.float64, (3,), elements=st.floats(-1.8, 1.8))
 
 
+@settings(deadline=None)
 @given(vectors)
 def test_vectors_turn_as_in_usd(vector):
     angle = float(np.linalg.norm(vector))
@@ -29,6 +30,7 @@ def test_vectors_turn_as_in_usd(vector):
     assert np.allclose(rotations(vector), expected, atol=1e-7)
 
 
+@settings(deadline=None)
 @given(vectors)
 def test_vectors_come_back(vector):
     angle = np.linalg.norm(vector)
@@ -36,12 +38,14 @@ def test_vectors_come_back(vector):
     assert np.allclose(rotation_vectors(rotations(vector)), shortest, atol=1e-6)
 
 
+@settings(deadline=None)
 @given(vectors)
 def test_quaternions_and_matrices_agree(vector):
     matrix = rotations(vector)[None]
     assert np.allclose(quaternion_matrices(quaternions(matrix)), matrix, atol=1e-12)
 
 
+@settings(deadline=None)
 @given(vectors, vectors)
 def test_products_compose_as_row_vectors_do(first, second):
     a, b = rotations(first)[None], rotations(second)[None]
