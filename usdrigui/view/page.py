@@ -12,6 +12,7 @@ import html
 from collections.abc import Sequence
 from importlib.resources import files
 
+from usdrigui.errors import refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.view.scene import pack
 
@@ -41,6 +42,8 @@ def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> str:
     The same records and title always give the same text.  Raises RigUIError VIEW_MISMATCH when a layout
     does not belong to its rig, or when there is no character at all.
     """
+    if not rig_layouts:
+        raise refuse("VIEW_MISMATCH", "", "there is no character with a layout to show")
     script, style = _asset("viewer.js"), _asset("viewer.css")
     return _PAGE.format(
         policy=_policy(script, style),

@@ -114,8 +114,9 @@ export class ControlList {
       const { minimum, maximum } = session.controls[index];
       const range = maximum - minimum;
       slider.value = (STEPS * (value - minimum)) / range;
-      slider.style.setProperty('--at', `${(100 * (value - minimum)) / range}%`);
-      slider.style.setProperty('--from', `${(100 * (session.rest[index] - minimum)) / range}%`);
+      const ends = [value, session.rest[index]].map((each) => (100 * (each - minimum)) / range);
+      slider.style.setProperty('--from', `${Math.min(...ends)}%`);
+      slider.style.setProperty('--at', `${Math.max(...ends)}%`);
       if (document.activeElement !== number) number.value = shownValue(value, range);
       node.classList.toggle('moved', value !== session.rest[index]);
     }

@@ -1,23 +1,25 @@
-// Direct manipulation: pull the skin, and the controls take the best fit.
+// Direct manipulation: pull the skin, and the controls take the best fit; mirrors usdrigui/pose/direct.py.
 //
-// After J.P. Lewis and K. Anjyo, "Direct Manipulation Blendshapes", IEEE CG&A 30(4), 2010.  With w0 the
-// pose at the start of the drag, J the motion of the pulled point and the pins per control, and r what is
-// left to the targets, we take the bounded minimum over the step x = w - w0 of
+// After J. P. Lewis and K. Anjyo, "Direct manipulation blendshapes", IEEE Computer Graphics and
+// Applications 30(4), 2010.  With x_j the change of control j since the drag began as a share of its
+// range, J x the motion of the grabbed place and the pins, and r what is left to their targets:
 //
-//   |J x - r|^2 + damping * s * |x / range|^2     with   minimum <= w0 + x <= maximum,
+//   minimise  |W (J x - r)|^2 / L^2 + STAY sum_j (1 + ELSEWHERE (1 - s_j)^2) x_j^2   within the ranges,
 //
-// where s is the largest squared column of J R (R the ranges): least change from the start of the drag,
-// in units that depend neither on the scene's scale nor on the controls' ranges.
+// L the longest path that a control gives the grabbed place, s_j the share of control j's longest path
+// anywhere that it gives there, W counting the direction to the viewer less: a pointer moves in the plane
+// of the screen.  Bends (in-betweens, joints) are met by linearising again at the answer.
 
-const DAMPING = 3e-3;
-const DEPTH_WEIGHT = 0.25; // the hand moves in the plane of the screen; depth is only kept loosely
+const STAY = 0.01;
+const ELSEWHERE = 3;
+const DEPTH = 0.15;
 const ROUNDS = 2;
 
 /**
  * Values that bring the grabbed point to `target`, as a Map of control index to value.
  *
  * `model`: {minimum(i), maximum(i), linearise(values) -> {at: 3 numbers per constraint, motion(i) -> the
- * same per unit of control i}}; `start`: values at the start of the drag; `now`: where to linearise;
+ * same per unit of control i}, peak(i) -> longest way that control i moves anything}; `start`: values at the start of the drag; `now`: where to linearise;
  * `targets`: 3 numbers per constraint, the grabbed point first; `groups`: lists of controls that move
  * together; `towards`: unit direction to the viewer; `locality`: share of the strongest influence on the
  * grabbed point below which a control is left alone.
@@ -28,8 +30,8 @@ export function fitPull({ model, start, now, targets, groups, towards, locality 
   let acting = null;
   for (let round = 0; round < ROUNDS; round++) {
     const here = model.linearise(current);
-    const columns = groups.map((group) => columnOf(here, group, targets.length));
-    acting ??= local(model, groups, columns, locality);
+    const columns = groups.map((group) => columnOf(model, here, group, targets.length));
+    acting ??= local(groups, columns, locality);
     if (!acting.length) return new Map();
     const problem = pullProblem(model, here.at, start, current, targets, groups, columns, acting, weights);
     const step = boundedLeastSquares(problem);
@@ -42,22 +44,27 @@ export function fitPull({ model, start, now, targets, groups, towards, locality 
   return new Map(acting.flatMap((g) => groups[g].map((control) => [control, current[control]])));
 }
 
-function columnOf(here, group, rows) {
+/** Motion per unit of a group's value, and each control's own path at the grabbed place over its range. */
+function columnOf(model, here, group, rows) {
   const column = new Float64Array(rows);
-  for (const control of group) here.motion(control).forEach((value, i) => (column[i] += value));
-  return column;
+  const paths = group.map((control) => {
+    const motion = here.motion(control);
+    motion.forEach((value, i) => (column[i] += value));
+    return Math.hypot(motion[0], motion[1], motion[2]) * (model.maximum(control) - model.minimum(control));
+  });
+  return { column, paths };
 }
 
 /** Groups that matter at the grabbed point (the first three rows). */
-function local(model, groups, columns, locality) {
-  const strength = groups.map((group, g) => Math.hypot(...columns[g].subarray(0, 3)) * rangeOf(model, group));
+function local(groups, columns, locality) {
+  const strength = columns.map(({ paths }) => Math.max(...paths));
   const least = locality * strength.reduce((most, value) => Math.max(most, value), 0);
   return groups.map((_, g) => g).filter((g) => strength[g] > 0 && strength[g] >= least);
 }
 
 const rangeOf = (model, group) => Math.max(...group.map((control) => model.maximum(control) - model.minimum(control)));
 
-/** Per constraint a 3x3 weighting that counts the direction to the viewer less, for the grabbed point only. */
+/** Per constraint the direction that counts less: that to the viewer, for the grabbed place only. */
 function rowWeights(rows, towards) {
   return Array.from({ length: rows / 3 }, (_, i) => (i === 0 && towards ? towards : null));
 }
@@ -67,24 +74,28 @@ function weighted(rows, weights) {
   weights.forEach((towards, i) => {
     if (!towards) return;
     const deep = out[3 * i] * towards[0] + out[3 * i + 1] * towards[1] + out[3 * i + 2] * towards[2];
-    for (let axis = 0; axis < 3; axis++) out[3 * i + axis] -= (1 - DEPTH_WEIGHT) * deep * towards[axis];
+    for (let axis = 0; axis < 3; axis++) out[3 * i + axis] -= (1 - DEPTH) * deep * towards[axis];
   });
   return out;
 }
 
+/** The bounded problem in the controls' own units: x in values, not in shares of the range. */
 function pullProblem(model, at, start, current, targets, groups, columns, acting, weights) {
   const left = Float64Array.from(targets, (target, i) => target - at[i]);
   acting.forEach((g) => {
     const taken = current[groups[g][0]] - start[groups[g][0]];
-    for (let i = 0; i < left.length; i++) left[i] += columns[g][i] * taken;
+    for (let i = 0; i < left.length; i++) left[i] += columns[g].column[i] * taken;
   });
   const ranges = acting.map((g) => rangeOf(model, groups[g]));
-  const matrix = acting.map((g) => weighted(columns[g], weights));
-  const strongest = Math.max(...matrix.map((column, k) => dot(column, column) * ranges[k] ** 2));
+  const longest = Math.max(...acting.flatMap((g) => columns[g].paths));
+  const stay = acting.map((g) => groups[g].reduce((sum, control, k) => {
+    const share = Math.min(1, columns[g].paths[k] / Math.max(model.peak(control), 1e-30));
+    return sum + STAY * (1 + ELSEWHERE * (1 - share) ** 2);
+  }, 0));
   return {
-    columns: matrix,
+    columns: acting.map((g) => weighted(columns[g].column, weights)),
     right: weighted(left, weights),
-    ridge: ranges.map((range) => (DAMPING * strongest) / range ** 2),
+    ridge: ranges.map((range, k) => (stay[k] * longest ** 2) / range ** 2),
     lower: acting.map((g) => Math.max(...groups[g].map((control) => model.minimum(control) - start[control]))),
     upper: acting.map((g) => Math.min(...groups[g].map((control) => model.maximum(control) - start[control]))),
   };

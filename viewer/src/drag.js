@@ -7,7 +7,7 @@
 
 import { alongTrack } from './elements.js';
 
-const LEAST_LENGTH = 36; // pixels: an axis that looks shorter is stretched for the hand
+const LEAST = 24; // pixels that a line is given when it is shorter than a quarter of this on the screen
 
 /**
  * A drag of one element, begun at the present pose.  `project` maps a root-space point to [x, y] in
@@ -73,11 +73,11 @@ function opposedCorners(element, [negative, positive], controls, rest) {
 /** A line seen end-on cannot be dragged along: give it a length, upwards if it has no direction at all. */
 function stretched(points) {
   const length = polylineLength(points);
-  if (length >= LEAST_LENGTH) return points;
+  if (length >= LEAST / 4) return points;
   const [first, last] = [points[0], points.at(-1)];
   const span = Math.hypot(last[0] - first[0], last[1] - first[1]);
-  if (span > 1) return points.map(([x, y]) => [(x * LEAST_LENGTH) / span, (y * LEAST_LENGTH) / span]);
-  return points.map((point, i) => [point[0], point[1] - (LEAST_LENGTH * i) / Math.max(1, points.length - 1)]);
+  if (span > 1) return points.map(([x, y]) => [(x * LEAST) / span, (y * LEAST) / span]);
+  return points.map((point, i) => [point[0], point[1] - (LEAST * i) / Math.max(1, points.length - 1)]);
 }
 
 function polylineLength(points) {

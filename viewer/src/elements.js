@@ -1,8 +1,7 @@
-// Where every element's tracks and handle are at the current pose.
+// Where every element's tracks and handle are at the current pose; mirrors usdrigui/pose/evaluate.py.
 //
-// A member's track is the path that its anchor would take from here if only that control went through
-// its range (so it follows every other control), and the handle stands on it at the control's value.
-// Elements beside the face follow the joints of their anchor only, static ones nothing.
+// Tracks follow the skin under all controls but the element's own, the handle under all.  Beside the face,
+// or where an element is static, it follows the joints of its anchor alone.
 
 import * as matrix from './matrix.js';
 
@@ -25,62 +24,51 @@ export class Elements {
     element.tracer = this.deformer.tracer(element.mesh, element.point);
     this.deformer.setBase(null, null);
     this.deformer.drive(this.rest);
-    element.restPaths = element.beside ? null : this.paths(element, this.rest);
-    const map = element.beside ? this.deformer.traceMap(element.tracer) : null;
-    element.restInverse = map && matrix.inverse(map);
-    element.tracks = element.members.map((member) => member.track.map((point) => [...point]));
-    element.origin = [...element.position];
+    element.restMap = this.deformer.traceMap(element.tracer);
+    element.restPoint = this.deformer.trace(element.tracer, element.restMap);
+    element.restInverse = matrix.inverse(element.restMap);
+    element.enlarged = element.members.some((member) => member.gain !== 1);
   }
 
-  /** Move all elements to the pose of `values`; `frozen` leaves them where the layout put them. */
-  follow(values, frozen = false) {
+  /** Move all elements to the pose of `values`; with `still` all are taken for static ones. */
+  follow(values, still = false) {
     this.deformer.drive(values);
-    for (const element of this.list) this.followOne(element, values, frozen || element.static);
+    for (const element of this.list) this.followOne(element, values, still || element.static || element.beside);
   }
 
-  followOne(element, values, frozen) {
-    if (!frozen && element.beside) this.followJoints(element, values);
-    else if (!frozen) this.followSkin(element, values);
-    else element.tracks = element.members.map((member) => member.track);
-    element.origin = originOf(element, this.rest);
-    element.handle = this.handleAt(element, values);
+  followOne(element, values, detached) {
+    const { tracer, restInverse, restPoint } = element;
+    const [map, skin] = this.withoutOwn(element, values, () => {
+      const now = this.deformer.traceMap(tracer);
+      return [now, this.deformer.trace(tracer, now)];
+    });
+    const carry = restInverse ? matrix.multiply(restInverse, map) : matrix.IDENTITY;
+    const anchor = detached ? matrix.transformPoint(carry, ...restPoint) : skin;
+    element.tracks = element.members.map((member) => member.track.map((point) => carried(point, restPoint, carry, anchor)));
+    const rests = element.members.map((member, m) => alongTrack(member.values, element.tracks[m], this.rest[member.control]));
+    element.origin = rests[0];
+    element.handle = detached || element.enlarged ? this.handleAt(element, values, rests) : this.deformer.trace(tracer);
   }
 
-  followSkin(element, values) {
-    const paths = this.withoutOwn(element, values, () => this.paths(element, this.ownAtRest(element, values)));
-    element.tracks = element.members.map((member, m) =>
-      member.track.map((point, k) => point.map((value, axis) => value + paths[m][k][axis] - element.restPaths[m][k][axis])),
-    );
+  handleAt(element, values, rests) {
+    const at = [...rests[0]];
+    element.members.forEach((member, m) => {
+      const on = alongTrack(member.values, element.tracks[m], values[member.control]);
+      for (let axis = 0; axis < 3; axis++) at[axis] += on[axis] - rests[m][axis];
+    });
+    return at;
   }
 
-  followJoints(element, values) {
-    if (!element.tracer.chain.length || !element.restInverse) return;
-    const map = this.withoutOwn(element, values, () => this.deformer.traceMap(element.tracer));
-    const move = matrix.multiply(element.restInverse, map);
-    element.tracks = element.members.map((member) =>
-      member.track.map((point) => matrix.transformPoint(move, ...point)),
-    );
-  }
-
-  /** Drawn paths of the members' tracks, gain applied, with the element's other members at rest. */
-  paths(element, values) {
+  /** Paths of the anchor under each of the element's controls in the base pose, gain applied. */
+  paths(element) {
     const { deformer, rest } = this;
-    const fixed = element.members.every((member) => !deformer.controls[member.control].drive.turns);
-    const map = fixed ? deformer.traceMap(element.tracer) : undefined;
-    const middle = deformer.trace(element.tracer, map);
+    const middle = deformer.trace(element.tracer);
     return element.members.map(({ control, values: knots, gain }) =>
       knots.map((knot) => {
-        if (knot === rest[control]) return middle;
-        const at = deformer.withControl(control, values[control], knot, () => deformer.trace(element.tracer, map));
+        const at = deformer.withControl(control, rest[control], knot, () => deformer.trace(element.tracer));
         return at.map((value, axis) => middle[axis] + gain * (value - middle[axis]));
       }),
     );
-  }
-
-  ownAtRest(element, values) {
-    const still = Float64Array.from(values);
-    for (const { control } of element.members) still[control] = this.rest[control];
-    return still;
   }
 
   /** Run `use` with the element's own controls at rest and all others as driven. */
@@ -92,16 +80,6 @@ export class Elements {
     return nested();
   }
 
-  handleAt(element, values) {
-    const at = [...element.origin];
-    element.members.forEach((member, m) => {
-      const on = alongTrack(member.values, element.tracks[m], values[member.control]);
-      const from = alongTrack(member.values, element.tracks[m], this.rest[member.control]);
-      for (let axis = 0; axis < 3; axis++) at[axis] += on[axis] - from[axis];
-    });
-    return at;
-  }
-
   /** Anchor an element at another point of the character; `values` is the present pose. */
   reanchor(element, mesh, point, widths) {
     Object.assign(element, { mesh, point, beside: false, family: '' });
@@ -110,9 +88,9 @@ export class Elements {
     this.deformer.drive(this.rest);
     element.position = this.deformer.trace(element.tracer);
     for (const member of element.members) member.gain = 1;
-    const bare = this.paths(element, this.rest);
+    const bare = this.paths(element);
     element.members.forEach((member, m) => (member.gain = gainFor(bare[m], widths * this.width)));
-    const drawn = this.paths(element, this.rest);
+    const drawn = this.paths(element);
     element.members.forEach((member, m) => (member.track = drawn[m].map((each) => [...each])));
     this.prepare(element);
   }
@@ -172,7 +150,12 @@ function axesOf(element) {
   return axes.sort((a, b) => Math.min(...a) - Math.min(...b));
 }
 
-function originOf(element, rest) {
-  const { control, values } = element.members[0];
-  return alongTrack(values, element.tracks[0], rest[control]);
+/** `anchor` plus the offset of a point from the base anchor, turned by the linear part of `carry`. */
+function carried(point, base, carry, anchor) {
+  const [x, y, z] = [point[0] - base[0], point[1] - base[1], point[2] - base[2]];
+  return [
+    anchor[0] + x * carry[0] + y * carry[4] + z * carry[8],
+    anchor[1] + x * carry[1] + y * carry[5] + z * carry[9],
+    anchor[2] + x * carry[2] + y * carry[6] + z * carry[10],
+  ];
 }

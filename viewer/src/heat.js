@@ -1,12 +1,39 @@
 // Areas of influence: how far each point moves when a control goes through its range, and which controls
 // move a given point most.
 
+import { determinant3 } from './matrix.js';
+
 export class Influence {
   constructor(character, deformer, rest) {
     this.character = character;
     this.deformer = deformer;
     this.rest = rest;
     this.known = new Map();
+    this.peaks = new Map();
+  }
+
+  /** The longest way that a control moves any point over its range, in scene units. */
+  peak(index) {
+    if (!this.peaks.has(index)) this.peaks.set(index, this.longest(index));
+    return this.peaks.get(index);
+  }
+
+  /** Of a control without joints: its shapes' largest offsets, and the scale of the mesh's map. */
+  longest(index) {
+    const { drive, minimum, maximum } = this.character.controls[index];
+    if (drive.turns) {
+      this.ofControl(index);
+      return this.peaks.get(index);
+    }
+    const span = maximum - minimum;
+    const slope = (i) => {
+      const steps = drive.values.slice(1).map((value, k) => Math.abs((drive.weights[k + 1][i] - drive.weights[k][i]) / (value - drive.values[k])));
+      return span * Math.max(...steps);
+    };
+    const reach = new Map(drive.channels.map((channel, i) => [channel, slope(i)]));
+    return Math.max(0, ...this.character.meshes.flatMap((mesh) =>
+      mesh.shapes.filter(({ channel }) => reach.has(channel)).map((shape) => reach.get(shape.channel) * largestOffset(shape) * scaleOf(mesh.maps)),
+    ));
   }
 
   /** 0 to 255 per point: displacement at the stronger end of the range, relative to the control's largest. */
@@ -46,6 +73,7 @@ export class Influence {
     }
     deformer.points = shown;
     const most = squares.reduce((a, b) => Math.max(a, b), 0);
+    if (this.character.controls[index].drive.turns) this.peaks.set(index, Math.sqrt(most));
     return Uint8Array.from(squares, (square) => (most > 0 ? Math.round(255 * Math.sqrt(square / most)) : 0));
   }
 
@@ -75,3 +103,19 @@ export class Influence {
 }
 
 const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
+/** Largest offset of a shape per unit of weight. */
+function largestOffset(shape) {
+  shape.largest ??= shape.weights.reduce((largest, weight, k) => {
+    const from = 3 * k * shape.points.length;
+    let most = 0;
+    for (let i = from; i < from + 3 * shape.points.length; i += 3) {
+      most = Math.max(most, Math.hypot(shape.offsets[i], shape.offsets[i + 1], shape.offsets[i + 2]));
+    }
+    return Math.max(largest, (most * shape.step) / Math.abs(weight));
+  }, 0);
+  return shape.largest;
+}
+
+/** Mean scale of the first of a mesh's maps. */
+const scaleOf = (map) => Math.cbrt(Math.abs(determinant3(map)));

@@ -3,9 +3,10 @@
 import './style.css';
 import { ControlList } from './control_list.js';
 import { make, segmented, toggle } from './dom.js';
-import { Evaluation } from './evaluate.js';
+import { Evaluation, trialsFor } from './evaluate.js';
 import { Inspector } from './inspector.js';
 import { Stops, listenToKeys } from './keyboard.js';
+import { Pull } from './pull.js';
 import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { Timeline } from './timeline.js';
@@ -71,7 +72,7 @@ class App {
       option('rearrange', 'Rearrange', 'Drag elements to other points of the face'),
     ];
     session.on('options', () => parts.forEach((part) => part.update()));
-    const act = (label, title, onclick) => make('button', { type: 'button', title, 'aria-label': title, onclick }, label);
+    const act = (label, title, onclick, name = label) => make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
     const looks = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
     return make(
       'header',
@@ -80,12 +81,12 @@ class App {
       this.makeChooser(),
       make('div', { class: 'group' }, ...parts),
       make('div', { class: 'group looks' }, ...looks.map(([label, azimuth, elevation]) =>
-        act(label, `View: ${label}`, () => this.view.home(azimuth, elevation)),
+        act(label, `View: ${label}`, () => this.view.home(azimuth, elevation), `View: ${label}`),
       )),
       make('span', { class: 'space' }),
-      make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo()), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo())),
+      make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo(), 'Undo'), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo(), 'Redo')),
       make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open())),
-      act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden)),
+      act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden), 'Shortcuts'),
     );
   }
 
@@ -193,6 +194,10 @@ function publicInterface(app) {
       const known = Object.entries(values).filter(([name]) => indices.has(name));
       app.session.edit('Set', () => app.session.set(known.map(([name, value]) => [indices.get(name), value])));
     },
+    pull: (point, target) => {
+      const pull = new Pull(app.session, { corners: [point, point, point], shares: [1, 0, 0] }, null);
+      for (let round = 0; round < 3; round++) pull.to(target);
+    },
     points: () => Array.from(app.session.deformer.points),
     elements: () => {
       app.view.freshen();
@@ -205,6 +210,7 @@ function publicInterface(app) {
         hidden,
       }));
     },
+    trials: (participant) => trialsFor(participant, app.session),
     app,
   };
 }

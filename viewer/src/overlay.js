@@ -37,10 +37,20 @@ export class Overlay {
     const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
     this.drawn = session.elements.list
       .filter((element) => !session.hidden.has(element.index))
-      .map((element) => this.arranged(element, project, hides, width, before.get(element)));
+      .map((element) => {
+        const away = hides && this.facesAway(element, camera);
+        return this.arranged(element, project, away ? () => true : hides, width, before.get(element));
+      });
     this.names = this.families(this.drawn);
     this.pinned = session.pins.map((pin) => project(session.shown(pin)));
     this.column = column;
+  }
+
+  /** True when an element on the face is seen from behind, which no depth tells where the skin is a thin sheet. */
+  facesAway(element, { towards }) {
+    const { occlusion } = this.session.options;
+    const facing = element.normal.reduce((sum, value, axis) => sum + value * towards[axis], 0);
+    return occlusion !== 'overlay' && !element.beside && facing < -0.2;
   }
 
   arranged(element, project, hides, width, before) {
@@ -68,16 +78,15 @@ export class Overlay {
     });
   }
 
-  /** Headings of the groups beside the face: the middle of the top of each family. */
+  /** Headings of the groups beside the face: above the first element of each family. */
   families(drawn) {
     const groups = new Map();
-    for (const { element, handle } of drawn) {
+    for (const { element, handle, tracks } of drawn) {
       if (!element.beside || !element.family) continue;
-      const group = groups.get(element.family) ?? { left: Infinity, right: -Infinity, top: Infinity };
-      group.left = Math.min(group.left, handle[0]);
-      group.right = Math.max(group.right, handle[0]);
-      group.top = Math.min(group.top, handle[1]);
-      groups.set(element.family, group);
+      const corners = [handle, ...tracks.flatMap((track) => track.map(({ at }) => at))];
+      const left = Math.min(...corners.map(([x]) => x));
+      const top = Math.min(...corners.map(([, y]) => y));
+      if (!groups.has(element.family)) groups.set(element.family, { left, top });
     }
     return groups;
   }
@@ -92,6 +101,7 @@ export class Overlay {
       order.forEach((each) => this.drawTracks(each));
       order.forEach((each) => this.drawHandle(each));
       this.drawFamilies();
+      this.drawBesideLabels();
       if (session.options.labels === 'all') this.drawLabels(order);
       pen.restore();
     }
@@ -240,7 +250,28 @@ export class Overlay {
     pen.fillStyle = '#9aa0a8';
     for (const [family, { left, top }] of this.names) {
       pen.globalAlpha = 0.9 * this.session.options.opacity;
-      pen.fillText(familyName(family).toUpperCase(), left - 6, top - 26);
+      pen.fillText(familyName(family).toUpperCase(), left - 6, top - 16);
+    }
+    pen.globalAlpha = 1;
+  }
+
+  /** Names of the elements beside the face, whose place does not tell what they do. */
+  drawBesideLabels() {
+    const { pen, session } = this;
+    const rows = this.drawn.filter(({ element, handle }) => element.beside && handle[2] > 0);
+    pen.font = '11px system-ui, sans-serif';
+    pen.textAlign = 'left';
+    for (const { element, handle, tracks } of rows) {
+      const x = Math.max(handle[0], ...tracks.flatMap((track) => track.map(({ at }) => at[0]))) + 9;
+      const y = element.axes.length > 1 ? handle[1] : tracks[0][0].at[1];
+      const next = rows.reduce((least, other) => {
+        const level = Math.abs(other.handle[1] - y) < 12 && other.handle[0] > x;
+        return level ? Math.min(least, other.handle[0] - 14) : least;
+      }, this.column.left + this.column.width - 4);
+      const marked = session.hover === element || session.selection.has(element.index);
+      pen.globalAlpha = (marked ? 1 : 0.75) * this.strength(element, false);
+      pen.fillStyle = marked ? '#f4f5f7' : '#b4bac2';
+      pen.fillText(shortened(pen, element.label, next - x), x, y + 4);
     }
     pen.globalAlpha = 1;
   }
@@ -253,7 +284,7 @@ export class Overlay {
     pen.textAlign = 'left';
     for (const { element, handle, width, hidden } of [...order].reverse()) {
       const strength = this.strength(element, hidden);
-      if (strength < 0.3) continue;
+      if (strength < 0.3 || element.beside) continue;
       const text = element.label;
       const box = [handle[0] + width / 2 + 5, handle[1] - 7, pen.measureText(text).width + 8, 14];
       if (taken.some((other) => overlapping(box, other))) continue;
@@ -349,6 +380,13 @@ const FAMILIES = { global: 'Whole face', hidden: 'Inside', composite: 'Expressio
 
 /** The heading of a family of elements beside the face. */
 export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
+
+function shortened(pen, text, width) {
+  if (pen.measureText(text).width <= width) return text;
+  let kept = text.length - 1;
+  while (kept > 1 && pen.measureText(`${text.slice(0, kept)}…`).width > width) kept--;
+  return kept > 1 ? `${text.slice(0, kept)}…` : '';
+}
 
 /** Circle for one axis, diamond for two, triangle for a fan. */
 function outline(pen, axes, x, y, radius) {

@@ -52,6 +52,10 @@ export class Pull {
     return this.controls[index].maximum;
   }
 
+  peak(index) {
+    return this.session.influence.peak(index);
+  }
+
   /** Positions of the grabbed place and the pins at `values`, and how each control moves them. */
   linearise(values) {
     const { deformer } = this.session;

@@ -18,7 +18,7 @@ export const DEFAULT_OPTIONS = {
   symmetric: false,
   rearrange: false,
   autoKey: false,
-  locality: 0.08,
+  locality: 0.1,
   skinDrag: true,
 };
 

@@ -1,41 +1,41 @@
 // The picture of the skin: three.js draws one geometry per pose into the columns of the canvas.
 
 import * as THREE from 'three';
-import { seams, sumNormals, visibleTriangles } from './surface.js';
+import { facings, seams, seenTriangles, sumNormals, visibleTriangles } from './surface.js';
+
+// Colours here are what the screen shows; three.js is not to convert them.
+THREE.ColorManagement.enabled = false;
 
 const BACKGROUND = 0x1f2124;
 
-// A plain Lambert material with two lights that stay with the camera, so that any character reads well
-// however it is oriented; "paint" carries the heat map (x) and the tint of what is being pulled (y).
+// Lambert with two lights that stay with the camera, so that any character reads well however it is
+// oriented.  Lit at the points, not at the pixels: on skins of this density it looks the same, and in
+// software it takes half the time.  "paint" carries the heat map.
 const VERTEX = `
   attribute vec2 paint;
-  varying vec3 vNormal;
-  varying vec2 vPaint;
-  void main() {
-    vNormal = normalMatrix * normal;
-    vPaint = paint;
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  }`;
-
-const FRAGMENT = `
-  varying vec3 vNormal;
-  varying vec2 vPaint;
   uniform vec3 skin;
+  varying vec3 colour;
   vec3 ramp(float heat) {
     vec3 low = mix(vec3(0.20, 0.24, 0.62), vec3(0.78, 0.20, 0.44), smoothstep(0.0, 0.5, heat));
     return mix(low, vec3(1.0, 0.82, 0.30), smoothstep(0.45, 1.0, heat));
   }
   void main() {
-    vec3 n = normalize(vNormal);
-    n = gl_FrontFacing ? n : -n;
+    vec4 at = modelViewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * at;
+    vec3 n = normalize(normalMatrix * normal);
+    n = dot(n, normalize(at.xyz)) > 0.3 ? -n : n; // the inside of an open part
     float key = max(dot(n, vec3(-0.40, 0.52, 0.755)), 0.0);
     float fill = max(dot(n, vec3(0.70, -0.05, 0.71)), 0.0);
     float sky = 0.5 + 0.5 * n.y;
-    vec3 base = mix(skin, ramp(vPaint.x), 0.85 * smoothstep(0.01, 0.2, vPaint.x));
-    base = mix(base, vec3(0.36, 0.72, 0.95), 0.75 * vPaint.y);
+    vec3 base = mix(skin, ramp(paint.x), 0.85 * smoothstep(0.01, 0.2, paint.x));
     vec3 light = vec3(0.20, 0.21, 0.23) * sky + vec3(0.80, 0.77, 0.73) * key + vec3(0.20, 0.22, 0.26) * fill;
-    float rim = pow(1.0 - abs(n.z), 3.0);
-    gl_FragColor = vec4(sqrt(base * base * light) + rim * 0.035, 1.0);
+    colour = base * sqrt(light) + pow(1.0 - abs(n.z), 3.0) * 0.035;
+  }`;
+
+const FRAGMENT = `
+  varying vec3 colour;
+  void main() {
+    gl_FragColor = vec4(colour, 1.0);
   }`;
 
 export class Stage {
@@ -47,6 +47,7 @@ export class Stage {
     this.camera = new THREE.PerspectiveCamera();
     this.triangles = visibleTriangles(character);
     this.welded = seams(character, this.triangles);
+    this.facing = facings(points, this.triangles);
     this.size = { width: 1, height: 1 };
     this.skin = this.makeSkin(points, new THREE.Color(0.66, 0.61, 0.57));
     this.target = null;
@@ -56,7 +57,7 @@ export class Stage {
     const geometry = new THREE.BufferGeometry();
     const dynamic = (array, size, normalised = false) =>
       new THREE.BufferAttribute(array, size, normalised).setUsage(THREE.DynamicDrawUsage);
-    geometry.setIndex(new THREE.BufferAttribute(this.triangles, 1));
+    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(this.triangles.length), 1).setUsage(THREE.DynamicDrawUsage));
     geometry.setAttribute('position', dynamic(points, 3));
     geometry.setAttribute('normal', dynamic(new Float32Array(points.length), 3));
     geometry.setAttribute('paint', dynamic(new Uint8Array((4 * points.length) / 3), 4, true));
@@ -106,6 +107,20 @@ export class Stage {
     this.size = { width, height };
   }
 
+  /** Leave to the graphics card only the triangles that can be seen from here. */
+  cull(columns, orbit) {
+    const wide = Math.max(...columns.map(({ width, height }) => width / height));
+    for (const skin of [this.skin, this.target]) {
+      if (!skin || !columns.some(({ kind }) => (kind === 'target') === (skin === this.target))) continue;
+      const { index, attributes } = skin.geometry;
+      const count = seenTriangles(attributes.position.array, this.triangles, this.facing, orbit, wide, index.array);
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, count);
+      index.needsUpdate = true;
+      skin.geometry.setDrawRange(0, count);
+    }
+  }
+
   draw(columns, orbit) {
     const { renderer, camera, size } = this;
     renderer.setScissorTest(true);
@@ -116,6 +131,7 @@ export class Stage {
     camera.up.set(...orbit.up);
     camera.lookAt(...orbit.target);
     camera.updateMatrixWorld();
+    this.cull(columns, orbit);
     for (const column of columns) {
       const skin = column.kind === 'target' ? this.target : this.skin;
       const bottom = size.height - column.top - column.height;

@@ -31,8 +31,16 @@ export function seams(character, triangles) {
 }
 
 function openPoints(triangles, count) {
-  const uses = new Map();
   const open = new Uint8Array(count);
+  for (const [key, used] of edgeUses(triangles, count)) {
+    if (used === 1) open[Math.floor(key / count)] = open[key % count] = 1;
+  }
+  return open;
+}
+
+/** How many triangles use each edge, by the key `lower index * count + higher index`. */
+function edgeUses(triangles, count) {
+  const uses = new Map();
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
       const [a, b] = [triangles[t + k], triangles[t + ((k + 1) % 3)]];
@@ -40,10 +48,7 @@ function openPoints(triangles, count) {
       uses.set(key, (uses.get(key) ?? 0) + 1);
     }
   }
-  for (const [key, used] of uses) {
-    if (used === 1) open[Math.floor(key / count)] = open[key % count] = 1;
-  }
-  return open;
+  return uses;
 }
 
 /** Area-weighted normals, not of unit length (the shader normalises), into `normals`. */
@@ -79,4 +84,111 @@ export function sumNormals(points, triangles, welded, normals) {
       for (const point of group) normals[3 * point + axis] = sum;
     }
   }
+}
+
+/**
+ * Per triangle, which side of it is the outside: 1 or -1 where its connected part of the surface is closed
+ * but for a few holes (eyes, neck), 0 for open parts such as cards, which are seen from both sides.
+ */
+export function facings(points, triangles) {
+  const part = parts(triangles, points.length / 3);
+  const size = new Map();
+  const volume = new Map();
+  for (let t = 0; t < triangles.length; t += 3) {
+    const key = part[triangles[t]];
+    size.set(key, (size.get(key) ?? 0) + 1);
+    volume.set(key, (volume.get(key) ?? 0) + signedVolume(points, triangles, t, 3 * key));
+  }
+  const rim = rimLengths(triangles, part, points.length / 3);
+  const out = new Int8Array(triangles.length / 3);
+  for (let t = 0; t < out.length; t++) {
+    const key = part[triangles[3 * t]];
+    const closed = (rim.get(key) ?? 0) < 0.08 * size.get(key);
+    out[t] = closed ? Math.sign(volume.get(key)) : 0;
+  }
+  return out;
+}
+
+/** A representative point of the connected part that each point belongs to. */
+function parts(triangles, count) {
+  const parent = Uint32Array.from({ length: count }, (_, i) => i);
+  const root = (i) => {
+    while (parent[i] !== i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    parent[root(triangles[t + 1])] = root(triangles[t]);
+    parent[root(triangles[t + 2])] = root(triangles[t]);
+  }
+  return parent.map((_, i) => root(i));
+}
+
+/** Six times the volume between a triangle and the point at `from`. */
+function signedVolume(points, triangles, t, from) {
+  const [a, b, c] = [0, 1, 2].map((k) => [0, 1, 2].map((axis) => points[3 * triangles[t + k] + axis] - points[from + axis]));
+  return (
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+  );
+}
+
+/** Number of open edges of each part. */
+function rimLengths(triangles, part, count) {
+  const rims = new Map();
+  for (const [key, used] of edgeUses(triangles, count)) {
+    if (used !== 1) continue;
+    const of = part[key % count];
+    rims.set(of, (rims.get(of) ?? 0) + 1);
+  }
+  return rims;
+}
+
+/**
+ * Write into `seen` the triangles that face the camera (or have two sides) and are not wholly outside a
+ * picture `wide` times as wide as high; returns how many indices were written.
+ */
+export function seenTriangles(points, triangles, facing, camera, wide, seen) {
+  const eye = camera.position;
+  const outside = outsides(points, camera, eye, wide);
+  let count = 0;
+  for (let t = 0, k = 0; t < triangles.length; t += 3, k++) {
+    const [i, j, l] = [triangles[t], triangles[t + 1], triangles[t + 2]];
+    if (outside[i] & outside[j] & outside[l]) continue;
+    if (facing[k] !== 0 && facing[k] * towardsEye(points, 3 * i, 3 * j, 3 * l, eye) <= 0) continue;
+    seen[count++] = i;
+    seen[count++] = j;
+    seen[count++] = l;
+  }
+  return count;
+}
+
+function towardsEye(points, a, b, c, eye) {
+  const ax = points[a];
+  const ay = points[a + 1];
+  const az = points[a + 2];
+  const ux = points[b] - ax;
+  const uy = points[b + 1] - ay;
+  const uz = points[b + 2] - az;
+  const vx = points[c] - ax;
+  const vy = points[c + 1] - ay;
+  const vz = points[c + 2] - az;
+  return (
+    (uy * vz - uz * vy) * (eye[0] - ax) + (uz * vx - ux * vz) * (eye[1] - ay) + (ux * vy - uy * vx) * (eye[2] - az)
+  );
+}
+
+/** Per point, bits for the sides of the picture beyond which it lies. */
+function outsides(points, { right, above, towards, fieldDegrees }, eye, wide) {
+  const high = Math.tan((fieldDegrees * Math.PI) / 360);
+  const out = new Uint8Array(points.length / 3);
+  for (let k = 0, i = 0; k < out.length; k++, i += 3) {
+    const x = points[i] - eye[0];
+    const y = points[i + 1] - eye[1];
+    const z = points[i + 2] - eye[2];
+    const depth = -(x * towards[0] + y * towards[1] + z * towards[2]);
+    const across = x * right[0] + y * right[1] + z * right[2];
+    const upward = x * above[0] + y * above[1] + z * above[2];
+    const [edge, top] = [depth * high * wide, depth * high];
+    out[k] = (across > edge) | ((across < -edge) << 1) | ((upward > top) << 2) | ((upward < -top) << 3) | ((depth <= 0) << 4);
+  }
+  return out;
 }

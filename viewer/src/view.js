@@ -9,6 +9,7 @@ import { Stage } from './stage.js';
 import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
+const LABEL_ROOM = 70; // pixels kept for the names of elements beside the face
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
 
 export class View {
@@ -31,6 +32,7 @@ export class View {
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
     this.fineness = 1;
+    this.drawn = 0;
     this.listen();
     new ResizeObserver(() => this.resize()).observe(this.node);
   }
@@ -104,7 +106,8 @@ export class View {
   home(azimuth = 0, elevation = 0) {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
-    this.camera.frame(this.framed(), column.width, column.height);
+    const labelled = this.session.elements.list.some((element) => element.beside && !this.session.hidden.has(element.index));
+    this.camera.frame(this.framed(), column.width, column.height, labelled ? LABEL_ROOM : 0);
     this.changed('camera');
   }
 
@@ -152,7 +155,10 @@ export class View {
     this.repaint = false;
     const turned = stale.has('camera');
     stale.clear();
-    if (full) this.stage.draw(this.columns, this.camera);
+    if (full) {
+      this.stage.draw(this.columns, this.camera);
+      this.drawn++;
+    }
     this.arrangeOverlay(turned);
     this.overlay.draw();
     this.placeTip();

@@ -13,8 +13,14 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
     base = posed(rig)
     names = [control.name for control in rig.controls]
     grouped = {name for group in groups for name in group[2]}
-    elements = [element(rig, base, name, "slider", (name,), (), mirrors, name in beside) for name in names if name not in grouped]
-    elements += [element(rig, base, name, kind, members, opposed, mirrors, False) for name, kind, members, opposed in groups]
+    elements = [
+        element(rig, base, name, "slider", (name,), (), mirrors, name in beside)
+        for name in names
+        if name not in grouped
+    ]
+    elements += [
+        element(rig, base, name, kind, members, opposed, mirrors, False) for name, kind, members, opposed in groups
+    ]
     spread = np.ptp(deform(rig), axis=0)
     return Layout(
         root=rig.root,

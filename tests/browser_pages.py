@@ -1,0 +1,109 @@
+"""Chromium for the viewer's tests; they skip, saying so, where it or Playwright is missing."""
+
+from __future__ import annotations
+
+import shutil
+
+import pytest
+
+FLAGS = (
+    "--no-sandbox",
+    "--disable-gpu",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+)
+
+
+def chromium_path():
+    return next(
+        (path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name))), None
+    )
+
+
+def launched():
+    """A (playwright, browser) pair, or a skip that says what is missing."""
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    path = chromium_path()
+    if path is None:
+        pytest.skip("no Chromium is installed")
+    playwright = sync_api.sync_playwright().start()
+    return playwright, playwright.chromium.launch(executable_path=path, args=FLAGS)
+
+
+class Viewer:
+    """A viewer page in the browser, driven with the mouse."""
+
+    def __init__(self, browser, path, size=(1200, 760)):
+        self.trouble = []
+        self.page = browser.new_page(viewport={"width": size[0], "height": size[1]})
+        self.page.on("console", self._heard)
+        self.page.on("pageerror", lambda error: self.trouble.append(str(error)))
+        self.page.on("request", self._asked)
+        self.page.goto(path.resolve().as_uri())
+        self.page.wait_for_function("window.usdrigui !== undefined", timeout=60_000)
+        self.settle()
+
+    def _heard(self, message):
+        """Errors and warnings, but for what the software renderer says about screenshots."""
+        if message.type in ("error", "warning") and "GL Driver Message" not in message.text:
+            self.trouble.append(message.text)
+
+    def _asked(self, request):
+        if not request.url.startswith(("file:", "blob:", "data:")):
+            self.trouble.append(f"asked the network for {request.url}")
+
+    def settle(self):
+        """Until what was asked for is drawn."""
+        self.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def values(self):
+        return self.page.evaluate("usdrigui.values()")
+
+    def moved(self, least=1e-6):
+        return {name: value for name, value in self.values().items() if abs(value) > least}
+
+    def set(self, **values):
+        self.page.evaluate("(values) => usdrigui.set(values)", values)
+        self.settle()
+
+    def element(self, name):
+        return next(each for each in self.page.evaluate("usdrigui.elements()") if each["name"] == name)
+
+    def option(self, name, value):
+        self.page.evaluate("([name, value]) => usdrigui.app.session.setOption(name, value)", [name, value])
+        self.settle()
+
+    def on_page(self, at):
+        box = self.page.locator(".surface").bounding_box()
+        return box["x"] + at[0], box["y"] + at[1]
+
+    def press(self, at):
+        self.page.mouse.move(*self.on_page(at))
+        self.page.mouse.down()
+
+    def glide(self, start, end, steps=8):
+        for k in range(1, steps + 1):
+            share = k / steps
+            self.page.mouse.move(*self.on_page([a + share * (b - a) for a, b in zip(start, end, strict=True)]))
+            self.settle()
+
+    def drag(self, start, end, steps=8):
+        self.press(start)
+        self.glide(start, end, steps)
+        self.page.mouse.up()
+        self.settle()
+
+    def skin_shot(self):
+        """Pixels of the drawn skin alone, as PNG bytes."""
+        self.page.evaluate("document.querySelector('.marks').style.visibility = 'hidden'")
+        self.settle()
+        shot = self.page.locator(".view").screenshot()
+        self.page.evaluate("document.querySelector('.marks').style.visibility = ''")
+        return shot
+
+    def close(self):
+        self.page.close()

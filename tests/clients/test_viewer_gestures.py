@@ -1,0 +1,480 @@
+"""The viewer under a real mouse and keyboard: handles, skin, selection, history, poses, rearranging."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+
+import makers
+import numpy as np
+import pytest
+from browser_pages import Viewer, launched
+from pxr import Sdf, Usd
+from viewer_layouts import peak_layout
+
+from usdrigui.settings import load
+from usdrigui.view.page import page_html
+
+MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
+JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
+PATCH = ("lower", "patch", ("chin", "jawLeft"), ())
+
+
+@pytest.fixture(scope="module")
+def browser():
+    playwright, made = launched()
+    yield made
+    made.close()
+    playwright.stop()
+
+
+@pytest.fixture(scope="module")
+def page_path(tmp_path_factory):
+    rig = makers.face()
+    layout = peak_layout(rig, mirrors=MIRRORS, groups=(JAW,), beside=("chin",))
+    path = tmp_path_factory.mktemp("viewer") / "face.html"
+    path.write_text(page_html([(rig, layout)], "face"))
+    return path
+
+
+@pytest.fixture
+def viewer(browser, page_path):
+    made = Viewer(browser, page_path)
+    yield made
+    assert made.trouble == []
+    made.close()
+
+
+def on_track(track, share):
+    """Pixel at a share of a straight track."""
+    return [a + share * (b - a) for a, b in zip(track[0], track[-1], strict=True)]
+
+
+# --- handles -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("share", [0.35, 1.0])
+def test_handle_takes_its_control_along(viewer, share):
+    before = viewer.skin_shot()
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], share))
+    assert viewer.moved() == pytest.approx({"brow_L": share}, abs=1e-3)
+    assert viewer.skin_shot() != before
+
+
+def test_handle_stops_at_the_end_of_its_range(viewer):
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 1.7))
+    assert viewer.moved() == {"brow_L": 1.0}
+
+
+def test_handle_stays_under_the_pointer(viewer):
+    element = viewer.element("smile_R")
+    target = on_track(element["tracks"][0], 0.6)
+    viewer.drag(element["handle"], target)
+    assert viewer.element("smile_R")["handle"] == pytest.approx(target, abs=0.3)
+
+
+@pytest.mark.parametrize(("name", "end"), [("jawLeft", 0), ("jawRight", 1)])
+def test_two_way_slider_moves_one_of_its_two_controls(viewer, name, end):
+    element = viewer.element("jaw")
+    viewer.drag(element["handle"], on_track(element["tracks"][end], 0.5))
+    assert viewer.moved() == pytest.approx({name: 0.5}, abs=1e-3)
+
+
+def test_patch_moves_both_of_its_controls(browser, tmp_path):
+    rig = makers.face()
+    path = tmp_path / "patch.html"
+    path.write_text(page_html([(rig, peak_layout(rig, groups=(PATCH,)))], "patch"))
+    viewer = Viewer(browser, path)
+    element = viewer.element("lower")
+    first, second = element["tracks"]
+    target = [
+        h + 0.4 * (a[1] - a[0]) + 0.7 * (b[1] - b[0])
+        for h, a, b in zip(
+            element["handle"],
+            zip(first[0], first[-1], strict=True),
+            zip(second[0], second[-1], strict=True),
+            strict=True,
+        )
+    ]
+    viewer.drag(element["handle"], target, steps=12)
+    assert viewer.moved() == pytest.approx({"chin": 0.4, "jawLeft": 0.7}, abs=2e-3)
+    viewer.close()
+
+
+def test_fine_key_slows_the_hand(viewer):
+    element = viewer.element("brow_L")
+    start, end = element["handle"], on_track(element["tracks"][0], 1.0)
+    viewer.press(start)
+    viewer.page.keyboard.down("Control")
+    viewer.glide(start, end)
+    viewer.page.keyboard.up("Control")
+    viewer.page.mouse.up()
+    viewer.settle()
+    assert viewer.moved() == pytest.approx({"brow_L": 0.1}, abs=0.01)
+
+
+def test_escape_takes_the_drag_back(viewer):
+    element = viewer.element("brow_L")
+    viewer.press(element["handle"])
+    viewer.glide(element["handle"], on_track(element["tracks"][0], 0.8))
+    assert viewer.moved()
+    viewer.page.keyboard.press("Escape")
+    viewer.page.mouse.up()
+    viewer.settle()
+    assert viewer.moved() == {}
+
+
+def test_symmetric_drag_moves_the_twin(viewer):
+    viewer.page.get_by_role("button", name="Symmetry").click()
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == pytest.approx({"brow_L": 0.5, "brow_R": 0.5}, abs=1e-3)
+
+
+def test_locked_control_does_not_move(viewer):
+    viewer.page.get_by_role("button", name="Lock brow_L").click()
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == {}
+
+
+def test_selected_elements_move_together(viewer):
+    for name in ("brow_L", "blink_R"):
+        viewer.page.keyboard.down("Shift")
+        viewer.page.mouse.click(*viewer.on_page(viewer.element(name)["handle"]))
+        viewer.page.keyboard.up("Shift")
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == pytest.approx({"brow_L": 0.5, "blink_R": 0.5}, abs=1e-3)
+
+
+def test_marquee_selects_and_zero_clears(viewer):
+    viewer.set(brow_L=0.4, brow_R=0.6, smile_L=0.3)
+    left, right = viewer.element("brow_R")["handle"], viewer.element("brow_L")["handle"]
+    start = [min(left[0], right[0]) - 30, min(left[1], right[1]) - 40]
+    end = [max(left[0], right[0]) + 30, max(left[1], right[1]) + 15]
+    viewer.page.keyboard.down("Shift")
+    viewer.drag(start, end)
+    viewer.page.keyboard.up("Shift")
+    viewer.page.keyboard.press("0")
+    viewer.settle()
+    assert viewer.moved() == pytest.approx({"smile_L": 0.3})
+
+
+def test_double_click_resets(viewer):
+    viewer.set(brow_L=0.4, brow_R=0.6)
+    viewer.page.mouse.dblclick(*viewer.on_page(viewer.element("brow_L")["handle"]))
+    viewer.settle()
+    assert viewer.moved() == pytest.approx({"brow_R": 0.6})
+
+
+# --- skin --------------------------------------------------------------------------------------------
+
+
+def skin_point(viewer, x, y):
+    """Pixel of the neutral mask's point nearest to (x, y) of the mask."""
+    return viewer.page.evaluate(
+        """([x, y]) => {
+          const { view, session } = usdrigui.app;
+          const points = session.deformer.points;
+          let best = [Infinity, null];
+          for (let i = 0; i < points.length; i += 3) {
+            const off = Math.hypot(points[i] - x, points[i + 1] - y);
+            if (off < best[0]) best = [off, [points[i], points[i + 1], points[i + 2]]];
+          }
+          return view.camera.projector(view.controlsColumn)(best[1]).slice(0, 2);
+        }""",
+        [x, y],
+    )
+
+
+def test_pulled_skin_follows_the_pointer(viewer):
+    before = viewer.skin_shot()
+    start = skin_point(viewer, 0.4, -0.36)
+    viewer.drag(start, [start[0] + 5, start[1] - 5])
+    moved = viewer.moved(0.02)
+    assert set(moved) == {"smile_L"}
+    assert 0.2 < moved["smile_L"] < 1.0
+    assert viewer.skin_shot() != before
+
+
+def test_pulling_further_never_leaves_the_ranges(viewer):
+    start = skin_point(viewer, 0.4, -0.36)
+    viewer.drag(start, [start[0] + 200, start[1] - 200])
+    values = np.array(list(viewer.values().values()))
+    assert values.min() >= 0.0
+    assert values.max() == 1.0
+
+
+def test_symmetric_pull(viewer):
+    viewer.option("symmetric", True)
+    start = skin_point(viewer, 0.4, -0.36)
+    viewer.drag(start, [start[0] + 12, start[1] - 12])
+    moved = viewer.moved(0.02)
+    assert set(moved) == {"smile_L", "smile_R"}
+    assert moved["smile_L"] == pytest.approx(moved["smile_R"])
+
+
+def test_lock_sends_the_pull_to_others(viewer):
+    viewer.page.get_by_role("button", name="Lock smile_L").click()
+    start = skin_point(viewer, 0.4, -0.36)
+    viewer.drag(start, [start[0] + 14, start[1] - 14])
+    assert "smile_L" not in viewer.moved()
+
+
+def test_pin_holds_its_point(viewer):
+    """Two shapes overlap at the grabbed point; a pin inside one of them makes the other do more."""
+    start = skin_point(viewer, 0.22, -0.22)
+    viewer.drag(start, [start[0], start[1] - 10])
+    free = viewer.values()
+    viewer.page.keyboard.press("Control+z")
+    viewer.page.keyboard.down("Shift")
+    viewer.page.mouse.click(*viewer.on_page(skin_point(viewer, 0.34, -0.52)))
+    viewer.page.keyboard.up("Shift")
+    viewer.settle()
+    assert viewer.page.evaluate("usdrigui.app.session.pins.length") == 1
+    viewer.drag(start, [start[0], start[1] - 10])
+    pinned = viewer.values()
+    assert free["smile_L"] > 0.02
+    assert pinned["smile_L"] < 0.5 * free["smile_L"]
+
+
+def test_clicked_skin_lists_what_acts_there(viewer):
+    viewer.page.mouse.click(*viewer.on_page(skin_point(viewer, 0.4, -0.36)))
+    viewer.settle()
+    rows = viewer.page.locator(".ranked-row")
+    assert rows.first.get_attribute("data-control") == "smile_L"
+    assert viewer.moved() == {}
+
+
+def test_empty_space_orbits_and_sides_are_named_from_behind(viewer):
+    names = viewer.page.locator(".side-tag")
+    assert ["right" in names.nth(0).inner_text(), "left" in names.nth(1).inner_text()] == [True, True]
+    viewer.drag([20, 20], [160, 40])
+    assert viewer.page.evaluate("usdrigui.app.view.camera.azimuth") < -0.5
+    viewer.page.get_by_role("button", name="View: Back").click()
+    viewer.settle()
+    assert ["left" in names.nth(0).inner_text(), "right" in names.nth(1).inner_text()] == [True, True]
+    assert viewer.moved() == {}
+
+
+# --- panels and keys ---------------------------------------------------------------------------------
+
+
+def test_undo_and_redo(viewer):
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    after = viewer.values()
+    viewer.page.keyboard.press("Control+z")
+    assert viewer.moved() == {}
+    viewer.page.keyboard.press("Control+Shift+Z")
+    assert viewer.values() == after
+
+
+def test_search_filters_and_selects(viewer):
+    viewer.page.keyboard.press("/")
+    viewer.page.keyboard.type("sneer")
+    shown = viewer.page.locator(".row:visible")
+    assert shown.count() == 2
+    assert viewer.page.evaluate("usdrigui.app.session.selectedElements.map((each) => each.name)") == [
+        "sneer_L",
+        "sneer_R",
+    ]
+
+
+def test_number_is_entered(viewer):
+    field = viewer.page.get_by_label("pucker, value")
+    field.fill("0.625")
+    field.press("Enter")
+    assert viewer.moved() == pytest.approx({"pucker": 0.625})
+    field.fill("7")
+    field.press("Enter")
+    assert viewer.moved() == {"pucker": 1.0}
+
+
+def test_list_slider_is_the_baseline(viewer):
+    slider = viewer.page.locator(".row[data-control=pucker] input[type=range]")
+    slider.focus()
+    slider.press("End")
+    assert viewer.moved() == {"pucker": 1.0}
+
+
+def test_tab_reaches_elements_and_arrows_move_them(viewer):
+    viewer.page.locator(".surface").focus()
+    viewer.page.keyboard.press("Tab")
+    name = viewer.page.evaluate("document.activeElement.dataset.element")
+    assert name
+    for _ in range(5):
+        viewer.page.keyboard.press("ArrowUp")
+    assert list(viewer.moved().values()) == pytest.approx([0.1])
+    viewer.page.keyboard.press("Control+z")
+    assert viewer.moved() == {}
+
+
+def test_hover_shows_label_and_heat(viewer):
+    before = viewer.skin_shot()
+    viewer.page.mouse.move(*viewer.on_page(viewer.element("brow_L")["handle"]))
+    viewer.settle()
+    tip = viewer.page.locator(".tip").inner_text()
+    assert "brow_L" in tip
+    assert "left" in tip
+    assert viewer.skin_shot() != before
+
+
+def test_handles_hide_and_do_not_catch(viewer):
+    element = viewer.element("brow_L")
+    viewer.page.keyboard.press("h")
+    viewer.option("skinDrag", False)
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == {}
+
+
+def test_covered_handles_are_out_of_reach_unless_overlaid(viewer):
+    viewer.page.get_by_role("button", name="View: Back").click()
+    viewer.settle()
+    assert viewer.element("pucker")["hidden"]
+    viewer.option("occlusion", "overlay")
+    assert not viewer.element("pucker")["hidden"]
+
+
+def test_static_elements_stay_and_deforming_ones_follow(viewer):
+    rest = viewer.element("pucker")["handle"]
+    viewer.set(jawLeft=1.0)
+    assert np.linalg.norm(np.subtract(viewer.element("pucker")["handle"], rest)) > 2.0
+    viewer.option("follow", False)
+    assert viewer.element("pucker")["handle"] == pytest.approx(rest, abs=0.02)
+
+
+def test_copy_beside_the_clean_face(viewer):
+    viewer.page.get_by_role("button", name="Beside", exact=True).click()
+    viewer.settle()
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == pytest.approx({"brow_L": 0.5}, abs=1e-3)
+    columns = viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)")
+    assert columns == ["controls", "clean"]
+
+
+# --- poses out and in --------------------------------------------------------------------------------
+
+
+def saved(viewer, label, tmp_path, name):
+    with viewer.page.expect_download() as download:
+        viewer.page.get_by_role("button", name=label, exact=True).click()
+    path = tmp_path / name
+    download.value.save_as(path)
+    return path
+
+
+def loaded(viewer, path):
+    with viewer.page.expect_file_chooser() as chooser:
+        viewer.page.get_by_role("button", name="Load…").click()
+    chooser.value.set_files(path)
+    viewer.page.wait_for_function("!document.querySelector('.notice').hidden")
+    viewer.settle()
+
+
+def test_pose_out_and_in_as_json(viewer, tmp_path):
+    viewer.set(brow_L=0.25, pucker=1.0)
+    path = saved(viewer, "Save JSON", tmp_path, "pose.json")
+    assert json.loads(path.read_text())["values"] == {"brow_L": 0.25, "pucker": 1.0}
+    viewer.set(brow_L=0.9, chin=0.5)
+    loaded(viewer, path)
+    assert viewer.moved() == {"brow_L": 0.25, "pucker": 1.0}
+
+
+def test_other_json_is_refused_in_words(viewer, tmp_path):
+    path = tmp_path / "other.json"
+    path.write_text('{"values": {"somebody": 1}}')
+    loaded(viewer, path)
+    assert "No control" in viewer.page.locator(".notice").inner_text()
+    assert viewer.moved() == {}
+
+
+def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
+    """A drag keys when auto-key is on; USD reads the samples; the viewer reads its own layer again."""
+    viewer.page.get_by_role("button", name="Auto-key").click()
+    element = viewer.element("brow_L")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    viewer.page.evaluate("usdrigui.app.timeline.go(11)")
+    viewer.set(brow_L=1.0, pucker=0.5)
+    path = saved(viewer, "Save USD layer", tmp_path, "pose.usda")
+    layer = Sdf.Layer.FindOrOpen(str(path))
+    assert layer.ListTimeSamplesForPath("/Root/anim.blendShapeWeights") == [1.0, 11.0]
+    stage = Usd.Stage.Open(layer)
+    names = [*viewer.values()]
+    at = {
+        time: dict(zip(names, stage.GetAttributeAtPath("/Root/anim.blendShapeWeights").Get(time), strict=True))
+        for time in (1, 11)
+    }
+    assert at[1]["brow_L"] == pytest.approx(0.5, abs=1e-3)
+    assert (at[11]["brow_L"], at[11]["pucker"]) == pytest.approx((1.0, 0.5))
+    viewer.page.keyboard.press("Control+z")
+    viewer.page.evaluate("usdrigui.app.timeline.keys.clear()")
+    loaded(viewer, path)
+    viewer.page.evaluate("usdrigui.app.timeline.go(6)")
+    assert viewer.values()["brow_L"] == pytest.approx(0.75, abs=1e-3)
+
+
+def test_rearranged_element_makes_a_partial_layout(viewer, tmp_path):
+    viewer.page.get_by_role("button", name="Rearrange").first.click()
+    element = viewer.element("sneer_L")
+    target = skin_point(viewer, 0.2, 0.1)
+    viewer.drag(element["handle"], target)
+    assert viewer.element("sneer_L")["handle"] == pytest.approx(target, abs=12)
+    viewer.page.locator("summary", has_text="Layout").click()
+    path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
+    settings = load(tomllib.loads(path.read_text()))
+    mesh, _, point = settings.controls["sneer_L"].anchor.partition("#")
+    assert mesh == "/Root/mesh"
+    where = makers.face().meshes[0].points[int(point)]
+    assert where[:2] == pytest.approx([0.2, 0.1], abs=0.03)
+    viewer.page.keyboard.press("Control+z")
+    viewer.settle()
+    assert viewer.element("sneer_L")["handle"] == pytest.approx(element["handle"], abs=1e-3)
+
+
+def test_an_element_off_the_face_is_beside_it(viewer, tmp_path):
+    viewer.option("rearrange", True)
+    viewer.drag(viewer.element("sneer_L")["handle"], [30, 40])
+    viewer.page.locator("summary", has_text="Layout").click()
+    path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
+    assert load(tomllib.loads(path.read_text())).controls["sneer_L"].place == "beside"
+
+
+# --- evaluation --------------------------------------------------------------------------------------
+
+
+def test_evaluation_measures_as_the_paper_does(viewer, tmp_path):
+    """Two trials: one left neutral (both errors 1), one matched exactly (both errors 0)."""
+    viewer.page.get_by_role("button", name="Evaluate").click()
+    viewer.page.get_by_label("Participant number").fill("2")
+    viewer.page.get_by_role("button", name="Start").click()
+    viewer.settle()
+    assert viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)") == ["target", "controls"]
+    done = viewer.page.get_by_role("button", name="Done")
+    done.click()
+    viewer.page.evaluate(
+        "() => { const { session, evaluation } = usdrigui.app; session.set([...evaluation.running.target.entries()]); }"
+    )
+    done.click()
+    viewer.page.get_by_role("button", name="Stop").click()
+    path = saved(viewer, "Save CSV", tmp_path, "evaluation.csv")
+    heads, *rows = [line.split(",") for line in path.read_text().splitlines()]
+    first, second = (dict(zip(heads, row, strict=True)) for row in rows)
+    assert first["interface"] == "face"
+    assert [float(first[key]) for key in ("weight_error_squared", "vertex_error_squared")] == pytest.approx([1.0, 1.0])
+    assert [float(second[key]) for key in ("weight_error_squared", "vertex_error_squared")] == [0.0, 0.0]
+    assert float(first["share_of_time"]) + float(second["share_of_time"]) == pytest.approx(1.0, abs=1e-4)
+    assert viewer.moved() == {}
+
+
+def test_every_order_of_interfaces_is_met_by_six_participants(viewer):
+    orders = viewer.page.evaluate(
+        """() => [1, 2, 3, 4, 5, 6].map((participant) => usdrigui.trials(participant).map(({ name }) => name))"""
+    )
+    assert all(len(order) == 15 for order in orders)
+    assert len({tuple(order[::5]) for order in orders}) == 6
+    assert all(len(set(order[i : i + 5])) == 1 for order in orders for i in (0, 5, 10))
