@@ -273,3 +273,43 @@ def test_layouts_of_another_base_pose_stand_where_the_pose_puts_them(tmp_path):
         assert np.abs(points_of(stage, rig, track, 0) - element.members[0].track).max() < CLOSE * diagonal(rig)
         ball = points_of(stage, rig, handle, 0) - element.anchor.position
         assert np.allclose(np.linalg.norm(ball, axis=1), 0.5 * layout.handle_width, rtol=1e-3)
+
+
+@pytest.mark.parametrize("arc", ["references", "payload"])
+def test_characters_behind_composition_arcs_are_laid_out_on_their_composed_path(tmp_path, arc):
+    """A reference or payload inside a variant: the layer's overs reach what the asset's root layer composes."""
+    skinned_stages.character(tmp_path / "model.usda")
+    source = tmp_path / "shot.usda"
+    source.write_text(f"""#usda 1.0
+(
+    defaultPrim = "Shot"
+    upAxis = "Y"
+)
+def Xform "Shot"
+{{
+    def "Hero" (
+        variants = {{
+            string look = "young"
+        }}
+        prepend variantSets = "look"
+    )
+    {{
+        variantSet "look" = {{
+            "young" (
+                prepend {arc} = @./model.usda@
+            )
+            {{
+            }}
+        }}
+    }}
+}}
+""")
+    (rig,) = read_rigs(source, Settings())
+    assert rig.root == "/Shot/Hero/Char"
+    layout = laid_out.layout_of(rig)
+    pose = laid_out.random_values(rig, np.random.default_rng(5))
+    stage = laid_out.baked(written(tmp_path, rig, layout, source), rig, [pose])
+    for element in layout.elements:
+        (handle,) = parts(stage, rig, element, "handle")
+        anchor = laid_out.root_points(stage, element.anchor.mesh, rig.root, 0)[element.anchor.point]
+        assert np.abs(points_of(stage, rig, handle, 0).mean(axis=0) - anchor).max() < CLOSE * diagonal(rig)

@@ -375,6 +375,14 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
         ('"RigUILayoutAPI"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),
         ("int rigUI:anchor:pointIndex = 7", "", "LAYOUT_INVALID", "pointIndex"),
         (", (0, 1, 0)", "", "LAYOUT_INVALID", "two points"),
+        ("point3f[] points = [(0, 0, 0), (0, 1, 0)]", "", "LAYOUT_INVALID", "two points"),
+        ("(0, 1, 0)", "(0, nan, 0)", "LAYOUT_INVALID", "NaN"),
+        (
+            'def Xform "smile"',
+            'def Xform "b" (\napiSchemas = ["RigUIElementAPI"]\n) {}\ndef Xform "smile"',
+            "LAYOUT_INVALID",
+            "no control",
+        ),
         ('"RigUITrackAPI"', '"SomeAPI"', "LAYOUT_INVALID", "no track"),
         ("int rigUI:anchor:pointIndex", "double rigUI:anchor:pointIndex", "LAYOUT_INVALID", "double, not int"),
         ("rel rigUI:anchor:prim", 'token rigUI:element:side = "up"\nrel rigUI:anchor:prim', "LAYOUT_INVALID", "'up'"),
@@ -407,6 +415,23 @@ def test_layers_that_contradict_themselves_are_refused(old, new, code, told):
         read_layout(hand_made(HAND_MADE.replace(old, new, 1)))
     assert caught.value.issue.code == code
     assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
+
+
+def test_two_elements_of_one_name_are_refused():
+    layer = hand_made()
+    Sdf.CopySpec(layer, "/Char/MyControls/smile", layer, "/Char/MyControls/grin")
+    assert [element.name for element in read_layout(layer)[0].elements] == ["smile", "grin"]
+    name = Sdf.AttributeSpec(
+        layer.GetPrimAtPath("/Char/MyControls/grin"), "rigUI:element:name", Sdf.ValueTypeNames.Token
+    )
+    name.default = "smile"
+    with pytest.raises(RigUIError, match="two elements are called 'smile'"):
+        read_layout(layer)
+
+
+def test_points_that_have_only_samples_are_read_at_the_earliest():
+    text = HAND_MADE.replace("points = [(0, 0, 0), (0, 1, 0)]", "points.timeSamples = { 5: [(0, 0, 0), (0, 2, 0)] }")
+    assert read_layout(hand_made(text))[0].elements[0].members[0].track[1].tolist() == [0, 2, 0]
 
 
 def test_stronger_layers_change_a_layout(tmp_path):

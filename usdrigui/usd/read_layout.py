@@ -85,6 +85,7 @@ def _layout(scope: Usd.Prim) -> Layout:
         raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"version {get('version')}; known: {schema.VERSION}")
     _check_equal(scope, "baseValues", get("baseControls"), get("baseValues"))
     elements = tuple(_element(prim) for prim in scope.GetAllChildren() if _has(prim, schema.ELEMENT))
+    _check_unique(scope, [element.name for element in elements])
     return Layout(
         root=str(scope.GetPath().GetParentPath()),
         elements=elements,
@@ -182,8 +183,18 @@ def _track_of(prim: Usd.Prim, instance: str, count: int) -> Usd.Prim:
 def _track_points(track: Usd.Prim) -> Floats:
     points = _floats(_value(track, schema.TRACK, "basePoints"))
     if not len(points):
-        points = _floats(track.GetAttribute("points").Get())
+        points = _drawn_points(track)
     return points.reshape(-1, 3)
+
+
+def _drawn_points(prim: Usd.Prim) -> Floats:
+    """(n, 3) points of a gprim, at the earliest time if they have no default; none if it has none at all."""
+    attribute = prim.GetAttribute("points")
+    values = attribute.Get() or attribute.Get(Usd.TimeCode.EarliestTime()) if attribute else None
+    points = _floats(values or ()).reshape(-1, 3)
+    if not np.isfinite(points).all():
+        raise _invalid(attribute, "holds NaN or infinity")
+    return points
 
 
 def _anchor(prim: Usd.Prim) -> Anchor:
@@ -217,7 +228,7 @@ def _drawn_width(scope: Usd.Prim) -> float:
     for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
         if _has(prim, schema.HANDLE):
             extent = UsdGeom.Boundable(prim).GetExtentAttr().Get()
-            points = _floats(extent or prim.GetAttribute("points").Get()).reshape(-1, 3)
+            points = _floats(extent).reshape(-1, 3) if extent else _drawn_points(prim)
             if len(points):
                 return float(np.ptp(points, axis=0).max())
     return 0.0
@@ -284,6 +295,12 @@ def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
     lengths = [len(column) for column in columns]
     if len(set(lengths)) > 1:
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
+
+
+def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}")
 
 
 def _strings(values: Any) -> list[str]:

@@ -1,0 +1,107 @@
+"""read(write(layout)) == layout to single precision, whatever names and numbers it holds."""
+
+from __future__ import annotations
+
+import itertools
+import string
+from dataclasses import fields, replace
+
+import laid_out
+import makers
+import numpy as np
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from pxr import Sdf
+
+from usdrigui.model import LeftOff
+from usdrigui.settings import OutputSettings
+from usdrigui.usd.layer import layer_bytes, layer_for
+from usdrigui.usd.read_layout import read_layout
+
+FACE = makers.face(9, 11)
+PRINTED = st.text(st.characters(exclude_categories=("Cs", "Cc")), max_size=12)
+NAMES = st.one_of(st.text(string.ascii_letters + ":.-_ 0'\"\\@é口", min_size=1, max_size=8), PRINTED.filter(bool))
+NUMBERS = st.floats(-1e6, 1e6, width=32)
+VECTORS = st.tuples(NUMBERS, NUMBERS, NUMBERS).map(np.array)
+
+
+@st.composite
+def layouts(draw):
+    """A rig of twelve controls with odd names, and a layout of some of them with odd numbers."""
+    names = draw(st.lists(NAMES, min_size=12, max_size=12, unique=True))
+    rig = replace(
+        FACE, controls=tuple(replace(each, name=name) for each, name in zip(FACE.controls, names, strict=True))
+    )
+    counts = draw(st.lists(st.integers(1, 3), max_size=4))
+    starts = np.cumsum([0, *counts])
+    groups = [tuple(names[a:b]) for a, b in itertools.pairwise(starts)]
+    layout = laid_out.layout_of(rig, seed=draw(st.integers(0, 99)), groups=groups)
+    elements = tuple(draw(changed(each)) for each in layout.elements)
+    elements = tuple(
+        replace(each, mirror=draw(st.sampled_from(["", *(other.name for other in elements)]))) for each in elements
+    )
+    return rig, replace(
+        layout,
+        elements=elements,
+        left_off=tuple(
+            LeftOff(*row) for row in draw(st.lists(st.tuples(NAMES, st.sampled_from(["read", "solve"]), PRINTED)))
+        ),
+        handle_width=draw(st.floats(1e-3, 1e3)),
+        space=draw(st.sampled_from(["object", "view"])),
+        view=draw(VECTORS),
+        plane_normal=draw(VECTORS),
+        cost=draw(st.floats(allow_nan=False)),
+        bound=draw(st.floats(allow_nan=False)),
+        status=draw(st.sampled_from(["optimal", "stopped"])),
+        weights=tuple(draw(st.lists(st.tuples(NAMES, st.floats(-9, 9)), max_size=3))),
+    )
+
+
+@st.composite
+def changed(draw, element):
+    members = tuple(
+        replace(each, track=each.track + draw(VECTORS), arc_length=draw(st.floats(0, 9)), gain=draw(st.floats(1, 9)))
+        for each in element.members
+    )
+    label, reason, family = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
+    return replace(
+        element,
+        members=members,
+        label=label,
+        reason=reason,
+        family=family,
+        side=draw(st.sampled_from(["left", "right", "middle", "none"])),
+        kind=draw(st.sampled_from(["slider", "patch", "fan"])),
+        adapt=draw(st.sampled_from(["deform", "static"])),
+        opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
+        anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), beside=draw(st.booleans())),
+    )
+
+
+def close(first, second, where=""):
+    if isinstance(first, np.ndarray):
+        assert first.shape == second.shape, where
+        # Track points are stored together with offsets of their size, so compare against the largest.
+        assert np.abs(first - second).max(initial=0.0) <= 1e-6 * max(1.0, np.abs(first).max(initial=0.0)), where
+    elif isinstance(first, tuple):
+        assert len(first) == len(second), where
+        for i, pair in enumerate(zip(first, second, strict=True)):
+            close(*pair, f"{where}[{i}]")
+    elif hasattr(first, "__dataclass_fields__"):
+        for each in fields(first):
+            close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
+    else:
+        assert first == second, where
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(layouts())
+def test_any_layout_comes_back(made):
+    rig, layout = made
+    text = layer_bytes(layer_for([(rig, layout)], "", OutputSettings(), {}), ".usda").decode()
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    assert layer.ImportFromString(text)
+    (back,) = read_layout(layer)
+    close(layout, back)
+    again = layer_bytes(layer_for([(rig, layout)], "", OutputSettings(), {}), ".usda").decode()
+    assert again == text
