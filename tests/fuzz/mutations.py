@@ -17,9 +17,10 @@ Seeds = Mapping[str, bytes]
 """Sound ``.usda`` or ``.usdc`` files by name."""
 
 _NUMBERS = (
-    "0", "-1", "1", "2147483647", "-2147483648", "4294967296", "99999999999999999999", "nan", "inf", "-inf",
-    "1e39", "-1e39", "1e308", "1e-45", "0.5", "3", "25", "1e6", '""', "None", "true", "[]", "()", "<>", "@@", "[0]",
+    "0", "-1", "1", "2", "3", "25", "0.5", "-0.5", "1e6", "2147483647", "-2147483648", "4294967296", "1e-45", "1e39",
+    "-1e39", "1e308", "nan", "inf", "-inf",
 )  # fmt: skip
+_NO_NUMBERS = ("99999999999999999999", '""', "None", "true", "[]", "()", "<>", "@@", "[0]", "", "--1")
 _WORDS = (
     "SkelRoot", "Skeleton", "SkelAnimation", "BlendShape", "Mesh", "Xform", "Points", "over", "class", "def",
     "uniform", "custom", "token[]", "float[]", "int[]", "half3[]", "double", "matrix4d[]", "rel", "timeSamples",
@@ -93,8 +94,9 @@ def _at_headers(content: bytes, chance: random.Random) -> bytes:
 
 
 def _number(content: bytes, chance: random.Random) -> bytes:
-    found = list(re.finditer(rb"-?\d+(\.\d+)?(e-?\d+)?", content))
-    return _with(content, chance.choice(found), chance.choice(_NUMBERS)) if found else content
+    found = list(re.finditer(rb"(?<![\w.])-?\d+(\.\d+)?(e-?\d+)?(?!\w)", content))
+    texts = _NUMBERS if chance.random() < 0.9 else _NO_NUMBERS
+    return _with(content, chance.choice(found), chance.choice(texts)) if found else content
 
 
 def _word(content: bytes, chance: random.Random) -> bytes:

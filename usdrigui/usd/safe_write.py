@@ -106,8 +106,14 @@ def _mode(place: Path) -> int:
         return 0o666 & ~mask
     if not os.access(place, os.W_OK):
         # A rename would succeed all the same, over a file that somebody has locked.
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(place))
+        number = errno.EROFS if _is_read_only(place) else errno.EACCES
+        raise OSError(number, os.strerror(number), str(place))
     return stat.S_IMODE(place.stat().st_mode)
+
+
+def _is_read_only(place: Path) -> bool:
+    """Whether it is the file system, not the file, that forbids writing."""
+    return hasattr(os, "statvfs") and bool(os.statvfs(place).f_flag & os.ST_RDONLY)
 
 
 def _write(path: Path, content: bytes, mode: int) -> None:

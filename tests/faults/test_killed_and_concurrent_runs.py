@@ -1,0 +1,45 @@
+"""A killed run leaves the old or the new layer; two runs at once both complete.
+
+The long versions are commands, killing.py and pairs.py, with the last figures in docs/reliability.md.
+"""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+HERE = Path(__file__).parent
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="there is no SIGKILL")
+
+
+def harness(*arguments):
+    done = subprocess.run(
+        [sys.executable, *map(str, arguments)], capture_output=True, text=True, timeout=600, check=False
+    )
+    assert done.stdout, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_kills_around_the_write_never_tear_a_file():
+    found = harness(HERE / "killing.py", "--commits", 150)
+    assert found["faults"] == []
+    states = found["states"]
+    assert sum(states.values()) == 150
+    assert any(state.startswith("old") for state in states), "the kills came too late to tell anything"
+    assert any(state.startswith("new") for state in states), "the kills came too early to tell anything"
+    assert any("temporary left" in state for state in states), "no kill met the middle of a write"
+
+
+def test_a_killed_command_leaves_the_old_or_the_new_layer():
+    found = harness(HERE / "killing.py", "--commands", 4)
+    assert found["faults"] == []
+
+
+def test_two_runs_at_once_write_the_same_bytes():
+    found = harness(HERE / "pairs.py", "--count", 2)
+    assert found["faults"] == []
