@@ -91,7 +91,7 @@ def _first_guess(cage: Cage) -> tuple[Floats, NDArray[np.bool_]]:
     ):
         rings = np.array(cage.loops[name])
         points[rings] = loops
-        fixed[rings] = True
+        fixed[rings if name == "nostril" else rings[1:]] = True
     for name in cage.fills:
         _lay_fill(cage, name, points)
         fixed[cage.fills[name]] = True
@@ -235,8 +235,8 @@ def _on_ball(x: Floats, y: Floats, radius: float) -> Floats:
 
 def _eye_loops() -> Floats:
     angle = np.pi - np.linspace(0.0, 2 * np.pi, 24, endpoint=False)
-    outline = _front(3.25 + 2.65 * np.cos(angle), 0.35 + 2.4 * np.sin(angle))
-    socket = _front(3.25 + 2.25 * np.cos(angle), 0.2 + 1.85 * np.sin(angle))
+    outline = _front(3.2 + 2.5 * np.cos(angle), 0.35 + 2.35 * np.sin(angle))
+    socket = _front(3.13 + 1.96 * np.cos(angle), 0.2 + 1.78 * np.sin(angle))
     crease = _front(*lid_contour(0.30, 0.42, 0.34))
     crease[:, 2] -= 0.10 * np.clip(np.sin(angle), 0.0, 1.0)
     lid = _front(*lid_contour(0.13, 0.20, 0.15))
@@ -308,12 +308,13 @@ def _ear_loops() -> Floats:
     foot = np.array([6.65, -1.2, -0.9])
     c, s = np.cos(angle), np.sin(angle)
     egg = 1.0 + 0.22 * s
-    root = form.project(foot + np.outer(0.75 * c, [0.0, 0.0, -1.0]) * 1.5 + np.outer(2.3 * s, up), rounds=8)
-    stem = form.project(foot + np.outer(0.5 * c + 0.05, [0.0, 0.0, -1.0]) * 1.5 + np.outer(1.9 * s, up), rounds=8)
+    root = form.project(foot + np.outer(1.1 * c + 0.30, [0.0, 0.0, -1.0]) + np.outer(2.15 * s + 0.1, up), rounds=8)
+    stem = form.project(foot + np.outer(0.8 * c + 0.32, [0.0, 0.0, -1.0]) + np.outer(1.8 * s + 0.1, up), rounds=8)
 
     def ring(width: float, height: float, shift: float, lift: float, fold: float) -> Floats:
         a = 0.9 * width * c * egg + shift
-        away = 0.85 * (lift + fold * (1.0 + c) / 2)
+        free = (1.0 + c) / 2
+        away = 0.85 * (lift * (0.45 + 0.55 * free) + fold * free)
         return foot + np.outer(a, back) + np.outer(0.9 * height * s + 0.1, up) + np.outer(away, out)
 
     behind = ring(1.15, 2.35, 0.55, 0.20, 0.20)

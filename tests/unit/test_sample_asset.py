@@ -178,6 +178,18 @@ def test_no_edge_has_more_than_two_faces() -> None:
         assert uses.max() == 1, f"{name}: two faces run along an edge in the same direction"
 
 
+def test_head_faces_are_convex_but_at_the_corners_of_the_lips() -> None:
+    mesh, points = meshes()["Head"], rest_points("Head")
+    counts = np.array(mesh.GetFaceVertexCountsAttr().Get())
+    starts = np.cumsum(counts) - counts
+    quads = np.array(mesh.GetFaceVertexIndicesAttr().Get())[starts[counts == 4][:, None] + np.arange(4)]
+    corners = points[quads]
+    turns = np.cross(np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners)
+    concave = ((turns * turns.sum(axis=1, keepdims=True)).sum(axis=2) < 0).any(axis=1)
+    assert np.linalg.norm(np.abs(corners[concave].mean(axis=1)) - [2.1, -6.1, 7.3], axis=1).max(initial=0.0) < 0.3
+    assert concave.sum() <= 2
+
+
 # --- the controls ------------------------------------------------------------------------------------
 
 
