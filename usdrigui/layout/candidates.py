@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,6 +20,9 @@ STAGE = "candidates"
 
 _UNMOVED_SHARE = 0.1
 """Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
+
+_LOOSE = 0.2
+"""Share of the visible peak at which a control may stand when it has no better place."""
 
 
 def candidates(context: Context) -> Candidates:
@@ -56,6 +59,18 @@ def candidates(context: Context) -> Candidates:
             )
         )
     return Candidates(tuple(sets), tuple(left_off))
+
+
+def loosened(context: Context, found: CandidateSet) -> CandidateSet:
+    """The set with every visible place that the control moves by a fifth of its visible peak: for elements
+    whose copies would collide at all of their better places."""
+    motion = context.trajectories.motions[found.motion]
+    first = context.trajectories.places[motion.points] == motion.points
+    seen = _seen(context, motion.points) & first
+    if context.said[motion.control].anchor or not seen.any():
+        return found
+    points = motion.points[seen & (motion.arc_length >= _LOOSE * float(motion.arc_length[seen].max()))]
+    return replace(found, points=points, sources=points, cost=linear_cost(context, motion, points))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.layout.candidates import loosened
 from usdrigui.layout.extensions import user_pairs
 from usdrigui.layout.orbits import orbit_points
 from usdrigui.layout.terms import Context, off_plane
@@ -92,16 +93,23 @@ def _variable(
     overlap: Overlap,
     separation: float,
 ) -> tuple[Variable, Choice]:
-    choice, cost = _labels(context, sets, index, group)
-    samples, handles = _geometry(context, choice)
-    cost = cost + own_costs(samples, handles, overlap, separation)
-    kept = np.isfinite(cost)
+    for choice_of in (sets, {c: loosened(context, sets[c]) for controls in _copies(group) for c in controls}):
+        choice, cost = _labels(context, choice_of, index, group)
+        samples, handles = _geometry(context, choice)
+        cost = cost + own_costs(samples, handles, overlap, separation)
+        kept = np.isfinite(cost)
+        if kept.any():
+            break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     settings = context.settings.objective
     stays = any(context.said[c].place in ("face", "proxy") or context.said[c].anchor for c in group.controls)
     beside = settings.beside_price * len(choice.controls) if settings.beside_allowed and not stays else np.inf
     variable = Variable(group.name, choice.anchors[:, 0], cost[kept], samples[kept], handles[kept], beside)
     return variable, choice
+
+
+def _copies(group: Group) -> tuple[tuple[int, ...], ...]:
+    return (group.controls, *group.images)
 
 
 def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: Group) -> tuple[Choice, Floats]:
@@ -160,10 +168,9 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
 
 def _with_copies(context: Context, group: Group, index: int, points: Indices, sources: Indices) -> Choice:
     """Anchors and sources of all copies, of those candidates whose images lie on the character."""
-    controls = (group.controls, *group.images)
     anchors, drawn = (_images(context, group, each) for each in (points, sources))
     kept = (anchors >= 0).all(axis=1) & (drawn >= 0).all(axis=1)
-    return Choice(index, controls, anchors[kept], drawn[kept])
+    return Choice(index, _copies(group), anchors[kept], drawn[kept])
 
 
 def _images(context: Context, group: Group, points: Indices) -> Indices:
@@ -173,7 +180,7 @@ def _images(context: Context, group: Group, points: Indices) -> Indices:
     if group.mirror:
         return np.stack([points, context.symmetry.partner[points]], axis=1)
     motions = {motion.control: i for i, motion in enumerate(context.trajectories.motions)}
-    orbit = tuple(motions[controls[0]] for controls in (group.controls, *group.images))
+    orbit = tuple(motions[controls[0]] for controls in _copies(group))
     return orbit_points(context, orbit, points)
 
 

@@ -93,7 +93,8 @@ def _find_plane(rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plan
     region, weights = _moving_region(rig, trajectories)
     if len(region) < 4:
         return None
-    tree = cKDTree(region)
+    # All places, not only those that move: a control of one side must not tilt the plane.
+    tree = cKDTree(trajectories.base[np.unique(trajectories.places)])
     sample = _thinned(region, weights)
     rough = sample[:: max(1, len(sample) // _ROUGH)]
     starts = [_refined(plane, tree, rough, 2) for plane in _starts(region, weights, rig.up)]
