@@ -28,12 +28,14 @@ def character(
     meshes: int = 1,
     animated_joints: tuple[str, ...] = (),
     hinged: bool = False,
+    rigid: bool = False,
 ) -> Path:
     """A mask of a face with dense, sparse, in-between and signed shapes on a skeleton of four joints.
 
     `reordered` gives meshes and animation joint orders of their own; `moved` puts transforms, a
     geomBindTransform and a rest pose unlike the bind pose everywhere; the second mesh, if any, shares
-    tokens with the first; `hinged` skins every point to head and jaw alone.
+    tokens with the first; `hinged` skins every point to head and jaw alone;
+    `rigid` gives all points the influences of the first.
     """
     stage = Usd.Stage.CreateNew(str(path))
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
@@ -57,6 +59,7 @@ def character(
             reordered,
             moved,
             hinged,
+            rigid,
         )
     if moved:
         UsdGeom.XformCommonAPI(root).SetTranslate((5, 1, -2))
@@ -103,7 +106,7 @@ def _animation(stage: Usd.Stage, skeleton: UsdSkel.Skeleton, reordered: bool, an
     return tokens
 
 
-def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reordered, moved, hinged):
+def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reordered, moved, hinged, rigid):
     points, quads = makers.mask(9, 11)
     shapes = makers.face_shapes(points)
     mesh = UsdGeom.Mesh.Define(stage, path)
@@ -121,11 +124,11 @@ def _mesh(stage, path, index, tokens, rng, method, skinned, left_handed, reorder
     binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets(["/World/Char/Skel"])
     if skinned:
-        _influences(mesh, binding, rng, len(points), method, reordered, moved, hinged)
+        _influences(mesh, binding, rng, len(points), method, reordered, moved, hinged, rigid)
     _shapes(stage, path, binding, tokens if index == 0 else tokens[::2], shapes, points)
 
 
-def _influences(mesh, binding, rng, count, method, reordered, moved, hinged):
+def _influences(mesh, binding, rng, count, method, reordered, moved, hinged, rigid):
     joints = list(JOINTS[::-1] if reordered else JOINTS)
     if reordered:
         binding.CreateJointsAttr(joints)
@@ -133,9 +136,10 @@ def _influences(mesh, binding, rng, count, method, reordered, moved, hinged):
     order = np.argsort(rng.random((count, 4)), axis=1)[:, :3].astype(np.int32)
     if hinged:
         order[:] = [joints.index("Hips/Head"), joints.index("Hips/Head/Jaw"), joints.index("Hips/Head")]
-    binding.CreateJointIndicesPrimvar(False, 3).Set(Vt.IntArray.FromNumpy(order.ravel()))
-    binding.CreateJointWeightsPrimvar(False, 3).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
-    mesh.GetPrim().GetAttribute("primvars:skel:jointIndices").SetMetadata("interpolation", "vertex")
+    if rigid:
+        order, weights = order[:1], weights[:1]
+    binding.CreateJointIndicesPrimvar(rigid, 3).Set(Vt.IntArray.FromNumpy(order.ravel()))
+    binding.CreateJointWeightsPrimvar(rigid, 3).Set(Vt.FloatArray.FromNumpy(weights.ravel()))
     binding.CreateGeomBindTransformAttr(
         Gf.Matrix4d().SetRotate(Gf.Rotation((0, 1, 0), 15)) * Gf.Matrix4d().SetTranslate((0.1, 0.2, 0))
         if moved

@@ -32,6 +32,8 @@ KINDS = {
         "animated_joints": ("Hips/Head", *JAW),
     },
     "a joint twice at a point": {"hinged": True, "animated_joints": ("Hips/Head", *JAW)},
+    "rigid": {"rigid": True, "animated_joints": ("Hips/Head", *JAW)},
+    "rigid, dual quaternion": {"rigid": True, "method": "dualQuaternion", "moved": True, "animated_joints": JAW},
     "joint controls": {"animated_joints": ("Hips", "Hips/Head", *JAW)},
 }
 
