@@ -230,11 +230,13 @@ _CODES: dict[str, Code] = {
     ),
     "TOKEN_NOT_ANIMATED": Code(
         "info",
-        "No SkelAnimation lists the blend shape; it is laid out, but moves only when one is authored.",
-        "Add the name to the blendShapes of the SkelAnimation.",
+        "No SkelAnimation lists some blend shapes; they are laid out, but move only once one is authored.",
+        "Add the names to the blendShapes of the SkelAnimation.",
     ),
     "TOKEN_REPEATED": Code(
-        "warning", "A list names the same blend shape twice; the last is taken, as UsdSkel does.", "Remove the repetition."
+        "warning",
+        "A list names the same blend shape twice; the last is taken, as UsdSkel does.",
+        "Remove the repetition.",
     ),
     "INBETWEEN_INVALID": Code(
         "warning",
@@ -410,10 +412,34 @@ _CODES: dict[str, Code] = {
         "Move one of them, or run `usdrigui process` again.",
     ),
     "LAYOUT_ANCHOR_HIDDEN": Code(
-        "warning", "No view shows the point that an element is anchored to.", "Move the element to where it can be seen."
+        "warning",
+        "No view shows the point that an element is anchored to.",
+        "Move the element to where it can be seen.",
     ),
     "LAYOUT_BETTER_PLACE": Code(
         "info", "An element would do better elsewhere.", "Set the control's `anchor` to the place named, if you agree."
+    ),
+    # --- solving ---------------------------------------------------------------------------------
+    "SOLVE_INFEASIBLE": Code(
+        "error",
+        "No layout keeps all handles apart.",
+        "Allow places beside the face (objective.beside_allowed), make handles smaller or prune fewer candidates.",
+    ),
+    "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
+    "SOLVE_MEMORY": Code(
+        "error",
+        "The method would need more memory than solve.memory_limit allows.",
+        "Use the method highs, or raise the limit.",
+        Exit.LIMIT,
+    ),
+    "SOLVE_EXTRA": Code(
+        "error",
+        "The method needs a package that is not installed.",
+        "Install usdrigui[toulbar2], or use the method highs.",
+        Exit.USAGE,
+    ),
+    "PROBLEM_FILE": Code(
+        "error", "The file is no layout problem of this version.", "Save it again with this version.", Exit.FILE
     ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),

@@ -9,9 +9,10 @@ from collections.abc import Callable
 
 from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.settings import SolveSettings
+from usdrigui.solve.exchange import load_problem, save_problem
 from usdrigui.solve.watch import Progress, Watch
 
-__all__ = ["Progress", "solve"]
+__all__ = ["Progress", "load_problem", "save_problem", "solve"]
 
 
 def solve(
@@ -24,11 +25,22 @@ def solve(
 
     `progress` is told of every better layout or bound; `stop` is asked now and then, and when it says true
     the best layout so far comes back with its honest gap.  Raises RigUIError SOLVE_INFEASIBLE when no
-    layout is allowed, SOLVE_MEMORY or SOLVE_TOO_LARGE when the method cannot hold the problem.
+    layout is allowed, SOLVE_MEMORY or SOLVE_TOO_LARGE when the method cannot hold the problem, SOLVE_EXTRA
+    when the method's package is not installed.
     """
     watch = Watch(settings, progress, stop)
-    if settings.method == "highs":
-        from usdrigui.solve.exact import solve_whole
+    if settings.method == "paper":
+        from usdrigui.solve.paper import solve_by_clusters
 
-        return solve_whole(problem, watch)
-    raise NotImplementedError(settings.method)
+        return solve_by_clusters(problem, watch)
+    if settings.method == "enumerate":
+        from usdrigui.solve.enumerate import solve_by_enumeration
+
+        return solve_by_enumeration(problem, watch)
+    if settings.method == "toulbar2":
+        from usdrigui.solve.toulbar2 import solve_by_toulbar2
+
+        return solve_by_toulbar2(problem, watch)
+    from usdrigui.solve.exact import solve_whole
+
+    return solve_whole(problem, watch)

@@ -98,7 +98,7 @@ def all_labels(problem: LayoutProblem) -> Labels:
     """
     variable, label, cost, best = [], [], [], []
     for index, each in enumerate(problem.variables):
-        kept = np.flatnonzero(each.cost < each.beside)
+        kept = np.flatnonzero(each.cost < each.beside)  # at equal cost, beside the face is no worse
         if np.isfinite(each.beside):
             kept = np.append(kept, -1)
         variable.append(np.full(len(kept), index))
@@ -106,14 +106,15 @@ def all_labels(problem: LayoutProblem) -> Labels:
         own = np.where(kept >= 0, each.cost[kept] if len(each.cost) else 0.0, each.beside)
         cost.append(own)
         best.append(own.min(initial=np.inf))
-    variables, chosen = np.concatenate(variable), np.concatenate(label)
+    none = np.empty(0, dtype=np.int64)
+    variables, chosen = np.concatenate([none, *variable]), np.concatenate([none, *label])
     start = np.searchsorted(variables, np.arange(len(problem.variables) + 1))
-    bodies = _bodies(problem, variables, chosen, start)
-    pool = Pool(len(problem.variables), variables, start, np.concatenate(cost), bodies)
+    bodies = _bodies(problem, chosen, start)
+    pool = Pool(len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), bodies)
     return Labels(pool, chosen, np.array(best))
 
 
-def _bodies(problem: LayoutProblem, variables: Indices, labels: Indices, start: Indices) -> tuple[Bodies, ...]:
+def _bodies(problem: LayoutProblem, labels: Indices, start: Indices) -> tuple[Bodies, ...]:
     """Bodies of the labels, one set per (samples, copy)."""
     groups: dict[tuple[int, int], list[int]] = {}
     for index, each in enumerate(problem.variables):
@@ -161,6 +162,12 @@ def whole(labels: Labels) -> Blocks:
     first[1:] = (pool.variable[1:] != pool.variable[:-1]) | beside[1:]
     start = np.append(np.flatnonzero(first), len(beside))
     return Blocks(np.arange(len(beside)), start, pool.variable[start[:-1]])
+
+
+def singles(labels: Labels) -> Blocks:
+    """One block per label."""
+    count = len(labels.label)
+    return Blocks(np.arange(count), np.arange(count + 1), labels.pool.variable)
 
 
 def halve(labels: Labels, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indices]:

@@ -135,7 +135,6 @@ class Dual:
             excess.append(theta - least)
         stars = [each.copy() for each in excess]
         for edge in self.edges:
-            a, b = edge.ends
             least = edge.least()
             total += least
             for side in (0, 1):

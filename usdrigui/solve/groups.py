@@ -19,6 +19,9 @@ from usdrigui.solve.search import Found, Part, Search
 from usdrigui.solve.watch import Watch
 
 TINY = 1e-9
+SWEEPS = 20
+PROGRAM, PROGRAM_NODES = 150, 200
+"""Entries of a group that HiGHS is tried on, and its nodes."""
 LARGEST = 2500
 """Entries of a group that is searched: its matrix takes the square of that times 8 bytes."""
 
@@ -37,10 +40,10 @@ class Grouped:
     """Whether every group was solved to the end and all agree, so that `chosen` is optimal."""
 
 
-def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int) -> Grouped:
-    """Solve and merge groups until they agree, reach the cut-off, or have spent `nodes`."""
+def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int, most: int) -> Grouped:
+    """Solve and merge groups until they agree, reach the cut-off, have `most` members or spent `nodes`."""
     chosen = chosen.copy()
-    label = _joined(np.arange(len(chosen)), _disagreements(dual, chosen, 0.02 * max(cut - bound, 0.0)))
+    label = _joined(np.arange(len(chosen)), _disagreements(dual, chosen, 0.02 * max(cut - bound, 0.0)), most)
     solved: dict[tuple[int, ...], tuple[Found, float]] = {}
     while True:
         spent = 0
@@ -64,7 +67,10 @@ def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Wa
         nodes -= spent
         if not clashes or not finished or nodes <= 0 or bound + gains.sum() >= cut or watch.stopped():
             return Grouped(gains, member, chosen, not clashes and finished)
-        label = _joined(label, clashes[: max(1, len(clashes) // 2)])
+        merged = _joined(label, clashes[: max(1, len(clashes) // 2)], most)
+        if (merged == label).all():
+            return Grouped(gains, member, chosen, complete=False)
+        label = merged
 
 
 def decode(dual: Dual, seed: int) -> tuple[Indices, float]:
@@ -107,10 +113,13 @@ def _disagreements(dual: Dual, chosen: Indices, tolerance: float) -> list[tuple[
     return sorted(found, reverse=True)
 
 
-def _joined(label: Indices, clashes: list[tuple[float, int, int]]) -> Indices:
+def _joined(label: Indices, clashes: list[tuple[float, int, int]], most: int) -> Indices:
+    """Merge the groups of clashing variables, worst clash first, while they have `most` members at most."""
     label = label.copy()
     for _, a, b in clashes:
-        label[label == label[b]] = label[a]
+        both = (label == label[a]) | (label == label[b])
+        if both.sum() <= most:
+            label[both] = label[a]
     return label
 
 
@@ -121,7 +130,7 @@ def _groups(label: Indices) -> list[tuple[int, ...]]:
 
 
 def _apart(member: Indices, clash: tuple[float, int, int]) -> bool:
-    return member[clash[1]] < 0 or member[clash[1]] != member[clash[2]]
+    return bool(member[clash[1]] < 0 or member[clash[1]] != member[clash[2]])
 
 
 def _least(dual: Dual, group: tuple[int, ...]) -> float:
@@ -155,8 +164,24 @@ def _solve(
     if sum(int(each.sum()) for each in alive) > LARGEST or not all(each.any() for each in alive):
         return Found(least, np.inf, {}), 0
     search = Search(watch, nodes)
-    found = search.deepen(group_part(dual, group, alive), least + gap, gap)
+    part = group_part(dual, group, alive)
+    found = search.deepen(part, least + gap, gap)
+    if found.bound < least + gap - TINY and not np.isfinite(found.cost) and not watch.stopped():
+        found = _by_program(group_part(dual, group, alive), found, least + gap, watch)
     return Found(min(found.bound, least + gap), found.cost, found.chosen), search.nodes
+
+
+def _by_program(part: Part, found: Found, cut: float, watch: Watch) -> Found:
+    """What HiGHS makes of a small group that the search gave up, if it is any better."""
+    if len(part.costs) > PROGRAM:
+        return found
+    from usdrigui.solve import highs
+
+    part.settle()
+    for _ in range(SWEEPS):
+        part.sweep()
+    other = highs.solve_part(part, cut, watch, PROGRAM_NODES)
+    return found if other is None or other.bound <= found.bound else other
 
 
 def group_part(dual: Dual, group: tuple[int, ...], alive: list[Flags]) -> Part:

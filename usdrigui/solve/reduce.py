@@ -16,6 +16,8 @@ from usdrigui.solve.watch import Watch
 
 STEP = "blocks"
 NODES = 400
+MEMBERS = 10
+"""Variables of a group at first."""
 NEAR = 0.02
 SLOW = 0.1
 SWEEPS = 8
@@ -59,7 +61,9 @@ def reduce(
     while True:
         residual = _examined(labels, residual, watch, nodes, improve)
         alive = residual.room <= watch.cut
-        if watch.closed() or watch.stopped() or not _all_keep(residual, alive):
+        if not _all_keep(residual, alive):
+            watch.found(STEP, bound=watch.cut)
+        if watch.closed() or watch.stopped():
             return residual
         nodes = nodes * 5 // 4 if residual.blocks.sizes[alive].max() > 1 else nodes * 2
         rest = keep(residual.blocks, alive)
@@ -113,7 +117,7 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
     """The residual with the bound raised by groups of variables."""
     dual = residual.dual
-    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes)
+    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes, MEMBERS + nodes // 2000)
     total = residual.bound + float(found.gain.sum())
     _, excess = dual.parts(found.member)
     own = np.array([found.gain[each] if each >= 0 else 0.0 for each in found.member])

@@ -191,7 +191,8 @@ class Search:
         """Solve components one after another, each below what the others leave."""
         pieces = sorted((part.picked(group) for group in groups), key=lambda each: len(each.costs))
         bounds = [piece.bounds()[0] for piece in pieces]
-        costs, chosen = part.constant, {}
+        costs = part.constant
+        chosen: dict[int, int] = {}
         for at, piece in enumerate(pieces):
             others = part.constant + sum(bounds) - bounds[at]
             found = self.solve(piece, cut - others)

@@ -6,12 +6,13 @@ pairs become pairs of its halves; only those are worked out anew.
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
 from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
-from usdrigui.solve.blocks import Bodies, Pool, near_pairs, pair_bounds
+from usdrigui.solve.blocks import Pool, near_pairs, pair_bounds
 from usdrigui.solve.watch import Watch
 
 
@@ -139,7 +140,7 @@ def _split(pool: Pool, first: Indices, second: Indices, costs: Floats) -> list[T
     order = np.argsort(pair, kind="stable")
     edges = np.flatnonzero(np.diff(pair[order], prepend=-1, append=-1))
     found = []
-    for low, high in zip(edges[:-1], edges[1:], strict=True):
+    for low, high in itertools.pairwise(edges.tolist()):
         part = order[low:high]
         a, b = divmod(int(pair[part[0]]), pool.count)
         rows, row_at = _ranks(first[part] - pool.start[a], int(pool.start[a + 1] - pool.start[a]))

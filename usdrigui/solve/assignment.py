@@ -1,0 +1,67 @@
+"""From labels to the record of a solution, and the prices that stand in for infinity."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.model import Assignment, Indices, LayoutProblem
+from usdrigui.overlap import total_cost
+from usdrigui.solve.blocks import Labels
+from usdrigui.solve.watch import Watch
+
+SAFETY = 1e-10
+"""Share of a bound taken off for rounding."""
+
+
+def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
+    """A finite stand-in for +inf: more than any allowed layout can cost above the sum of the least linear costs."""
+    pool = labels.pool
+    spread = np.maximum.reduceat(pool.cost, pool.start[:-1]) - labels.best
+    copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
+    together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
+    overlaps = problem.overlap.weight * problem.overlap.maximum * together
+    return float(1.0 + spread.sum() + overlaps + sum(each.costs.sum() for each in problem.extra))
+
+
+def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str) -> Assignment:
+    """The record of a solution, its cost worked out by the objective itself.
+
+    Raises SOLVE_INFEASIBLE when the layout has handles too near each other: either none is allowed, or the
+    limits were too tight to find one.
+    """
+    cost = total_cost(problem, chosen)
+    if not np.isfinite(cost):
+        raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
+    bound = min(watch.bound - SAFETY * abs(watch.bound), cost) if np.isfinite(watch.bound) else -np.inf
+    closed = cost - bound <= watch.settings.gap * abs(cost)
+    return Assignment(
+        labels=chosen,
+        cost=cost,
+        bound=bound,
+        status="optimal" if closed else "stopped",
+        in_play=max(0.0, cost - float(labels.best.sum())),
+        method=method,
+        steps=tuple(watch.steps),
+    )
+
+
+def _stuck(problem: LayoutProblem, chosen: Indices) -> str:
+    """Names of the variables whose handles are too near another's."""
+    names = []
+    for at, variable in enumerate(problem.variables):
+        others = [
+            other
+            for other in range(len(chosen))
+            if other != at and _clash(problem, (at, other), (int(chosen[at]), int(chosen[other])))
+        ]
+        if others:
+            names.append(variable.name)
+    return ", ".join(names)
+
+
+def _clash(problem: LayoutProblem, pair: tuple[int, int], labels: tuple[int, int]) -> bool:
+    if min(labels) < 0:
+        return False
+    one, other = (problem.variables[at].handles[label] for at, label in zip(pair, labels, strict=True))
+    return bool((np.linalg.norm(one[:, None] - other[None], axis=-1) < problem.separation).any())

@@ -1,0 +1,60 @@
+"""All layouts one by one: what the other methods are tested against."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.model import Assignment, Floats, LayoutProblem
+from usdrigui.overlap import pair_costs
+from usdrigui.solve.watch import Watch
+
+MOST = 4_000_000
+"""Layouts that are enumerated at most; one number each."""
+
+
+def solve_by_enumeration(problem: LayoutProblem, watch: Watch) -> Assignment:
+    """The best of all layouts.  Raises SOLVE_TOO_LARGE or SOLVE_INFEASIBLE."""
+    labels = [
+        np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.beside) else []).astype(np.int64)
+        for each in problem.variables
+    ]
+    layouts = math.prod(len(each) for each in labels)
+    if layouts > MOST or len(labels) > 32:
+        raise refuse("SOLVE_TOO_LARGE", "solve.method", f"{layouts} layouts to enumerate; at most {MOST}")
+    total = np.zeros([1] * len(labels))
+    for at, (each, mine) in enumerate(zip(problem.variables, labels, strict=True)):
+        own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.beside)
+        total = total + _along(own, len(labels), at)
+    for a in range(len(labels)):
+        for b in range(a + 1, len(labels)):
+            total = total + _along(_table(problem, a, b, labels[a], labels[b]), len(labels), a, b)
+    if not total.size or not np.isfinite(total.min()):
+        raise refuse("SOLVE_INFEASIBLE", "solve", "no layout keeps all handles apart")
+    best = np.unravel_index(int(total.argmin()), total.shape)
+    cost = float(total.min())
+    watch.note("enumeration", layouts=layouts)
+    least = sum(float(_finite_least(each.cost, each.beside)) for each in problem.variables)
+    chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
+    return Assignment(chosen, cost, cost, "optimal", max(0.0, cost - least), "enumerate", tuple(watch.steps))
+
+
+def _finite_least(cost: Floats, beside: float) -> float:
+    return min(float(cost.min(initial=np.inf)), beside)
+
+
+def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.ndarray) -> Floats:
+    """(len(mine), len(other)) pair costs, explicit ones included."""
+    first, second = np.repeat(mine, len(other)), np.tile(other, len(mine))
+    table = pair_costs(problem, a, b, first, second).reshape(len(mine), len(other))
+    for extra in problem.extra:
+        if (extra.first, extra.second) == (a, b):
+            np.add.at(table, (extra.first_labels, extra.second_labels), extra.costs)
+    return table
+
+
+def _along(values: Floats, dimensions: int, *axes: int) -> Floats:
+    """The array with its axes at the given places among `dimensions`."""
+    return values.reshape([values.shape[axes.index(at)] if at in axes else 1 for at in range(dimensions)])

@@ -1,0 +1,87 @@
+"""A `LayoutProblem` as one npz file, so that a case can be handed to another solver.
+
+Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without this package:
+
+    version              () 1
+    names                (variables,) text
+    overlap              (5,) maximum, radius, sharpness, reach, weight
+    separation, unit_cost, beside
+                         (), (), (variables,)
+    points_K, cost_K     (R,) of variable K: anchor points and linear costs
+    samples_K            (R, copies, u, 3)
+    handles_K            (R, copies, 3)
+    extra                (pairs, 2) variables of each set of explicit pair costs
+    extra_labels_K       (q, 2) labels of set K
+    extra_costs_K        (q,)
+
+The cost of a layout is defined at `usdrigui.model.LayoutProblem`; lengths are in scene units.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
+
+VERSION = 1
+
+
+def save_problem(path: Path, problem: LayoutProblem) -> None:
+    """Write a problem; the same problem gives the same bytes."""
+    arrays: dict[str, np.ndarray] = {
+        "version": np.array(VERSION),
+        "names": np.array([each.name for each in problem.variables], dtype=np.str_),
+        "overlap": np.array([getattr(problem.overlap, name) for name in _OVERLAP]),
+        "separation": np.array(problem.separation),
+        "unit_cost": np.array(problem.unit_cost),
+        "beside": np.array([each.beside for each in problem.variables], dtype=np.float64),
+        "extra": np.array([(each.first, each.second) for each in problem.extra], dtype=np.int64).reshape(-1, 2),
+    }
+    for at, variable in enumerate(problem.variables):
+        for name in _PER_VARIABLE:
+            arrays[f"{name}_{at}"] = getattr(variable, name)
+    for at, extra in enumerate(problem.extra):
+        arrays[f"extra_labels_{at}"] = np.column_stack([extra.first_labels, extra.second_labels])
+        arrays[f"extra_costs_{at}"] = extra.costs
+    with path.open("wb") as stream:
+        np.savez_compressed(stream, allow_pickle=False, **arrays)
+
+
+def load_problem(path: Path) -> LayoutProblem:
+    """Read a problem written by `save_problem`.  Raises FILE_NOT_FOUND or PROBLEM_FILE."""
+    try:
+        with np.load(path, allow_pickle=False) as arrays:
+            if int(arrays["version"]) != VERSION:
+                raise refuse("PROBLEM_FILE", str(path), f"is of version {int(arrays['version'])}, not {VERSION}")
+            return _problem(arrays)
+    except OSError as error:
+        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}") from error
+    except (KeyError, ValueError, TypeError, EOFError, zipfile.BadZipFile) as error:
+        raise refuse("PROBLEM_FILE", str(path), f"is no layout problem: {error}") from error
+
+
+_OVERLAP = ("maximum", "radius", "sharpness", "reach", "weight")
+_PER_VARIABLE = ("points", "cost", "samples", "handles")
+
+
+def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
+    variables = tuple(
+        Variable(name=str(name), beside=float(beside), **{key: arrays[f"{key}_{at}"] for key in _PER_VARIABLE})
+        for at, (name, beside) in enumerate(zip(arrays["names"], arrays["beside"], strict=True))
+    )
+    extra = tuple(
+        ExtraPairs(
+            first=int(a),
+            second=int(b),
+            first_labels=arrays[f"extra_labels_{at}"][:, 0].copy(),
+            second_labels=arrays[f"extra_labels_{at}"][:, 1].copy(),
+            costs=arrays[f"extra_costs_{at}"],
+        )
+        for at, (a, b) in enumerate(arrays["extra"])
+    )
+    overlap = Overlap(**dict(zip(_OVERLAP, arrays["overlap"].tolist(), strict=True)))
+    return LayoutProblem(variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra)

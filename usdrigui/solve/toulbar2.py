@@ -1,0 +1,63 @@
+"""The whole unreduced problem handed to toulbar2, an exact solver of cost function networks (optional)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.model import Assignment, LayoutProblem
+from usdrigui.solve.assignment import assignment, forbidden_price
+from usdrigui.solve.blocks import all_labels, block_pool, singles
+from usdrigui.solve.local_search import Incumbent
+from usdrigui.solve.tables import near_blocks, pair_tables
+from usdrigui.solve.watch import Watch
+
+DIGITS = 9
+"""Decimals of a cost that toulbar2 keeps."""
+SLACK = 1e-6
+"""Costs are rounded to DIGITS decimals: so much is taken off its bound."""
+
+
+def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
+    """Best layout by toulbar2.  Raises SOLVE_EXTRA without the package, SOLVE_MEMORY for too large a problem."""
+    try:
+        import pytoulbar2
+    except ImportError as error:
+        raise refuse("SOLVE_EXTRA", "solve.method", "pytoulbar2 is not installed") from error
+    labels = all_labels(problem)
+    blocks = singles(labels)
+    pool = block_pool(labels, blocks)
+    entries = np.diff(pool.start).astype(np.float64)
+    need = 8 * (entries.sum() ** 2 - np.square(entries).sum()) * 3 / 2**20
+    if need > watch.settings.memory_limit:
+        raise refuse("SOLVE_MEMORY", "solve.memory_limit", f"the tables would need about {need:.0f} MiB")
+    forbidden = forbidden_price(problem, labels)
+    incumbent = Incumbent(problem, labels, forbidden, watch)
+    incumbent.construct()
+    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
+    network = pytoulbar2.CFN(_top(incumbent.cost), DIGITS)
+    for at in range(pool.count):
+        low, high = pool.start[at], pool.start[at + 1]
+        network.AddVariable(f"x{at}", range(int(high - low)))
+        network.AddFunction([f"x{at}"], pool.cost[low:high].tolist())
+    for table in tables:
+        costs = np.zeros((int(entries[table.first]), int(entries[table.second])))
+        costs[np.ix_(table.rows, table.columns)] = np.minimum(table.costs, forbidden)
+        network.AddFunction([f"x{table.first}", f"x{table.second}"], costs.ravel().tolist())
+    network.Option.verbose = -1
+    network.Option.showSolutions = 0
+    limit = watch.seconds_left
+    found = network.Solve(timeLimit=int(max(1.0, limit)) if np.isfinite(limit) else 0)
+    chosen = incumbent.chosen
+    if found:
+        new = pool.start[:-1] + np.array(found[0][: pool.count], dtype=np.int64)
+        chosen = new if found[1] < incumbent.cost else chosen
+    watch.found("toulbar2", cost=incumbent.cost if not found else min(found[1], incumbent.cost))
+    watch.found("toulbar2", bound=float(network.GetDDualBound()) - SLACK)
+    watch.note("toulbar2", labels=len(labels.label), tables=len(tables))
+    return assignment(problem, labels, labels.label[chosen], watch, "toulbar2")
+
+
+def _top(cost: float) -> float:
+    """Cost from which toulbar2 need not look."""
+    return cost + 1.0 if np.isfinite(cost) else 1e9
