@@ -60,7 +60,7 @@ class PoseSettings:
 
 @dataclass(frozen=True, slots=True)
 class JointSettings:
-    """``[joints."PATH"]``: a joint's degrees of freedom as controls."""
+    """``[joints."PATH"]``: a joint's degrees of freedom as controls; its last name will do where it is unique."""
 
     axes: tuple[Literal["x", "y", "z"], ...] = ()
     """Rotation axes in the joint's own frame; empty makes no control of it."""
@@ -81,9 +81,11 @@ class ReadSettings:
     unless its frames are named poses; ``animated`` the same without exception."""
     joint_min_degrees: float = 0.5
     pose_names: str = "framemapping"
-    """Key in the root layer's customLayerData that lists one pose name per frame; the first is rest."""
+    """Key in the SkelRoot's customData or a layer's customLayerData that lists one pose name per frame (or a
+    table of name to time code); the first is rest."""
     time: float | None = None
-    """Time code whose pose is the base pose; none takes the rest transforms and zero weights."""
+    """Time code whose pose is the base pose; none takes the first of the named frames or, where none are
+    named, the rest transforms and zero weights."""
     pose: Mapping[str, float] = field(default_factory=dict)
     """Base pose as control values by name, on top of `time`; paper: P."""
     time_limit: float = 300.0

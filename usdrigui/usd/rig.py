@@ -184,7 +184,9 @@ def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> 
 def _with_unanimated(root: Usd.Prim, channels: tuple[Channel, ...], found: Found) -> tuple[Channel, ...]:
     """The channels with those added that meshes name but no animation lists."""
     more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
-    found.issues.extend(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{token!r}") for token in more)
+    if more:
+        listed = ", ".join(more[:3]) + (" and more" if len(more) > 3 else "")
+        found.issues.append(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{len(more)} of them: {listed}"))
     return (*channels, *(Channel(token, "", -1) for token in more))
 
 
