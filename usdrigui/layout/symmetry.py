@@ -94,10 +94,11 @@ def _find_plane(rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plan
     if len(region) < 4:
         return None
     # All places, not only those that move: a control of one side must not tilt the plane.
-    tree = cKDTree(trajectories.base[np.unique(trajectories.places)])
+    every = trajectories.base[np.unique(trajectories.places)]
+    tree = cKDTree(every)
     sample = _thinned(region, weights)
     rough = sample[:: max(1, len(sample) // _ROUGH)]
-    starts = [_refined(plane, tree, rough, 2) for plane in _starts(region, weights, rig.up)]
+    starts = [_refined(plane, tree, rough, 2) for plane in _starts(every, region, weights, rig.up)]
     starts.sort(key=lambda plane: _misfit(plane, tree, rough))
     best = min(
         (_refined(plane, tree, rough, 12) for plane in starts[:_FINALISTS]),
@@ -134,14 +135,17 @@ def _thinned(points: Floats, weights: Floats) -> Floats:
     return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
 
 
-def _starts(region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
-    """Candidate planes: normals in all directions about the up axis, at the middle and to both sides of it."""
+def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
+    """Candidate planes in all directions about the up axis: through the middle of the moving region and to
+    both sides of it, and through the middle of the whole character, where a mesh modelled symmetric has it."""
     found = []
     for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
         along = region @ normal
         order = np.argsort(along)
         share = np.cumsum(weights[order]) / weights.sum()
         found += [_Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS]
+    middle = every.mean(axis=0)
+    found += [_Plane(normal, float(normal @ middle)) for normal in _normals(every - middle, np.ones(len(every)), up)]
     return found
 
 

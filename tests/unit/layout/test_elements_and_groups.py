@@ -236,7 +236,7 @@ def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
     up = makers.bump(POINTS, (0.2, -0.2), (0, 1, 0), 0.2, 0.1)
     flat = chain.settings(candidates={"space": "view", "view": "front", "occlusion_price": 0.0})
     line = chain.posed(rig_with(out=out, up=up), flat)
-    costs = {variable.name: variable.cost.min() for variable in line.problem.variables}
+    costs = {variable.name: variable.cost.min(initial=np.inf) for variable in line.problem.variables}
     assert costs["up"] < -0.5
     assert costs["out"] > -0.01 or "out" not in costs
     for variable in line.problem.variables:
