@@ -463,6 +463,33 @@ def test_several_skelroots(tmp_path):
     assert path.exists()
 
 
+def test_a_nested_skelroot_is_a_character_of_its_own(tmp_path):
+    def edit(stage):
+        UsdSkel.Root.Define(stage, "/Char/Pet")
+        add_skeleton(stage, "/Char/Pet/Skel")
+        add_shape(add_mesh(stage, "/Char/Pet/Face", "/Char/Pet/Skel"), "bark", np.ones((SIDE**2, 3)))
+        add_animation(stage, "/Char/Pet/Anim", "/Char/Pet/Skel", ("bark",))
+
+    rigs = read_rigs(head(tmp_path / "char.usda", edit=edit), Settings())
+    assert [(rig.root, list(controls(rig)), rig.left_off) for rig in rigs] == [
+        ("/Char", ["smile", "frown"], ()),
+        ("/Char/Pet", ["bark"], ()),
+    ]
+
+
+@pytest.mark.parametrize("where", ["shared", "outside"])
+def test_skeletons_may_share_an_animation_or_stand_outside(tmp_path, where):
+    def edit(stage):
+        path = "/Other/Skel" if where == "outside" else "/Char/Skel2"
+        add_skeleton(stage, path)
+        add_shape(add_mesh(stage, "/Char/Teeth", path), "smile", np.ones((SIDE**2, 3)))
+        UsdSkel.BindingAPI.Apply(stage.GetPrimAtPath(path)).CreateAnimationSourceRel().SetTargets(["/Char/Anim"])
+
+    rig = edited(tmp_path, edit)
+    assert [channel.token for channel in rig.channels] == ["smile", "frown"]
+    assert len(rig.shapes_by_channel[0]) == 2
+
+
 def test_points_over_time_are_taken_at_the_base(tmp_path):
     def edit(stage):
         points = UsdGeom.Mesh(stage.GetPrimAtPath("/Char/Face")).GetPointsAttr()

@@ -127,7 +127,7 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     everything = Usd.TraverseInstanceProxies()
     skel_root = UsdSkel.Root(root)
     cache.Populate(skel_root, everything)
-    bindings = cache.ComputeSkelBindings(skel_root, everything)
+    bindings = [each for each in cache.ComputeSkelBindings(skel_root, everything) if _belongs(each, root)]
     time = settings.read.time
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
     armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
@@ -171,6 +171,11 @@ def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -
         joints.extend(some)
         found.issues.extend(issues)
     return tuple(joints)
+
+
+def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:
+    """Whether it moves anything of this SkelRoot, not only of one nested in it."""
+    return any(UsdSkel.Root.Find(query.GetPrim()).GetPrim() == root for query in binding.GetSkinningTargets())
 
 
 def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> dict[Sdf.Path, Binding]:
