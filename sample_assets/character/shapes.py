@@ -138,7 +138,7 @@ def _lid_fields(head: Head, lash_start: int, count: int) -> tuple[Floats, Floats
 
 
 def _pair_names(name: str) -> tuple[str, str]:
-    """``mouth<side>`` holds the side in the middle of nothing: the two names of a pair."""
+    """Left and right name of a pair."""
     return name.replace("*", "Left"), name.replace("*", "Right")
 
 
@@ -338,7 +338,7 @@ def _shrug_lower(body: Body, w: float) -> Floats:
 
 
 def _close(body: Body, w: float) -> Floats:
-    """Seals the lips over a jaw that is about 0.4 open; alone it purses the lower lip over the upper."""
+    """Seals the lips over a jaw that is about 0.3 open; alone the lips overlap."""
     up = _lower(body) ** 2 * _bump(body, (0.0, -6.8, 8.4), (3.0, 1.9, 2.4)) * [0.0, 0.85, 0.12]
     return w * (up + _upper(body) ** 2 * _bump(body, (0.0, -5.9, 8.5), (2.8, 1.3, 2.2)) * [0.0, -0.30, -0.16])
 
