@@ -73,8 +73,6 @@ class PointShape(Record):
 
     def at(self, weight: float) -> Floats:
         """Offset (3,) or (q, 3) at a weight, piecewise linear and extrapolated."""
-        if weight == 0.0:
-            return np.zeros_like(self.offsets[0])
         nodes = np.append(self.weights, 0.0)
         order = np.argsort(nodes)
         nodes = nodes[order]

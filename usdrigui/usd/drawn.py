@@ -103,9 +103,7 @@ def _still(
     shapes = tuple(
         PointShape(shape.channel, shape.weights, offsets) for shape, offsets in zip(others, spread, strict=True)
     )
-    points = hold.unposed(positions)
-    for shape in shapes:
-        points = points - shape.at(float(carriage.weights[shape.channel]))
+    points = hold.unposed(positions) - _blended(carriage, shapes)
     return Drawn(role, controls, values, np.array(positions, dtype=np.float64), points, faces, hold, shapes)
 
 
@@ -167,8 +165,7 @@ def _follower(carriage: Carriage, grip: Grip, width: float) -> Drawn:
     ball, faces = _ball()
     points = grip.rest + 0.5 * width * ball @ grip.handle.inverse
     shapes = tuple(_uniform(shape, len(ball)) for shape in grip.shapes)
-    blended = points + sum(shape.at(float(carriage.weights[shape.channel])) for shape in shapes)
-    base_points = blended @ grip.handle.base[:3] + grip.handle.base[3]
+    base_points = (points + _blended(carriage, shapes)) @ grip.handle.base[:3] + grip.handle.base[3]
     return Drawn("handle", (), np.zeros((len(ball), 0)), base_points, points, faces, grip.handle, shapes)
 
 
@@ -180,8 +177,8 @@ def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> D
         along = _along_track(carriage, grip, member)
         if along is not None:
             shapes.setdefault(along.channel, along)
-    now = [shape.at(float(carriage.weights[shape.channel])) for shape in shapes.values()]
-    centre = grip.track.unposed(element.anchor.position[None])[0] - sum(now, np.zeros(3))
+    now = _blended(carriage, tuple(shapes.values()))
+    centre = grip.track.unposed(element.anchor.position[None])[0] - now
     points = centre + 0.5 * width * ball @ grip.track.inverse
     base_points = 0.5 * width * ball + element.anchor.position
     spread = tuple(_uniform(shapes[channel], len(ball)) for channel in sorted(shapes))
@@ -216,6 +213,16 @@ def _extended(keys: Floats, rows: Floats, at: Floats) -> Floats:
     i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
     share = ((at - keys[i]) / (keys[i + 1] - keys[i]))[:, None]
     return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
+
+
+def _blended(carriage: Carriage, shapes: tuple[PointShape, ...]) -> Floats:
+    """Sum of the shapes' offsets in the base pose, (3,) or (q, 3); without any, a zero that fits either."""
+    total = np.zeros(3)
+    for shape in shapes:
+        weight = float(carriage.weights[shape.channel])
+        if weight:
+            total = total + shape.at(weight)
+    return total
 
 
 def _uniform(shape: PointShape, count: int) -> PointShape:
