@@ -8,6 +8,7 @@ Nothing here prints; what a run has to say is in the record that it returns.
 
 from __future__ import annotations
 
+import functools
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -112,7 +113,8 @@ def process(
     laid = [_lay_out(rig, settings, clock, stop, source.cameras) for rig in source.rigs]
     outcome: Outcome = "dry run"
     if not dry_run:
-        with clock.stage("write"):
+        # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
+        with clock.stage("write", can_stop=True):
             outcome = _written(asset, target, settings, source, laid)
     return Report(
         asset=str(asset),
@@ -339,10 +341,10 @@ def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, 
     """Write the layer, unless a file that it was made from has changed meanwhile."""
     from usdrigui.usd import layer
 
-    check_unchanged(source.sources)
     target.parent.mkdir(parents=True, exist_ok=True)
     pairs = [(character.rig, character.layout) for character in laid]
-    return layer.write_layout(pairs, asset, target, settings.output, source.metadata)
+    unchanged = functools.partial(check_unchanged, source.sources)
+    return layer.write_layout(pairs, asset, target, settings.output, source.metadata, guard=unchanged)
 
 
 def _plain(value: Any) -> Any:

@@ -1,0 +1,154 @@
+"""Limits and signals on the real command: the best so far or a typed error, quickly, nothing half-written."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from skel_stages import character, head
+
+from usdrigui.cli import main
+from usdrigui.usd.read_layout import read_layout
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"
+SOON = 10.0
+"""Seconds; generous, for a busy machine."""
+
+
+def start(*arguments):
+    return subprocess.Popen(
+        [sys.executable, "-u", "-m", "usdrigui", "process", *map(str, arguments)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def wait_for_line(process, word):
+    """Read standard error until a line that begins with the word."""
+    for line in process.stderr:
+        if line.startswith(word):
+            return
+    raise AssertionError(f"never said {word}")
+
+
+def ended(process, sent):
+    out, err = process.communicate(timeout=60)
+    assert time.monotonic() - sent < SOON
+    assert "Traceback" not in out + err
+    return out, err
+
+
+@pytest.fixture
+def hanging(tmp_path):
+    """An asset that USD never finishes to read, and the layer of an earlier day."""
+    os.mkfifo(tmp_path / "pipe.usda")
+    path = tmp_path / "char.usda"
+    path.write_text("#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\n")
+    (tmp_path / "char.rigui.usda").write_bytes(b"#usda 1.0\n")
+    return path
+
+
+def untouched(asset):
+    layer = asset.with_name("char.rigui.usda")
+    return layer.read_bytes() == b"#usda 1.0\n" and not [each for each in layer.parent.iterdir() if "tmp" in each.name]
+
+
+def readers_of(process):
+    found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process)], capture_output=True, text=True, check=False)
+    return [int(each) for each in found.stdout.split()]
+
+
+def until(question):
+    end = time.monotonic() + 30
+    while not (found := question()):
+        assert time.monotonic() < end
+        time.sleep(0.02)
+    return found
+
+
+def test_reading_ends_at_its_limit(hanging):
+    sent = time.monotonic()
+    process = start(hanging, "--set", "read.time_limit=1.5", "--json")
+    out, _ = ended(process, sent)
+    assert process.returncode == 4
+    assert json.loads(out)["issues"][0]["code"] == "SOURCE_TIME_LIMIT"
+    assert untouched(hanging)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
+    process = start(hanging)
+    (reader,) = until(lambda: readers_of(process.pid))
+    sent = time.monotonic()
+    process.send_signal(number)
+    _, err = ended(process, sent)
+    assert process.returncode == 4
+    assert "INTERRUPTED" in err
+    assert err.splitlines()[-1].endswith("nothing was written")
+    assert not Path(f"/proc/{reader}").exists()
+    assert untouched(hanging)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, number):
+    target, report = tmp_path / "out.usda", tmp_path / "out.json"
+    endless = ("--gap", "0", "--set", "solve.work_limit=2000000000000")
+    process = start(SAMPLE, "-o", target, "--report", report, *endless)
+    wait_for_line(process, "problem")
+    time.sleep(0.5)
+    sent = time.monotonic()
+    process.send_signal(number)
+    ended(process, sent)
+    assert process.returncode == 0
+    assert read_layout(target)
+    (found,) = json.loads(report.read_text())["characters"]
+    assert found["solution"]["status"] == "stopped"
+    assert found["solution"]["bound"] < found["solution"]["cost"]
+
+
+def test_a_second_signal_ends_at_once(hanging):
+    process = start(hanging)
+    until(lambda: readers_of(process.pid))
+    sent = time.monotonic()
+    for _ in range(3):
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+    ended(process, sent)
+    assert process.returncode == 4
+    assert untouched(hanging)
+
+
+def test_a_time_limit_on_the_search_gives_an_honest_layout(tmp_path, capsys):
+    asset = character(tmp_path / "char.usda")
+    assert main(["process", str(asset), "--time-limit", "0.001", "--gap", "0", "--json"]) == 0
+    (found,) = json.loads(capsys.readouterr().out)["characters"]
+    solution = found["solution"]
+    assert solution["bound"] <= solution["cost"]
+    assert solution["status"] == ("optimal" if solution["gap"] <= 1e-9 else "stopped")
+    assert read_layout(tmp_path / "char.rigui.usda")
+
+
+@pytest.mark.parametrize("limit", [1, 8, 64])
+def test_a_memory_limit_on_the_search_gives_a_layout_or_a_code(tmp_path, limit, capsys):
+    asset = character(tmp_path / "char.usda")
+    code = main(["process", str(asset), "--memory-limit", str(limit), "--json"])
+    document = json.loads(capsys.readouterr().out)
+    assert code in (0, 4)
+    assert document["exit"] == code
+    assert (tmp_path / "char.rigui.usda").exists() == (code == 0)
+
+
+def test_a_memory_limit_on_reading(tmp_path, capsys):
+    asset = head(tmp_path / "char.usda")
+    asset.write_text(asset.read_text() + 'def Scope "S" {\n    int[] many = [' + "0, " * 3_000_000 + "0]\n}\n")
+    assert main(["process", str(asset), "--set", "read.memory_limit=24", "--json"]) == 4
+    assert json.loads(capsys.readouterr().out)["issues"][0]["code"] == "SOURCE_MEMORY_LIMIT"
+    assert [each.name for each in tmp_path.iterdir()] == ["char.usda"]
