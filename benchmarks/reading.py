@@ -149,6 +149,15 @@ def peak_memory(path: Path) -> float:
     return float(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
 
+def _own_peak() -> float:
+    """MiB that this process has taken at most."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        # The rusage of a child starts at what its parent held.
+        return int(status.read_text().split("VmHWM:")[1].split()[0]) / 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("assets", nargs="+", type=Path)
@@ -157,7 +166,7 @@ def main() -> None:
     arguments = parser.parse_args()
     if arguments.child:
         ours(arguments.assets[0])
-        print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+        print(_own_peak())
         return
     heads = ("arrays", "points", "reading", "ours", "reading/arrays", "ours/arrays", "ours/points", "peak MiB")
     print(f"{'asset':<26}" + "".join(f"{head:>{max(9, len(head) + 2)}}" for head in heads))
