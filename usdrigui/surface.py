@@ -68,7 +68,7 @@ def vertex_normals(points: Floats, corners: Indices, places: Indices | None = No
         corners = places[corners]
     normals = _summed(corners, np.repeat(doubled[:, None, :], 3, axis=1), len(points))
     length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0)
+    normals = np.divide(normals, length, out=np.zeros(normals.shape), where=length > 0.0)
     return np.asarray(normals if places is None else normals[places], dtype=np.float64)
 
 
