@@ -199,7 +199,7 @@ def block_pool(labels: Labels, blocks: Blocks) -> Pool:
     start = np.searchsorted(blocks.variable, np.arange(pool.count + 1))
     most = max((len(each.samples) for each in pool.bodies), default=1)
     bodies = tuple(_bounding(each, blocks, len(pool.cost), most) for each in pool.bodies)
-    return Pool(pool.count, blocks.variable, start, cost, tuple(each for each in bodies if len(each.owner)))
+    return Pool(pool.count, blocks.variable, start, cost, bodies)
 
 
 def _places(body: Bodies, labels: int) -> Indices:
@@ -216,7 +216,7 @@ def _bounding(body: Bodies, blocks: Blocks, labels: int, most: int) -> Bodies:
     group = np.repeat(np.arange(len(blocks.variable)), blocks.sizes)[with_body]
     place = place[with_body]
     if not len(place):
-        return _single(np.empty(0, dtype=np.int64), np.empty((0, len(body.samples), 3)), np.empty((0, 3)))
+        return _single(group, np.empty((0, len(body.samples), 3)), np.empty((0, 3)))
     first = np.flatnonzero(np.diff(group, prepend=-1))
     owner, sizes = group[first], np.diff(np.append(first, len(group)))
     samples = body.samples[:, :, place]

@@ -29,8 +29,10 @@ def solve_whole(problem: LayoutProblem, watch: Watch) -> Assignment:
         watch.found("local search", cost=0.0, bound=0.0)
         return assignment(problem, labels, labels.label, watch, "highs")
     forbidden = forbidden_price(problem, labels)
+    watch.ceiling = float(labels.best.sum()) + forbidden
     incumbent = Incumbent(problem, labels, forbidden, watch)
     incumbent.construct()
+    watch.found("linear costs", bound=float(labels.best.sum()))
     incumbent.search(TRIES * len(problem.variables))
     watch.note("local search", cost=incumbent.cost, labels=len(labels.label), work=watch.work)
     residual = reduce(problem, labels, forbidden, watch, incumbent.improve_from)

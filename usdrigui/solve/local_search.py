@@ -206,7 +206,7 @@ class Incumbent:
         """Large-neighbourhood search: take a few rivals out, put them back in another order, descend."""
         self.state.set(self.chosen)
         for attempt in range(tries):
-            if attempt % 8 == 0 and self._watch.stopped():
+            if attempt % 8 == 0 and (self._watch.stopped() or self._watch.closed()):
                 return
             group = _group(self.state, self._generator)
             for variable in group:

@@ -44,6 +44,8 @@ class Watch:
         self.work = 0
         self.cost = np.inf
         self.bound = -np.inf
+        self.ceiling = np.inf
+        """More than any allowed layout can cost; set by the solver."""
         self.steps: list[Step] = []
         self._tell = progress
         self._asked = stop
@@ -77,7 +79,9 @@ class Watch:
         return self._stopped
 
     def closed(self) -> bool:
-        """Whether the gap is within the setting."""
+        """Whether the gap is within the setting, or it is proved that no layout is allowed."""
+        if not np.isfinite(self.cost):
+            return self.bound >= self.ceiling
         return self.cost - self.bound <= self.settings.gap * abs(self.cost)
 
     @property
@@ -87,7 +91,9 @@ class Watch:
         A little below the best cost: discarding them leaves ``min(cut, bound of the rest)`` as the bound of
         the whole, which is within the gap that the settings ask for.
         """
-        return self.cost - 0.9 * self.settings.gap * abs(self.cost) if np.isfinite(self.cost) else np.inf
+        if not np.isfinite(self.cost):
+            return self.ceiling
+        return self.cost - 0.9 * self.settings.gap * abs(self.cost)
 
     def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
         """Tell of a layout or a bound; the best of each is kept."""

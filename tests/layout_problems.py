@@ -1,0 +1,86 @@
+"""Random layout problems, small enough to be enumerated, for the tests of the solvers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
+
+
+def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> LayoutProblem:
+    """Elements thrown into a box a few handle widths wide: copies, ties, infinite reach, explicit costs, forced faces."""
+    generator = np.random.default_rng(seed)
+    size = generator.uniform(0.5, 4.0)
+    count = int(generator.integers(1, variables + 1))
+    elements = tuple(_element(generator, at, size, candidates) for at in range(count))
+    overlap = Overlap(5.0, 1.0, 4.0, float(generator.choice([3.0, np.inf])), 0.15)
+    separation = float(generator.choice([1e-6, 0.5, 1.0]))
+    return LayoutProblem(elements, overlap, separation, 0.85, _explicit(generator, elements))
+
+
+def _element(generator: np.random.Generator, at: int, size: float, candidates: int) -> Variable:
+    count, copies = int(generator.integers(1, candidates + 1)), int(generator.integers(1, 3))
+    handles = generator.uniform(0, size, (count, copies, 3))
+    if generator.random() < 0.3:
+        handles = np.round(handles)
+    along = np.linspace(0, 1, int(generator.choice([2, 3, 5])))
+    samples = handles[:, :, None] + along[:, None] * generator.normal(0, 0.5, (count, copies, 1, 3))
+    beside = float(generator.choice([np.inf, -0.2, 0.3]))
+    cost = generator.uniform(-1, 0, count)
+    return Variable(f"v{at}", np.arange(count), cost, samples, handles, beside)
+
+
+def _explicit(generator: np.random.Generator, elements: tuple[Variable, ...]) -> tuple[ExtraPairs, ...]:
+    found = []
+    for a, one in enumerate(elements):
+        for b in range(a + 1, len(elements)):
+            if generator.random() < 0.3:
+                pairs = len(one.cost) * len(elements[b].cost)
+                chosen = generator.choice(pairs, int(generator.integers(1, pairs + 1)), replace=False)
+                first, second = np.divmod(chosen, len(elements[b].cost))
+                found.append(ExtraPairs(a, b, first, second, generator.uniform(0, 1, len(chosen))))
+    return tuple(found)
+
+
+def crowd(seed: int, variables: int = 6, candidates: int = 40) -> LayoutProblem:
+    """Elements that all want the same spot of a flat patch: the pairwise bound is not enough."""
+    generator = np.random.default_rng(seed)
+    elements = []
+    for at in range(variables):
+        handles = np.zeros((candidates, 1, 3))
+        handles[:, 0, :2] = generator.uniform(-2.5, 2.5, (candidates, 2))
+        samples = handles[:, :, None] + np.linspace(0, 1, 5)[:, None] * generator.normal(0, 0.3, 3)
+        cost = -np.exp(-np.square(handles[:, 0]).sum(axis=-1) / 8) * generator.uniform(0.8, 1.2)
+        elements.append(Variable(f"v{at}", np.arange(candidates), cost, samples, handles, 0.3))
+    return LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85)
+
+
+def renumbered(problem: LayoutProblem, seed: int) -> LayoutProblem:
+    """The same problem with its variables and their candidates in another order."""
+    generator = np.random.default_rng(seed)
+    order = generator.permutation(len(problem.variables))
+    labels = [generator.permutation(len(each.cost)) for each in problem.variables]
+    variables = tuple(
+        replace(
+            problem.variables[at],
+            points=problem.variables[at].points[labels[at]],
+            cost=problem.variables[at].cost[labels[at]],
+            samples=problem.variables[at].samples[labels[at]],
+            handles=problem.variables[at].handles[labels[at]],
+        )
+        for at in order
+    )
+    place, new = np.argsort(order), [np.argsort(each) for each in labels]
+    extra = []
+    for each in problem.extra:
+        ends = sorted(
+            [
+                (int(place[each.first]), new[each.first][each.first_labels]),
+                (int(place[each.second]), new[each.second][each.second_labels]),
+            ],
+            key=lambda end: end[0],
+        )
+        extra.append(ExtraPairs(ends[0][0], ends[1][0], ends[0][1], ends[1][1], each.costs))
+    return replace(problem, variables=variables, extra=tuple(extra))

@@ -1,0 +1,182 @@
+"""The whole method against enumeration, its bound, its stopping, and that its checks can fail."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from layout_problems import crowd, random_problem
+
+from usdrigui.errors import RigUIError
+from usdrigui.model import Assignment, LayoutProblem
+from usdrigui.overlap import total_cost
+from usdrigui.settings import SolveSettings
+from usdrigui.solve import Progress, bounds, groups, reduce, search, solve
+
+ENUMERATE = SolveSettings(method="enumerate")
+HIGHS = SolveSettings()
+
+
+def faults(problem: LayoutProblem, found: Assignment, best: Assignment) -> list[str]:
+    """What is wrong with a solution, given the enumerated one."""
+    wrong = []
+    if abs(found.cost - total_cost(problem, found.labels)) > 1e-12:
+        wrong.append("cost is not the objective's")
+    if found.bound > best.cost + 1e-9:
+        wrong.append("bound above the optimum")
+    if found.cost < best.cost - 1e-9:
+        wrong.append("cost below the optimum")
+    if found.status == "optimal" and found.cost > best.cost + 1e-4 * abs(best.cost) + 1e-9:
+        wrong.append("called optimal, and is not")
+    if found.status != "optimal":
+        wrong.append("not solved")
+    return wrong
+
+
+def solved(problem: LayoutProblem, settings: SolveSettings) -> Assignment | None:
+    try:
+        return solve(problem, settings)
+    except RigUIError as error:
+        assert error.issue.code == "SOLVE_INFEASIBLE"
+        return None
+
+
+def verdicts(seeds: range) -> list[str]:
+    """Faults over many problems; both methods must agree on which are infeasible."""
+    found = []
+    for seed in seeds:
+        problem = random_problem(seed)
+        best, mine = solved(problem, ENUMERATE), solved(problem, HIGHS)
+        if (best is None) != (mine is None):
+            found.append(f"{seed}: feasible to one only")
+        elif best is not None and mine is not None:
+            found += [f"{seed}: {each}" for each in faults(problem, mine, best)]
+    return found
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_agrees_with_enumeration_on_random_problems(part: int) -> None:
+    assert verdicts(range(100 * part, 100 * part + 100)) == []
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_proves_crowds_optimal(seed: int) -> None:
+    problem = crowd(seed, variables=4, candidates=30)
+    best = solve(problem, ENUMERATE)
+    assert faults(problem, solve(problem, HIGHS), best) == []
+
+
+def test_crowd_needs_more_than_the_pairwise_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = crowd(1)
+    assert solve(problem, HIGHS).status == "optimal"
+    monkeypatch.setattr(reduce, "NODES", 0)
+    monkeypatch.setattr(reduce, "MEMBERS", 0)
+    monkeypatch.setattr(reduce, "_grouped", lambda residual, watch, nodes: residual)
+    limited = solve(problem, replace(HIGHS, work_limit=150_000))
+    assert limited.status == "stopped"
+    assert limited.bound < limited.cost
+
+
+def test_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = bounds.Dual.parts
+
+    def raised(self: bounds.Dual, member: object = None) -> tuple[float, list[np.ndarray]]:
+        bound, excess = honest(self, member)  # type: ignore[arg-type]
+        return bound + 2e-3, excess
+
+    monkeypatch.setattr(bounds.Dual, "parts", raised)
+    assert any("bound above" in each or "called optimal" in each for each in verdicts(range(150)))
+
+
+def test_group_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = groups._solve
+
+    def raised(*arguments: object) -> tuple[search.Found, int]:
+        found, used = honest(*arguments)  # type: ignore[arg-type]
+        return replace(found, bound=found.bound + 2e-3), used
+
+    monkeypatch.setattr(groups, "_solve", raised)
+    wrong = []
+    for seed in range(30):
+        problem = crowd(seed, variables=4, candidates=20)
+        wrong += faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE))
+    assert any("bound above" in each or "called optimal" in each for each in wrong)
+
+
+def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = reduce.keep
+
+    def off(blocks: object, alive: np.ndarray) -> object:
+        wrong = alive.copy()
+        wrong[:-1] &= alive[1:] | (blocks.variable[1:] != blocks.variable[:-1])  # type: ignore[attr-defined]
+        return honest(blocks, wrong)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(reduce, "keep", off)
+    try:
+        wrong = verdicts(range(150))
+    except (ValueError, IndexError):
+        wrong = ["a variable lost all its entries"]
+    assert wrong
+
+
+def test_infeasible_names_the_variables() -> None:
+    problem = crowd(3, variables=3, candidates=1)
+    forced = tuple(
+        replace(each, beside=np.inf, handles=each.handles * 0, samples=each.samples * 0) for each in problem.variables
+    )
+    with pytest.raises(RigUIError, match=r"SOLVE_INFEASIBLE.*v0, v1, v2"):
+        solve(replace(problem, variables=forced), HIGHS)
+
+
+def test_no_candidate_and_no_place_beside_is_refused() -> None:
+    problem = crowd(3, variables=2, candidates=3)
+    empty = replace(
+        problem.variables[0],
+        points=np.empty(0, dtype=np.int64),
+        cost=np.empty(0),
+        samples=np.empty((0, 1, 5, 3)),
+        handles=np.empty((0, 1, 3)),
+        beside=np.inf,
+    )
+    with pytest.raises(RigUIError, match="v0"):
+        solve(replace(problem, variables=(empty, problem.variables[1])), HIGHS)
+
+
+def test_no_variables() -> None:
+    found = solve(replace(crowd(0), variables=()), HIGHS)
+    assert (found.cost, found.status, len(found.labels)) == (0.0, "optimal", 0)
+
+
+def test_stopping_at_once_returns_an_honest_layout() -> None:
+    problem = crowd(5, variables=12, candidates=60)
+    told: list[Progress] = []
+    found = solve(problem, HIGHS, told.append, stop=lambda: bool(told))
+    assert found.status == "stopped"
+    assert np.isfinite(found.cost)
+    assert found.bound <= solve(problem, HIGHS).cost
+
+
+def test_progress_only_gets_better() -> None:
+    told: list[Progress] = []
+    found = solve(crowd(2), HIGHS, told.append)
+    costs, lower = [each.cost for each in told], [each.bound for each in told]
+    assert costs == sorted(costs, reverse=True)
+    assert lower == sorted(lower)
+    assert told[-1].cost == pytest.approx(found.cost)
+    assert {each.step for each in told} >= {"local search", "blocks"}
+
+
+def test_work_limit_is_reproducible() -> None:
+    problem, settings = crowd(7, variables=10, candidates=60), SolveSettings(work_limit=40_000)
+    first, second = solve(problem, settings), solve(problem, replace(settings, threads=2))
+    assert (first.labels == second.labels).all()
+    assert (first.cost, first.bound) == (second.cost, second.bound)
+    assert [each.figures for each in first.steps] == [each.figures for each in second.steps]
+
+
+def test_importing_the_package_loads_no_solver() -> None:
+    code = "import sys, usdrigui.solve; sys.exit(any(m in sys.modules for m in ('highspy', 'scipy', 'pytoulbar2')))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
