@@ -24,8 +24,8 @@ OFFSET = 1e-4
 """How far rays start from the surface, as a share of the soup's diagonal: above the rounding of single
 precision by three orders, below the thickness of an eyelid."""
 
-_PAIRS = 2_000_000
-"""Ray and triangle pairs that `GridCaster` tests at a time: bounds its memory to about 300 MB."""
+_PAIRS = 200_000
+"""Ray and triangle pairs that `GridCaster` tests at a time: more bring nothing and leave the cache."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,8 +127,8 @@ class GridCaster(Record):
         flat = _facing(self.triangles @ frame.T)
         grid = _binned(flat, origins @ frame.T)
         for ray, member in _pairs(grid):
-            apart = _distances(flat.corners[member], flat.twice_area[member], grid.rays[ray])
-            _keep_nearest(triangle, distance, ray, flat.index[member], apart)
+            met, apart = _meetings(flat.planes[member], grid.rays[ray])
+            _keep_nearest(triangle, distance, ray[met], flat.index[member[met]], apart)
         return Hits(triangle, distance)
 
 
@@ -137,7 +137,8 @@ class _Flat:
     """The triangles in the rays' frame: x and y across, z along; edge-on ones left out."""
 
     corners: Floats
-    twice_area: Floats
+    planes: Floats
+    """(t, 3, 3) coefficients of x, y and 1 that give the second and third barycentric weight, and z."""
     index: Indices
 
 
@@ -156,18 +157,29 @@ def _facing(corners: Floats) -> _Flat:
     twice_area = edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]
     longest = np.square(edges).sum(axis=2).max(axis=1)
     index = np.flatnonzero(np.abs(twice_area) > 1e-12 * longest)
-    return _Flat(corners[index], twice_area[index], index)
+    corners, edges, twice_area = corners[index], edges[index], twice_area[index, None]
+    second = np.stack([edges[:, 1, 1], -edges[:, 1, 0]], axis=1) / twice_area
+    third = np.stack([-edges[:, 0, 1], edges[:, 0, 0]], axis=1) / twice_area
+    heights = corners[:, :, 2] - corners[:, :1, 2]
+    slope = heights[:, 1:2] * second + heights[:, 2:] * third
+    planes = np.empty((len(index), 3, 3))
+    for row, across in enumerate((second, third, slope)):
+        planes[:, row, :2] = across
+        planes[:, row, 2] = -(across * corners[:, 0, :2]).sum(axis=1)
+    planes[:, 2, 2] += corners[:, 0, 2]
+    return _Flat(corners, planes, index)
 
 
 def _binned(flat: _Flat, rays: Floats) -> _Grid:
-    """Bin the triangles that can meet a ray in about as many cells as there are triangles."""
+    """Bin the triangles that can meet a ray: one to four cells for each, as there are rays to make use of them."""
     low, high = rays[:, :2].min(axis=0), rays[:, :2].max(axis=0)
     least, most = flat.corners[:, :, :2].min(axis=1), flat.corners[:, :, :2].max(axis=1)
     near = np.flatnonzero(
         ((most >= low) & (least <= high)).all(axis=1) & (flat.corners[:, :, 2].max(axis=1) > rays[:, 2].min())
     )
     span = np.maximum(high - low, 1e-9 * max(float((high - low).max()), 1e-30))
-    pitch = max(float(np.sqrt(span.prod() / max(len(near), 1))), float(span.max()) / 2048.0)
+    wanted = max(len(near), min(4 * len(near), len(rays)), 1)
+    pitch = max(float(np.sqrt(span.prod() / wanted)), float(span.max()) / 2048.0)
     shape = np.floor(span / pitch).astype(np.int64) + 1
 
     def cells(at: Floats) -> Indices:
@@ -197,21 +209,22 @@ def _pairs(grid: _Grid) -> Iterator[tuple[Indices, Indices]]:
             yield ray, grid.members[grid.starts[grid.cell[ray]] + _ranks(count[rays])]
 
 
-def _distances(corners: Floats, twice_area: Floats, rays: Floats) -> Floats:
-    """Distance along +z at which each ray meets its triangle; inf where it passes by or lies behind."""
-    x, y = (corners[:, :, axis] - rays[:, axis, None] for axis in (0, 1))
-    weights = np.stack([x[:, i] * y[:, j] - x[:, j] * y[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1)
-    weights /= twice_area[:, None]
-    apart = (weights * corners[:, :, 2]).sum(axis=1) - rays[:, 2]
-    met = (weights >= -1e-9).all(axis=1) & (apart > 0.0)
-    return np.where(met, apart, np.inf)
+def _meetings(planes: Floats, rays: Floats) -> tuple[Indices, Floats]:
+    """Which pairs of triangle and ray meet ahead of the ray's start, and at what distance along +z."""
+    x, y = rays[:, 0], rays[:, 1]
+    second = planes[:, 0, 0] * x + planes[:, 0, 1] * y + planes[:, 0, 2]
+    third = planes[:, 1, 0] * x + planes[:, 1, 1] * y + planes[:, 1, 2]
+    within = np.flatnonzero((second >= -1e-9) & (third >= -1e-9) & (second + third <= 1.0 + 1e-9))
+    level = planes[within, 2]
+    apart = level[:, 0] * x[within] + level[:, 1] * y[within] + level[:, 2] - rays[within, 2]
+    ahead = apart > 0.0
+    return within[ahead], apart[ahead]
 
 
 def _keep_nearest(triangle: Indices, distance: Floats, ray: Indices, candidate: Indices, apart: Floats) -> None:
-    """Update `triangle` and `distance` (in place) by the nearest candidate of each ray; every ray comes once."""
-    met = np.flatnonzero(np.isfinite(apart))
-    order = met[np.lexsort((candidate[met], apart[met], ray[met]))]
-    first = order[np.r_[True, np.diff(ray[order]) > 0]] if len(order) else order
+    """Update `triangle` and `distance` (in place) by the nearest candidate of each ray; rays come once, ascending."""
+    order = np.lexsort((candidate, apart, ray))
+    first = order[np.diff(ray[order], prepend=-1) > 0]
     triangle[ray[first]] = candidate[first]
     distance[ray[first]] = apart[first]
 

@@ -51,10 +51,10 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
         right = float(box[2])
         beyond = boxes[(np.abs(rows - y) < 0.5 * pitch) & (boxes[:, 0] > right), 0]
         free = float(min(beyond.min(initial=picture.width), picture.width)) - right - 14.0
-        own = type_ if type_.getlength(element.label) <= free else font(min(8, round(type_.size)))
+        own = type_ if type_.getlength(element.label) <= free else font(min(9, round(type_.size)))
         pen.text((right + 9.0, float(y)), _cut(element.label, own, free), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
-        pen.text((x, y - pitch), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
+        pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
 
 def call_out(picture: Image.Image, shown: Named) -> None:
@@ -122,17 +122,34 @@ def _pitch(boxes: Floats, rows: Floats) -> float:
 
 
 def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[tuple[str, float, float]]:
-    """Text and place of the first element of each family in each column, column after column."""
+    """Text and place of the first element of each family in each column."""
     found: list[tuple[str, float, float]] = []
-    order = np.lexsort((boxes[:, 0], rows))
-    for index in order.tolist():
-        family, x, y = shown[index][0].family, float(boxes[index, 0]), float(rows[index])
-        above = (np.abs(rows - (y - pitch)) < 0.4 * pitch) & (np.abs(boxes[:, 0] - x) < 3.0 * pitch)
-        left: list[int] = np.flatnonzero((np.abs(rows - y) < 0.4 * pitch) & (boxes[:, 0] < x - 1.0)).tolist()
-        paired = any(shown[other][0].name == shown[index][0].mirror for other in left)
-        if family and not above.any() and not paired:
-            found.append((_FAMILIES.get(family, family), x - 4.0, y))
+    for column in _columns(shown, boxes, rows, pitch):
+        family = ""
+        for index in sorted(column, key=lambda each: float(rows[each])):
+            if shown[index][0].family not in ("", family):
+                family = shown[index][0].family
+                left, top = (
+                    float(boxes[column, 0].min()) - 4.0,
+                    min(float(rows[index]) - pitch, float(boxes[index, 1]) - 8.0),
+                )
+                found.append((_FAMILIES.get(family, family), left, top))
     return found
+
+
+def _columns(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[list[int]]:
+    """Indices by column, from left to right; the right one of two twins in a row belongs with the left one."""
+    columns: list[list[int]] = []
+    last = -np.inf
+    for index in np.argsort(boxes[:, 0], kind="stable").tolist():
+        row = np.flatnonzero((np.abs(rows - rows[index]) < 0.4 * pitch) & (boxes[:, 0] < boxes[index, 0] - 1.0))
+        if any(shown[other][0].name == shown[index][0].mirror for other in row.tolist()):
+            continue
+        if boxes[index, 0] > last + 3.0 * pitch:
+            columns.append([])
+            last = float(boxes[index, 0])
+        columns[-1].append(index)
+    return columns
 
 
 def _cut(name: str, type_: ImageFont.FreeTypeFont, free: float) -> str:

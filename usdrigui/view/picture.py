@@ -24,7 +24,7 @@ VIEWS = {"front": 0.0, "left34": 35.0, "right34": -35.0, "left": 90.0, "right": 
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
-_MARGIN = np.array([0.10, 0.20])
+_MARGIN = np.array([0.14, 0.20])
 """Space around the elements on the face, to the sides and up and down, as a share of their extent."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
@@ -130,7 +130,7 @@ def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: b
     low, high = _extent(layout, posed, rows, False)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
-    half[0] = max(half[0], 0.62 * half[1])
+    half[0] = max(half[0], (0.85 if view == "front" else 0.72) * half[1])
     low, high = middle - half, middle + half
     columns = (0.0, 0.0)
     if beside:

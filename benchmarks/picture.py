@@ -1,0 +1,93 @@
+"""Time of the preview picture: ``python benchmarks/picture.py ASSET [--elements 150] [-o OUT.png]``.
+
+Lays elements at random points that move (no optimiser), draws front and three-quarter views and prints
+the seconds of processor time and of the clock, with Embree where it is installed and with numpy alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from pathlib import Path
+
+import numpy as np
+
+from usdrigui.deform import knots, posed, sweep
+from usdrigui.model import Anchor, Element, Layout, Member, Rig
+from usdrigui.rays import GridCaster, make_caster
+from usdrigui.settings import Settings
+from usdrigui.surface import mesh_triangles, vertex_normals
+from usdrigui.usd.rig import read_rigs
+from usdrigui.view import shading
+from usdrigui.view.picture import render
+
+
+def scattered(rig: Rig, count: int) -> Layout:
+    """``count`` sliders, control after control, each at a random point that its control moves."""
+    rng = np.random.default_rng(0)
+    values = np.array([control.default for control in rig.controls])
+    base = posed(rig, values)
+    normals = vertex_normals(base.points, mesh_triangles(rig.meshes))
+    elements: list[Element] = []
+    for number in range(20 * count):
+        j = number % len(rig.controls)
+        at = knots(rig, j)
+        points, offsets = sweep(rig, base, j, at)
+        length = np.linalg.norm(offsets[-1] - offsets[0], axis=1) if len(points) else np.zeros(0)
+        moving = np.flatnonzero(length > 0.5 * length.max(initial=0.0))
+        if len(moving) and len(elements) < count:
+            row = int(rng.choice(moving))
+            elements.append(_slider(rig, number, j, at, base.points, normals, int(points[row]), offsets[:, row]))
+    anchors = np.array([element.anchor.position for element in elements])
+    # Facing +Z with Y up, or -Y with Z up: the left is +X.
+    front = np.cross(np.array([1.0, 0.0, 0.0]), rig.up)
+    zero = np.zeros(3)
+    width = 0.02 * float(np.ptp(anchors @ rig.up))
+    return Layout(
+        rig.root,
+        tuple(elements),
+        (),
+        width,
+        "object",
+        front,
+        zero,
+        zero,
+        values,
+        "scattered",
+        "stopped",
+        0.0,
+        -np.inf,
+        0.0,
+    )
+
+
+def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
+    mesh, local = rig.mesh_of(point)
+    where = rig.meshes[mesh]
+    anchor = Anchor(where.path, local, len(where.points), where.topology_hash, points[point], normals[point], False)
+    member = Member(rig.controls[j].name, at, points[point] + offsets.astype(np.float64), 1.0, 1.0)
+    side = "left" if points[point][0] > 0 else "right"
+    return Element(f"e{number}", rig.controls[j].label, "slider", (member,), (), anchor, side, "", "", "")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("asset", type=Path)
+    parser.add_argument("--elements", type=int, default=150)
+    parser.add_argument("-o", "--output", type=Path)
+    given = parser.parse_args()
+    (rig, *_) = read_rigs(given.asset, Settings())
+    layout = scattered(rig, given.elements)
+    points = sum(len(mesh.points) for mesh in rig.meshes)
+    print(f"{given.asset.name}: {points} points, {len(layout.elements)} elements, 3 views, 1800 x 1000")
+    for name, caster in (("as installed", make_caster), ("numpy alone", GridCaster)):
+        shading.make_caster = caster
+        began, clock = time.process_time(), time.perf_counter()
+        image = render(rig, layout)
+        print(f"{name:13} {time.process_time() - began:5.2f} s processor, {time.perf_counter() - clock:5.2f} s clock")
+        if given.output is not None and caster is make_caster:
+            image.save(given.output)
+
+
+if __name__ == "__main__":
+    main()
