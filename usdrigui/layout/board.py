@@ -25,8 +25,8 @@ _TRACK = 4.0
 """Length of a slider, in handle widths."""
 _ROW = 2.4
 """Height of a row; at least what keeps two handles apart."""
-_CELL = 12.0
-"""Width of a slider with its label."""
+_LETTER = 0.72
+"""Width of a letter of a label."""
 _MARGIN = 3.0
 """Least distance from the silhouette."""
 _TALL = 1.1
@@ -55,14 +55,37 @@ def beside_elements(context: Context, board: list[Board]) -> list[Element]:
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = _silhouette(context, middle, frame, 0.5 * height) + _MARGIN * width
     elements = []
-    for number, column in enumerate(columns):
+    for column in columns:
+        cells = _cell_widths(context, [row for _, row in column])
         for line, row in column:
             for cell, entry in enumerate(row):
-                across = left + ((2 * number + cell) * _CELL + _TRACK * _start(context, entry)) * width
+                across = left + (sum(cells[:cell]) + _TRACK * _start(context, entry)) * width
                 down = 0.5 * height - (line + 0.5) * _ROW * width
                 place = middle + frame[0] * (across - middle @ frame[0]) + frame[1] * down
                 elements.append(_element(context, entry, row, place, frame, carrier))
+        left += sum(cells) * width
     return elements
+
+
+def _cell_widths(context: Context, rows: list[tuple[Board, ...]]) -> list[float]:
+    """Widths of the cells of a column, in handle widths: sliders with the longest label below each other.
+
+    A lone element's label may run on over the cells to its right.
+    """
+    count = max(len(row) for row in rows)
+    widths = [_TRACK + 2.0] * count
+    for cell in range(count):
+        for row in rows:
+            if len(row) > cell + 1 or (len(row) == count and cell == count - 1):
+                widths[cell] = max(widths[cell], _width(context, row[cell]))
+    lone = max((_width(context, row[0]) for row in rows if len(row) == 1), default=0.0)
+    widths[-1] += max(0.0, lone - sum(widths))
+    return widths
+
+
+def _width(context: Context, entry: Board) -> float:
+    label = common_label([context.rig.controls[control].label for control in entry.controls])
+    return _TRACK + 2.0 + _LETTER * len(label)
 
 
 def _rows(context: Context, board: list[Board]) -> list[tuple[Board, ...]]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.optimize import nnls
+from scipy.sparse import csr_array
 
 from usdrigui.layout.fields import Fields
 from usdrigui.layout.reach import reaches
@@ -110,17 +111,13 @@ class _Shares:
 
 def _contained(fields: Fields, reach: Flags) -> Flags:
     """(motions, motions) whether the first does notably the same as the second where that one acts."""
-    count = len(reach)
-    flags = np.zeros((count, count), dtype=bool)
-    for other in range(count):
-        where = reach[other]
-        vectors = fields.vectors[:, where].astype(np.float64)
-        weighted = vectors[other] * fields.weights[where, None]
-        along = np.einsum("cmi,mi->c", vectors, weighted)
-        own = float(along[other])
-        local = np.sqrt(np.einsum("cmi,cmi,m->c", vectors, vectors, fields.weights[where]) * max(own, 0.0))
-        flags[:, other] = (along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0)
-    return flags
+    acting = fields.vectors * reach[:, :, None]
+    along = fields.products(acting).T
+    own = np.diagonal(along)
+    squared = np.einsum("cmi,cmi->cm", fields.vectors, fields.vectors) * fields.weights.astype(np.float32)
+    inside = np.asarray((csr_array(squared) @ csr_array(reach.astype(np.float32)).T).toarray(), dtype=np.float64)
+    local = np.sqrt(np.maximum(inside * own, 0.0))
+    return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0))
 
 
 def _distant(context: Context) -> Flags:
