@@ -1,0 +1,86 @@
+"""The main job on real rigs: every control accounted for, handles apart, and on the skin when baked."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import laid_out
+import numpy as np
+import pytest
+from pxr import Sdf
+
+from usdrigui.cli import main
+from usdrigui.settings import Settings
+from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.rig import read_rigs
+
+ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
+RIGS = sorted(path for path in ASSETS.glob("*") if path.suffix in (".usda", ".usdc"))
+LIMIT = 3_000_000
+"""Work after which the crowded rigs may stop: what is tested here does not need the last per cent."""
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(not RIGS, reason=f"no rigs in {ASSETS}"),
+]
+
+
+@pytest.fixture(scope="module", params=RIGS, ids=lambda path: path.stem)
+def run(request, tmp_path_factory):
+    """(source, written layer, report document) of one rig."""
+    folder = tmp_path_factory.mktemp(request.param.stem)
+    layer, report = folder / "out.rigui.usda", folder / "out.json"
+    options = ["--quiet", "-o", str(layer), "--report", str(report), "--set", f"solve.work_limit={LIMIT}"]
+    assert main(["process", str(request.param), *options]) == 0
+    return request.param, layer, json.loads(report.read_text())
+
+
+def test_every_control_of_the_source_is_accounted_for(run):
+    source, _, document = run
+    for rig, character in zip(read_rigs(source, Settings()), document["characters"], strict=True):
+        expected = {control.name for control in rig.controls} | {left.control for left in rig.left_off}
+        assert {row["control"] for row in character["controls"]} == expected
+        laid = [name for element in character["elements"] for name in element["controls"]]
+        assert len(laid) == len(set(laid)), "a control is in one element only"
+        placed = {row["control"] for row in character["controls"] if row["place"] != "left off"}
+        assert set(laid) == placed
+        assert all(row["reason"] for row in character["controls"] if row["place"] != "face")
+
+
+def test_the_bound_holds_and_handles_are_apart(run):
+    _, _, document = run
+    for character in document["characters"]:
+        solution = character["solution"]
+        assert solution["bound"] <= solution["cost"] + 1e-9
+        spots = np.array([element["position"] for element in character["elements"] if not element["beside"]])
+        apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.eye(len(spots)) * 1e30
+        assert apart.min() >= character["handle_width"] * (1.0 - 1e-6)
+
+
+def test_most_of_the_displacement_is_kept(run):
+    _, _, document = run
+    for character in document["characters"]:
+        assert character["displacement_kept"] >= 0.8
+
+
+def test_baked_handles_are_centred_on_their_anchors(run):
+    source, layer_path, _ = run
+    layer = Sdf.Layer.FindOrOpen(str(layer_path))
+    rigs = {rig.root: rig for rig in read_rigs(source, Settings())}
+    for layout in read_layout(layer_path):
+        rig, rng = rigs[layout.root], np.random.default_rng(21)
+        stage = laid_out.baked(layer, rig, [laid_out.random_values(rig, rng)])
+        points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.root, 0) for mesh in rig.meshes}
+        diagonal = np.linalg.norm(np.ptp(np.concatenate(list(points.values())), axis=0))
+        scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+        misses = [
+            np.linalg.norm(
+                laid_out.root_points(stage, f"{prim.GetPath()}/handle", rig.root, 0).mean(axis=0)
+                - points[element.anchor.mesh][element.anchor.point]
+            )
+            for element, prim in zip(layout.elements, scope.GetChildren(), strict=True)
+            if not element.anchor.beside
+        ]
+        assert misses
+        assert max(misses) < 1e-5 * diagonal
