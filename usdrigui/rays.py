@@ -4,8 +4,8 @@ Views are orthographic: a *direction* ``toward`` points from the face to the vie
 call share it.  Two ways to cast stand behind one `Caster`: Embree, where the optional package `embreex`
 is installed, and `GridCaster` in numpy alone.  Both are exact up to rounding and deterministic.  The
 fall-back computes in double precision where Embree computes in single, so they may differ for rays that
-graze an edge or start within rounding of a surface; and it prepares one grid per call, which makes it
-some five to twenty times slower.  numpy only, apart from the optional import.
+graze an edge or start within rounding of a surface; and it prepares one grid per call and tests pairs in
+numpy, which makes it some twenty times slower.  numpy only, apart from the optional import.
 """
 
 from __future__ import annotations

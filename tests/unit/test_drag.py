@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from usdrigui.pose.drag import LEAST, drag, pairs
+from usdrigui.pose.drag import LEAST, drag, held_at, pairs
 
 ZERO_ONE = np.array([0.0, 1.0])
 EAST, NORTH, WEST, SOUTH = (
@@ -129,6 +129,18 @@ def test_a_track_seen_from_its_end_can_still_be_dragged():
     assert one(backwards, ZERO_ONE, 0.0, (52.0 - LEAST / 4, 70.0)) == pytest.approx(0.25)
 
 
+def test_what_is_held_is_where_dragging_nowhere_changes_nothing():
+    for tracks, current in (
+        ([EAST], [0.3]),
+        ([EAST, NORTH], [0.2, 0.7]),
+        ([WEST, EAST, SOUTH, NORTH], [0, 0.4, 0.1, 0]),
+    ):
+        values, base = [ZERO_ONE] * len(tracks), np.zeros(len(tracks))
+        held = held_at(tracks, values, base, current)
+        assert drag(tracks, values, base, current, held) == pytest.approx(current, abs=1e-4)
+    assert held_at([EAST], [ZERO_ONE], [0.0], [0.3]) == pytest.approx([130.0, 100.0])
+
+
 def test_refuses_records_that_do_not_fit_together():
     with pytest.raises(ValueError, match="track"):
         drag([], [], [], [], (0, 0))
@@ -140,3 +152,5 @@ def test_refuses_records_that_do_not_fit_together():
         drag([EAST], [ZERO_ONE], [0, 0], [0, 0], (0, 0))
     with pytest.raises(ValueError, match="finite"):
         drag([EAST], [ZERO_ONE], [0], [0], (np.nan, 0))
+    with pytest.raises(ValueError, match="one value per member"):
+        held_at([EAST], [ZERO_ONE], [0, 1], [0])

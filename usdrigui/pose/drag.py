@@ -46,8 +46,8 @@ def drag(
 
     ``tracks[i]`` (k_i, 2) are pixels, x to the right and y down, at the control values ``values[i]``
     (k_i,), ascending; ``base`` (m,) are the members' values in the base pose, ``current`` (m,) those of
-    the moment, ``pointer`` (2,) is where the handle's centre should be (the pointer plus the offset at
-    which it took hold).  The result lies within each track's values.  Raises ValueError for records that
+    the moment, ``pointer`` (2,) is where `held_at` should be: the pointer, plus what `held_at` was away
+    from it when it took hold.  The result lies within each track's values.  Raises ValueError for records that
     do not fit together or are not finite.
     """
     lines_, at = _checked(tracks, values)
@@ -60,6 +60,20 @@ def drag(
     if len(lines_) == 1:
         return np.array([slide(lines_[0], at[0], float(now[0]), goal)])
     return _several(lines_, at, rest, now, goal)
+
+
+def held_at(tracks: Sequence[ArrayLike], values: Sequence[ArrayLike], base: ArrayLike, current: ArrayLike) -> Floats:
+    """(2,) the place on the drawn tracks, in pixels, that stands for the ``current`` values (m,).
+
+    It is the handle's centre where the tracks are drawn in true size, and goes further where they are
+    enlarged (`Member.gain`).
+    """
+    lines_, at = _checked(tracks, values)
+    rest, now = np.array(base, dtype=np.float64), np.array(current, dtype=np.float64)
+    if rest.shape != (len(lines_),) or now.shape != rest.shape:
+        raise ValueError("base and current need one value per member")
+    lines_ = [_lengthened(line, mine, float(own)) for line, mine, own in zip(lines_, at, rest, strict=True)]
+    return _handle(lines_, at, rest, now)
 
 
 def slide(track: Floats, values: Floats, current: float, pointer: Floats) -> float:

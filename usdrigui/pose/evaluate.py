@@ -1,9 +1,11 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
-its handle follows the skin under all controls, so that with a gain of 1 it lies on the deformed anchor.
-Beside the face, or where `Element.adapt` is ``static``, an element follows the joints alone.  These are
-the rules of the written layer, where tracks and handles are gprims that UsdSkel deforms.  numpy only.
+its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or where
+`Element.adapt` is ``static``, an element follows the anchor's joints alone and its handle slides along the
+tracks.  These are the rules of the written layer, where tracks and handles are gprims that UsdSkel
+deforms; better than a gprim can, tracks here also follow other controls of the joints that their own
+control turns.  numpy only.
 """
 
 from __future__ import annotations
@@ -128,13 +130,12 @@ def _element(poser: Poser, element: Element, index: int, others: Posed, whole: P
     anchor, carry = _carried(poser, element, row, others)
     base = poser.base.points[row]
     tracks = tuple(anchor + (member.track - base) @ carry for member in element.members)
-    rests, moves = [], np.zeros(3)
+    rests: list[Floats] = []
+    moves = np.zeros(3)
     for member, track, control in zip(element.members, tracks, poser.owned[index], strict=True):
         rests.append(_along(member.values, track, float(poser.layout.base_values[control])))
         moves += _along(member.values, track, float(values[control])) - rests[-1]
-    handle = rests[0] + moves
-    if not _detached(element) and all(member.gain == 1.0 for member in element.members):
-        handle = whole.points[row]
+    handle = rests[0] + moves if _detached(element) else whole.points[row]
     normal = element.anchor.normal @ np.linalg.pinv(carry).T
     return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30))
 
