@@ -39,8 +39,8 @@ def covering(motions: Sequence[Motion], areas: Floats) -> Floats:
     face = np.zeros(len(areas), dtype=bool)
     usual = _MANY_TIMES * float(np.median(size)) if len(size) else 0.0
     for index in np.argsort(size, kind="stable"):
-        known = float(areas[face].sum())
-        if size[index] > usual and known > 0.0:
-            share[index] = float(areas[face & flags[index]].sum()) / known
+        if size[index] > usual and face.any():
+            known = float(areas[face].sum())
+            share[index] = float(areas[face & flags[index]].sum()) / known if known > 0.0 else 0.0
         face |= flags[index]
     return share

@@ -61,15 +61,21 @@ def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tup
 
 
 def _motion(rig: Rig, start: Posed, index: int, value: float, settings: TrajectorySettings) -> Motion:
-    values = np.union1d(knots(rig, index), [value])
+    values = knots(rig, index)
+    if value not in values:
+        values = np.union1d(values, [value])
     points, offsets = sweep(rig, start, index, values)
     if len(rig.controls[index].drive.joints):
         values, offsets = _refined(rig, start, index, values, offsets, settings)
     # Offsets count from where the point is at the base pose, not at the default.
-    offsets = offsets - offsets[np.searchsorted(values, value)]
+    start_offsets = offsets[np.searchsorted(values, value)]
+    if start_offsets.any():
+        offsets = offsets - start_offsets
     arc = _arc_lengths(offsets)
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
-    return Motion(index, values, points[moving], offsets[:, moving], arc[moving])
+    if not moving.all():
+        points, offsets, arc = points[moving], offsets[:, moving], arc[moving]
+    return Motion(index, values, points, offsets, arc)
 
 
 def _refined(
@@ -101,7 +107,7 @@ def _split(pending: Flags, where: Indices, wrong: Flags) -> Flags:
 
 def _arc_lengths(offsets: Singles) -> Floats:
     """(p,) lengths of polylines (k, p, 3)."""
-    steps = np.diff(offsets, axis=0)
+    steps = offsets[1:] - offsets[:-1]
     lengths = np.sqrt(np.einsum("kpi,kpi->kp", steps, steps))
     return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
 
