@@ -1,0 +1,157 @@
+"""What a layout must be on real rigs: mirrored, visible, graspable, telling; whatever the search's limit."""
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import chain
+import numpy as np
+import pytest
+
+from usdrigui.layout.elements import layout
+from usdrigui.settings import Settings
+from usdrigui.solve import solve
+from usdrigui.usd.rig import read_rigs
+
+ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
+RIGS = ("godette", "mh_expr34", "mh_poseunits", "ict_face57", "vitruvian")
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(not ASSETS.is_dir(), reason=f"needs the real rigs in {ASSETS}"),
+]
+
+
+@cache
+def line_of(name):
+    settings = Settings()
+    settings = replace(settings, solve=replace(settings.solve, work_limit=100_000, threads=1))
+    (rig,) = read_rigs(ASSETS / f"{name}.usdc", settings)
+    line = chain.posed(rig, settings)
+    assignment = solve(line.problem, settings.solve)
+    made = layout(line.context, line.candidates, line.groups, line.problem, line.choices, assignment)
+    return replace(line, assignment=assignment, layout=made)
+
+
+def on_face(line):
+    return [element for element in line.layout.elements if not element.anchor.beside]
+
+
+def point_of(line, element):
+    starts = line.context.rig.starts
+    paths = [mesh.path for mesh in line.context.rig.meshes]
+    return int(starts[paths.index(element.anchor.mesh)] + element.anchor.point)
+
+
+def homes(line):
+    """Element of every control."""
+    return {member.control: element for element in line.layout.elements for member in element.members}
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_every_control_is_laid_out_or_left_off(name):
+    line = line_of(name)
+    laid = [member.control for element in line.layout.elements for member in element.members]
+    left = [each.control for each in line.layout.left_off]
+    assert sorted(laid + left) == sorted([*(control.name for control in line.context.rig.controls), *left])
+    assert len(set(laid)) == len(laid)
+    names = [element.name for element in line.layout.elements]
+    assert len(set(names)) == len(names)
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_pairs_mirror_where_the_mesh_does(name):
+    line = line_of(name)
+    symmetry, elements = line.context.symmetry, {element.name: element for element in line.layout.elements}
+    pairs = [(e, elements[e.mirror]) for e in on_face(line) if e.mirror]
+    assert len(pairs) >= 2
+    for one, other in pairs:
+        assert not other.anchor.beside
+        assert other.mirror == one.name
+        apart = float((one.anchor.position - symmetry.origin) @ symmetry.normal)
+        image = one.anchor.position - 2.0 * apart * symmetry.normal
+        missed = float(np.linalg.norm(image - other.anchor.position))
+        allowed = 1e-5 * line.context.trajectories.face_size
+        assert missed <= max(allowed, float(symmetry.distance[point_of(line, one)]) * 1.000001)
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_no_anchor_is_invisible_from_front_and_three_quarters(name):
+    line = line_of(name)
+    seen = line.context.views.anywhere
+    assert all(seen[point_of(line, element)] for element in on_face(line))
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_no_two_handles_on_the_face_are_nearer_than_a_handle(name):
+    line = line_of(name)
+    handles = np.array([element.anchor.position for element in on_face(line)])
+    apart = np.linalg.norm(handles[:, None] - handles[None], axis=2) + np.diag(np.full(len(handles), np.inf))
+    assert apart.min() >= line.layout.handle_width
+
+
+@pytest.mark.parametrize(("name", "least"), [(rig, 0.92 if rig == "ict_face57" else 0.85) for rig in RIGS])
+def test_controls_on_the_face_keep_their_displacement(name, least):
+    line = line_of(name)
+    peaks = {line.context.rig.controls[m.control].name: m.arc_length.max() for m in line.context.trajectories.motions}
+    kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
+    assert np.mean(kept) >= least
+    assert len(kept) >= 0.7 * len(peaks)
+
+
+def test_shapes_that_hide_parts_stand_beside_the_face():
+    found = homes(line_of("godette"))
+    beside = {name for name, element in found.items() if element.family == "global"}
+    assert beside == {"HideHairBalls", "HdieEarRings", "HideBlush"}
+
+
+def test_jaw_and_eyes_share_joysticks_and_opposites_share_sliders():
+    ict = homes(line_of("ict_face57"))
+    assert len({ict[name].name for name in ("jawLeft", "jawRight", "jawOpen")}) == 1
+    for side in "LR":
+        assert len({ict[f"eyeLook{way}_{side}"].name for way in ("In", "Out", "Up", "Down")}) == 1
+    assert ict["mouthLeft"] is ict["mouthRight"]
+    assert ict["eyeBlink_L"] is ict["eyeWide_L"]
+    assert ict["browDown_L"] is not ict["browDown_R"]
+    poses = homes(line_of("mh_poseunits"))
+    assert poses["LeftEyeturnLeft"] is poses["LeftEyeUp"]
+    assert poses["ChinLeft"] is poses["JawDrop"]
+
+
+def test_tongue_and_pupils_are_hidden():
+    vitruvian = homes(line_of("vitruvian"))
+    assert {name for name, element in vitruvian.items() if element.family == "hidden"} == {
+        name for name in vitruvian if name.startswith(("Tongue", "Pupil"))
+    }
+
+
+def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
+    vitruvian = homes(line_of("vitruvian"))
+    composite = {name for name, element in vitruvian.items() if element.family == "composite"}
+    assert {"Happy", "Sad", "Scared", "Revulsion", "Disgusted", "er_05", "w_uw_07", "Kiss"} <= composite
+    assert not {"Jaw_Out", "Eyes_Closed_Left", "Frown_Left", "Lips_Dn_In", "Eyebrows_Raised_Left"} & composite
+    for other in ("godette", "mh_expr34", "mh_poseunits", "ict_face57"):
+        assert not any(element.family == "composite" for element in line_of(other).layout.elements), other
+
+
+@pytest.mark.parametrize(
+    ("name", "control", "low", "high"),
+    [
+        ("ict_face57", "eyeBlink_L", 0.7, 0.9),
+        ("ict_face57", "browOuterUp_L", 0.75, 1.0),
+        ("ict_face57", "jawOpen", 0.0, 0.2),
+        ("ict_face57", "mouthSmile_L", 0.2, 0.4),
+        ("mh_poseunits", "JawDrop", 0.0, 0.45),
+        ("mh_poseunits", "LeftUpperLidClosed", 0.6, 0.9),
+        ("vitruvian", "Eyes_Closed_Left", 0.7, 0.9),
+        ("vitruvian", "Jaw_Out", 0.0, 0.35),
+    ],
+)
+def test_blink_on_the_lid_jaw_on_the_chin_brows_on_the_brows(name, control, low, high):
+    """Heights of anchors between the lowest and the highest handle of the face."""
+    line = line_of(name)
+    up = line.context.rig.up
+    heights = [float(element.anchor.position @ up) for element in on_face(line)]
+    own = float(homes(line)[control].anchor.position @ up)
+    share = (own - min(heights)) / (max(heights) - min(heights))
+    assert low <= share <= high
