@@ -16,7 +16,8 @@ import numpy as np
 
 from usdrigui.deform import posed, sweep
 from usdrigui.model import Channel, Control, Drive, Rig, RigMesh, Shape
-from usdrigui.pose.direct import Feel, grab, longest_paths, solve
+from usdrigui.pose.direct import Feel, grab, solve
+from usdrigui.pose.reach import longest_paths
 
 
 def sheet(controls: int, seed: int = 0) -> Rig:

@@ -13,7 +13,8 @@ from scipy.optimize import lsq_linear
 
 from usdrigui.deform import deform
 from usdrigui.errors import RigUIError
-from usdrigui.pose.direct import Feel, grab, longest_paths, ranked, solve, twins_of
+from usdrigui.pose.direct import Feel, grab, ranked, solve, twins_of
+from usdrigui.pose.reach import longest_paths
 from usdrigui.settings import Settings
 from usdrigui.usd.rig import read_rigs
 

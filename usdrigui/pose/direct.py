@@ -32,15 +32,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.deform import deform, knots, posed
+from usdrigui.deform import deform, posed
 from usdrigui.errors import refuse
-from usdrigui.model import Control, Flags, Floats, Indices, Layout, Record, Rig
+from usdrigui.model import Flags, Floats, Indices, Layout, Record, Rig
 from usdrigui.pose.evaluate import checked_values
 from usdrigui.pose.fit import Lines, fit, lines
-from usdrigui.pose.subset import paths_around, subset
+from usdrigui.pose.reach import ends, paths_around, values_along
+from usdrigui.pose.reach import longest_paths as longest_paths
+from usdrigui.pose.subset import subset
 
-_SAMPLES = 9
-"""Values at which paths under joints are sampled."""
 _CORRECTIONS = 2
 
 
@@ -118,7 +118,7 @@ def grab(
     """Take ``points`` (indices into all meshes' points) of a rig at a pose in hand and hold ``pins`` still.
 
     ``locked`` are controls that must not change.  ``twins`` (controls,), from `twins_of`, turns symmetric
-    mode on.  ``peaks`` (controls,), from `longest_paths`, says how far each control moves anything, for
+    mode on.  ``peaks`` (controls,), from `reach.longest_paths`, says how far each control moves anything, for
     the locality of costs; without it all controls cost the same.  Costs some milliseconds once per drag.
     Raises RigUIError POSE_VALUE for a bad pose, POSE_POINT for no point or one that does not exist.
     """
@@ -136,18 +136,8 @@ def grab(
     variable = _variables(usable & (reach > 0.0) & (reach >= feel.locality * length), twins)
     controls = np.flatnonzero(variable >= 0)
     low, high = _bounds(small, start, ranges, controls, variable)
-    share = np.ones(len(reach)) if peaks is None else np.minimum(reach / np.maximum(peaks, 1e-300), 1.0)
-    each = feel.stay * (1.0 + feel.elsewhere * (1.0 - share[controls]) ** 2)
-    # A twin may take part without moving the points in hand.
-    still = np.array([0.0, 1.0]), np.zeros((2, 3 * len(rows)))
-    paths = lines(
-        [found.get(j, still)[0] for j in controls.tolist()],
-        [found.get(j, still)[1] for j in controls.tolist()],
-        start[controls],
-        ranges[controls],
-        variable[controls],
-    )
-    cost: Floats = np.bincount(variable[controls], weights=each, minlength=len(low)).astype(np.float64)
+    paths = _lines_of(found, controls, start, ranges, variable, 3 * len(rows))
+    cost = _costs(feel, reach, peaks, controls, variable)
     return Grip(
         small,
         rows,
@@ -207,21 +197,6 @@ def ranked(grip: Grip) -> Indices:
     return np.asarray(order[grip.reach[order] > 1e-3 * grip.reach.max(initial=0.0)], dtype=np.int64)
 
 
-def longest_paths(rig: Rig, values: ArrayLike | None = None) -> Floats:
-    """(controls,) longest path that each control gives any point, others at ``values``: for `grab`.
-
-    Looks at all points, which takes a fraction of a second on a large rig; once per session is enough.
-    """
-    at = checked_values(rig, [control.default for control in rig.controls] if values is None else values)
-    base = posed(rig, at)
-    found = np.zeros(len(rig.controls))
-    for j in range(len(rig.controls)):
-        _, offsets = paths_around(rig, base, at, j, _values_along(rig, j))
-        if offsets.shape[1]:
-            found[j] = float(np.linalg.norm(np.diff(offsets, axis=0), axis=2).sum(axis=0).max())
-    return found
-
-
 def twins_of(rig: Rig, layout: Layout) -> Indices:
     """(controls,) the twin of each control, as the layout's mirrored elements tell; itself where none."""
     names = {control.name: index for index, control in enumerate(rig.controls)}
@@ -257,7 +232,7 @@ def _paths(rig: Rig, start: Floats, rows: Indices, pulled: int) -> tuple[Floats,
         if not len(control.drive.joints) and touching.isdisjoint(channels):
             continue
         straight = not len(control.drive.joints) and bending.isdisjoint(channels) and len(control.drive.values) == 2
-        at = _ends(control) if straight else _values_along(rig, j)
+        at = ends(control) if straight else values_along(rig, j)
         points, offsets = paths_around(rig, base, start, j, at)
         if len(points):
             full = np.zeros((len(at), int(rig.starts[-1]), 3))
@@ -274,19 +249,6 @@ def _additive(rig: Rig, controls: Indices) -> bool:
     drives = [rig.controls[j].drive for j in controls.tolist()]
     channels = [channel for drive in drives for channel in drive.channels.tolist()]
     return len(set(channels)) == len(channels) and not any(len(drive.joints) for drive in drives)
-
-
-def _values_along(rig: Rig, control: int) -> Floats:
-    """Values at which a control's paths are sampled; exact where only shapes act."""
-    at = knots(rig, control)
-    if len(rig.controls[control].drive.joints):
-        at = np.union1d(at, np.linspace(at[0], at[-1], _SAMPLES))
-    return at if len(at) > 1 else _ends(rig.controls[control])
-
-
-def _ends(control: Control) -> Floats:
-    low, high = control.minimum, control.maximum
-    return np.array([low, high if high > low else low + 1.0])
 
 
 def _variables(acting: Flags, twins: Indices | None) -> Indices:
@@ -312,6 +274,29 @@ def _bounds(rig: Rig, start: Floats, ranges: Floats, controls: Indices, variable
         low[mine] = max(low[mine], min((control.minimum - start[j]) / ranges[j], 0.0))
         high[mine] = min(high[mine], max((control.maximum - start[j]) / ranges[j], 0.0))
     return low, high
+
+
+def _lines_of(
+    found: dict[int, tuple[Floats, Floats]],
+    controls: Indices,
+    start: Floats,
+    ranges: Floats,
+    variable: Indices,
+    rows: int,
+) -> Lines:
+    """The paths (m, k, rows) of the controls that take part."""
+    # A twin may take part without moving the points in hand.
+    still = np.array([0.0, 1.0]), np.zeros((2, rows))
+    mine = [found.get(j, still) for j in controls.tolist()]
+    knots, offsets = [each[0] for each in mine], [each[1] for each in mine]
+    return lines(knots, offsets, start[controls], ranges[controls], variable[controls])
+
+
+def _costs(feel: Feel, reach: Floats, peaks: Floats | None, controls: Indices, variable: Indices) -> Floats:
+    """(variables,) ``stay (1 + elsewhere (1 - s)^2)``, added up over the controls of each variable."""
+    share = np.ones(len(reach)) if peaks is None else np.minimum(reach / np.maximum(peaks, 1e-300), 1.0)
+    each = feel.stay * (1.0 + feel.elsewhere * (1.0 - share[controls]) ** 2)
+    return np.bincount(variable[controls], weights=each).astype(np.float64)
 
 
 # --- solving -----------------------------------------------------------------------------------------

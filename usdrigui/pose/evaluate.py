@@ -19,7 +19,8 @@ from numpy.typing import ArrayLike
 from usdrigui.deform import Posed, deform, posed
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig
-from usdrigui.pose.subset import paths_around, subset
+from usdrigui.pose.reach import paths_around
+from usdrigui.pose.subset import subset
 
 
 @dataclass(frozen=True, eq=False)

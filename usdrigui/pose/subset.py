@@ -1,4 +1,4 @@
-"""A few points of a rig posed in a fraction of a millisecond, and their paths around any pose."""
+"""A rig cut down to a few of its points, so that these can be posed in a fraction of a millisecond."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.deform import Posed, channel_state, posed, sweep
-from usdrigui.model import Floats, Indices, Rig, RigMesh, Shape, Singles
+from usdrigui.model import Indices, Rig, RigMesh, Shape
 
 
 def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
@@ -24,27 +23,6 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
         if len(local):
             meshes.append(_part(mesh, local))
     return replace(rig, meshes=tuple(meshes), clip=None), rows.astype(np.int64)
-
-
-def paths_around(rig: Rig, held: Posed, values: Floats, control: int, at: Floats) -> tuple[Indices, Singles]:
-    """Points that one control moves (p,), and their offsets (k, p, 3) from a pose as it takes values ``at`` (k,).
-
-    ``held`` is the rig at ``values`` (controls,).  Other than `deform.sweep`, from which it is made, this
-    holds for poses in which the control itself is not at its default.
-    """
-    subject = rig.controls[control]
-    if values[control] == subject.default:
-        return sweep(rig, held, control, at)
-    without = values.copy()
-    without[control] = subject.default
-    if len(subject.drive.joints):
-        base = posed(rig, without)
-    else:
-        alone = np.array([each.default for each in rig.controls])
-        alone[control] = values[control]
-        base = replace(held, weights=held.weights - (channel_state(rig, alone)[0] - rig.base_weights))
-    points, offsets = sweep(rig, base, control, np.append(at, values[control]))
-    return points, offsets[:-1] - offsets[-1]
 
 
 def _part(mesh: RigMesh, kept: Indices) -> RigMesh:

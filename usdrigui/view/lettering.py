@@ -47,12 +47,13 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
     rows = 0.5 * (boxes[:, 1] + boxes[:, 3])
     pitch = _pitch(boxes, rows)
     type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
-    for (element, _), box, y in zip(shown, boxes, rows, strict=True):
-        right = float(box[2])
-        beyond = boxes[(np.abs(rows - y) < 0.5 * pitch) & (boxes[:, 0] > right), 0]
-        free = float(min(beyond.min(initial=picture.width), picture.width)) - right - 14.0
-        own = type_ if type_.getlength(element.label) <= free else font(min(9, round(type_.size)))
-        pen.text((right + 9.0, float(y)), _cut(element.label, own, free), fill=_INK, font=own, anchor="lm", **_HALO)
+    free = np.array([_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))])
+    tight = np.array([type_.getlength(element.label) for element, _ in shown]) > free
+    for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
+        # One size within a row, so that twins look alike.
+        own = font(min(9, round(type_.size))) if tight[np.abs(rows - y) < 0.4 * pitch].any() else type_
+        place = (float(box[2]) + 9.0, float(y))
+        pen.text(place, _cut(element.label, own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
         pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
@@ -111,6 +112,13 @@ def _box(drawn: Mark) -> Floats:
     """(4,) left, top, right and bottom of a mark, pixels."""
     points = np.concatenate([*drawn.tracks, drawn.handle[None]])[:, :2]
     return np.concatenate([points.min(axis=0), points.max(axis=0)])
+
+
+def _room(boxes: Floats, rows: Floats, index: int, pitch: float, width: int) -> float:
+    """Pixels to the right of a mark until the next one in its row, or the edge of the picture."""
+    right = float(boxes[index, 2])
+    beyond = boxes[(np.abs(rows - rows[index]) < 0.5 * pitch) & (boxes[:, 0] > right), 0]
+    return min(float(beyond.min(initial=float(width))), float(width)) - right - 14.0
 
 
 def _pitch(boxes: Floats, rows: Floats) -> float:
