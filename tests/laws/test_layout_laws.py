@@ -122,9 +122,17 @@ def test_no_two_handles_are_nearer_than_a_handle(plain):
 def test_more_weight_on_overlap_never_brings_handles_nearer():
     apart = []
     for weight in (0.99, 0.85, 0.5, 0.2):
-        free = chain.settings(objective={"displacement_weight": weight, "separation": False, "beside_allowed": False})
+        free = chain.settings(
+            objective={
+                "displacement_weight": weight,
+                "separation": False,
+                "beside_allowed": False,
+                "handle_size": 0.1,
+                "overlap_sharpness": 2.0,
+            }
+        )
         handles = np.array([e.anchor.position for e in chain.lay_out(makers.face(), free).layout.elements])
         gaps = np.linalg.norm(handles[:, None] - handles[None], axis=2) + 9e9 * np.eye(len(handles))
         apart.append(gaps.min())
-    assert apart == sorted(apart)
-    assert apart[-1] > apart[0]
+    assert np.all(np.diff(apart) >= -1e-9)
+    assert apart[-1] > 1.2 * apart[0]
