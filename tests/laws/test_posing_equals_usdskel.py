@@ -52,3 +52,25 @@ def test_meshes_handles_and_tracks(tmp_path, kind):
                 assert np.abs(at.tracks[0] - track).max() < CLOSE * diagonal, element.name
                 followed += 1
     assert followed >= 3 * len(shapes) - 3
+
+
+@pytest.mark.parametrize("kind", ["linear", "dual quaternion", "joint controls"])
+def test_static_elements_and_those_beside_the_face(tmp_path, kind):
+    source = skinned_stages.character(tmp_path / "char.usda", **KINDS[kind])
+    (rig,) = read_rigs(source, Settings())
+    shapes = [control.name for control in rig.controls if control.kind == "blendShape"]
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    values = laid_out.random_values(rig, np.random.default_rng(8))
+    for number, given in enumerate(({"adapt": "static"}, {"beside": shapes})):
+        layout = laid_out.layout_of(rig, seed=2, only=shapes, **given)
+        layer = layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata)
+        layer.Export(str(tmp_path / f"layout{number}.usda"))
+        stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / f"layout{number}.usda")), rig, [values])
+        prims = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChildren()
+        ours = evaluate(prepare(rig, layout), values)
+        diagonal = float(np.linalg.norm(np.ptp(ours.points, axis=0)))
+        for element, at, prim in zip(layout.elements, ours.elements, prims, strict=True):
+            centre = laid_out.root_points(stage, f"{prim.GetPath()}/handle", rig.root, 0).mean(axis=0)
+            track = laid_out.root_points(stage, f"{prim.GetPath()}/track", rig.root, 0)
+            assert np.abs(at.tracks[0] - track).max() < CLOSE * diagonal, (given, element.name)
+            assert np.abs(at.handle - centre).max() < CLOSE * diagonal, (given, element.name)

@@ -2,10 +2,10 @@
 
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
 its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or where
-`Element.adapt` is ``static``, an element follows the anchor's joints alone and its handle slides along the
-tracks.  These are the rules of the written layer, where tracks and handles are gprims that UsdSkel
-deforms; better than a gprim can, tracks here also follow other controls of the joints that their own
-control turns.  numpy only.
+`Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that carries the
+face) and its handle slides along the tracks.  These are the rules of the written layer, where tracks and
+handles are gprims that UsdSkel deforms; better than a gprim can, tracks here also follow other controls
+of the joints that their own control turns.  numpy only.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, deform, posed
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Indices, Layout, Member, Record, Rig
+from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig
 from usdrigui.pose.reach import paths_around
+from usdrigui.pose.rigid import on_one_joint
 from usdrigui.pose.subset import subset
 
 
@@ -61,6 +62,9 @@ class Poser(Record):
     """Per element, its controls as indices into `Rig.controls`, in member order."""
     base: Posed
     """`anchors` at the base pose."""
+    still: Rig
+    """`anchors` all on one joint, for static elements."""
+    still_base: Posed
 
 
 def prepare(rig: Rig, layout: Layout) -> Poser:
@@ -75,7 +79,11 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     owned = tuple(_controls(names, element) for element in layout.elements)
     if len(layout.base_values) != len(rig.controls):
         raise refuse("LAYOUT_STALE", layout.root, "the base pose has another number of controls than the character")
-    return Poser(rig, layout, anchors, rows, owned, posed(anchors, layout.base_values))
+    base, still, still_base = posed(anchors, layout.base_values), anchors, None
+    if any(element.adapt == "static" for element in layout.elements):
+        still = on_one_joint(anchors, rows[[not element.anchor.beside for element in layout.elements]])
+        still_base = posed(still, layout.base_values)
+    return Poser(rig, layout, anchors, rows, owned, base, still, still_base or base)
 
 
 def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
@@ -90,10 +98,8 @@ def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
 def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
     whole = posed(poser.anchors, values)
-    return tuple(
-        _element(poser, element, index, _others(poser, index, whole, values), whole, values)
-        for index, element in enumerate(poser.layout.elements)
-    )
+    still = whole if poser.still is poser.anchors else posed(poser.still, values)
+    return tuple(_element(poser, index, whole, still, values) for index in range(len(poser.rows)))
 
 
 def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
@@ -121,15 +127,17 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
     return at
 
 
-def on_track(member: Member, value: float) -> Floats:
-    """(3,) position on the track of a member at a control value, in the track's space; extrapolated."""
-    return _along(member.values, member.track, value)
-
-
-def _element(poser: Poser, element: Element, index: int, others: Posed, whole: Posed, values: Floats) -> PosedElement:
-    row = int(poser.rows[index])
-    anchor, carry = _carried(poser, element, row, others)
-    base = poser.base.points[row]
+def _element(poser: Poser, index: int, whole: Posed, still: Posed, values: Floats) -> PosedElement:
+    element, row = poser.layout.elements[index], int(poser.rows[index])
+    if element.adapt == "static":
+        skin, before, at = poser.still, poser.still_base, still
+    else:
+        skin, before, at = poser.anchors, poser.base, whole
+    others = _others(poser, skin, index, at, values)
+    base = before.points[row]
+    anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
+    if not _detached(element):
+        anchor = others.points[row]
     tracks = tuple(anchor + (member.track - base) @ carry for member in element.members)
     rests: list[Floats] = []
     moves = np.zeros(3)
@@ -141,8 +149,8 @@ def _element(poser: Poser, element: Element, index: int, others: Posed, whole: P
     return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30))
 
 
-def _others(poser: Poser, index: int, whole: Posed, values: Floats) -> Posed:
-    """The anchors with the element's own controls at the base pose and all others at `values`."""
+def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -> Posed:
+    """The anchors on a skin with the element's own controls at the base pose and all others at `values`."""
     owned, base_values = poser.owned[index], poser.layout.base_values
     away = owned[values[owned] != base_values[owned]]
     if not len(away):
@@ -152,23 +160,19 @@ def _others(poser: Poser, index: int, whole: Posed, values: Floats) -> Posed:
     if any(len(drive.joints) for drive in drives) or len(set(channels)) < len(channels):
         without = values.copy()
         without[owned] = base_values[owned]
-        return posed(poser.anchors, without)
+        return posed(skin, without)
     # Shapes of different channels add up and leave the skin alone: taking them back is a few additions.
     points = whole.points.copy()
     for j in away.tolist():
-        moved, offsets = paths_around(poser.anchors, whole, values, j, base_values[j : j + 1])
+        moved, offsets = paths_around(skin, whole, values, j, base_values[j : j + 1])
         points[moved] += offsets[0]
     return replace(whole, points=points)
 
 
-def _carried(poser: Poser, element: Element, row: int, at: Posed) -> tuple[Floats, Floats]:
-    """Where the base-pose anchor is at another pose, and the (3, 3) map of offsets from it (row vectors)."""
-    base_map, map_now = _map(poser.anchors, poser.base, row), _map(poser.anchors, at, row)
-    inverse = np.linalg.pinv(base_map[:3])
-    carry = inverse @ map_now[:3]
-    if _detached(element):
-        return (poser.base.points[row] - base_map[3]) @ carry + map_now[3], carry
-    return at.points[row], carry
+def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Floats]:
+    """Where a position goes with its map (4, 3) alone, and the (3, 3) map of offsets from it (row vectors)."""
+    carry = np.linalg.pinv(before[:3]) @ now[:3]
+    return (position - before[3]) @ carry + now[3], carry
 
 
 def _detached(element: Element) -> bool:
