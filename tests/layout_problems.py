@@ -10,7 +10,7 @@ from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
 
 
 def random_problem(seed: int, variables: int = 5, candidates: int = 7) -> LayoutProblem:
-    """Elements thrown into a box a few handle widths wide: copies, ties, infinite reach, explicit costs, forced faces."""
+    """Elements thrown into a box a few handle widths wide: copies, ties, endless reach, explicit costs."""
     generator = np.random.default_rng(seed)
     size = generator.uniform(0.5, 4.0)
     count = int(generator.integers(1, variables + 1))

@@ -155,6 +155,7 @@ def _bounded(
         dual.start_from(older.dual, [parent[a:b] - old for a, b, old in ends])
     for _ in range(SWEEPS):
         dual.sweep()
+    watch.spend(1000 + SWEEPS * (dual.size // 16 + 64 * len(dual.edges)))
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
     return Residual(blocks, pool, near, dual, bound, bound + np.concatenate(excess), chosen, value)

@@ -1,0 +1,166 @@
+"""Layout problems to measure solvers on: families of face-like ones from a seed, and finer heads from real rigs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Rig, RigMesh, Shape, Variable
+from usdrigui.overlap import own_costs
+from usdrigui.settings import ObjectiveSettings
+
+TABLE_1 = MappingProxyType(
+    {
+        "head rig": (1_186, 26),
+        "angela": (4_002, 22),
+        "dakar valley girl": (5_064, 47),
+        "mery": (12_942, 28),
+        "metahuman": (24_049, 142),
+        "nico": (27_434, 28),
+        "allen henry": (85_753, 65),
+    }
+)
+"""Points and controls of rigs in the paper's Table 1."""
+
+_FEATURES = (
+    # where controls gather on a face (x, height), how widely, and what share of them
+    (0.0, -0.45, 0.16, 0.45),  # mouth
+    (0.33, 0.22, 0.10, 0.20),  # eye
+    (0.33, 0.45, 0.10, 0.15),  # brow
+    (0.10, -0.05, 0.08, 0.08),  # nose
+    (0.50, -0.15, 0.12, 0.12),  # cheek
+)
+
+
+def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
+    """A problem of the size and the crowding of a face: a head of `points`, `controls` bumps of motion on it.
+
+    A third of the controls lies on the middle line; of the rest, mirrored pairs are optimised once with two
+    copies, so the number of variables is about two thirds of `controls`.  Lengths in head half-heights.
+    """
+    generator = np.random.default_rng(seed)
+    positions, normals = _head(points)
+    middle = round(controls / 3)
+    middle += (controls - middle) % 2
+    motions = [_motion(generator, positions, normals, mirrored=at >= middle) for at in range((controls + middle) // 2)]
+    settings = ObjectiveSettings()
+    width = settings.handle_size * 2.0
+    overlap = Overlap(
+        settings.overlap_max,
+        settings.overlap_radius * width,
+        settings.overlap_sharpness / (settings.overlap_radius * width),
+        settings.overlap_reach * settings.overlap_radius * width,
+        1.0 - settings.displacement_weight,
+    )
+    typical = float(np.median([np.linalg.norm(offsets, axis=1).max() for offsets, _ in motions]))
+    variables = tuple(
+        _variable(f"control{at}", positions, offsets, mirrored, typical, settings, overlap, width)
+        for at, (offsets, mirrored) in enumerate(motions)
+    )
+    return LayoutProblem(variables, overlap, width, settings.displacement_weight)
+
+
+def _head(points: int) -> tuple[Floats, Floats]:
+    """Evenly spread points and normals of an ellipsoid; the face looks along +z, the denser half."""
+    at = np.arange(points) + 0.5
+    height, turn = 1.0 - 2.0 * at / points, np.pi * (1.0 + 5.0**0.5) * at
+    round_ = np.sqrt(1.0 - height**2)
+    normals = np.column_stack([round_ * np.cos(turn), height, round_ * np.sin(turn)])
+    # Three quarters of the points of real heads lie on the face: pull the back forward.
+    normals[:, 2] = np.where(normals[:, 2] > 0, normals[:, 2], -(np.abs(normals[:, 2]) ** 0.5))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return normals * np.array([0.75, 1.0, 0.85]), normals
+
+
+def _motion(
+    generator: np.random.Generator, positions: Floats, normals: Floats, *, mirrored: bool
+) -> tuple[Floats, bool]:
+    """(n, 3) offsets of one control: a smooth bump at one of the features, sideways and outwards."""
+    share = np.array([each[3] for each in _FEATURES])
+    across, height, spread, _ = _FEATURES[int(generator.choice(len(share), p=share / share.sum()))]
+    x = across + spread * generator.normal() if mirrored else 0.0
+    y = (height if mirrored else -0.45) + spread * generator.normal()
+    front = np.array([0.75 * x, y, 0.85 * np.sqrt(max(0.05, 1.0 - x**2 - y**2))])
+    centre = positions[np.square(positions - front).sum(axis=1).argmin()]
+    radius = generator.uniform(0.06, 0.25)
+    fall = np.exp(-np.square((positions - centre) / radius).sum(axis=1))
+    fall[fall < 1e-3] = 0.0
+    direction = generator.normal(size=3) + 0.5 * normals
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    amplitude = 0.03 * generator.lognormal(sigma=0.6)
+    offsets = amplitude * fall[:, None] * direction
+    if not mirrored:
+        offsets[:, 0] = 0.0
+    return offsets, mirrored
+
+
+def _variable(
+    name: str,
+    positions: Floats,
+    offsets: Floats,
+    mirrored: bool,
+    typical: float,
+    settings: ObjectiveSettings,
+    overlap: Overlap,
+    width: float,
+) -> Variable:
+    """The candidates of one control: points that move more than the mean and half the peak (paper section 4.2)."""
+    length = np.linalg.norm(offsets, axis=1)
+    moving = length[length > 0]
+    points: Indices = np.flatnonzero((length >= moving.mean()) & (length >= 0.5 * length.max()))
+    along = np.linspace(0.0, 1.0, settings.samples)[None, :, None]
+    one = positions[points][:, None] + along * offsets[points][:, None]
+    flip = np.array([-1.0, 1.0, 1.0])
+    samples = np.stack([one, one * flip], axis=1) if mirrored else one[:, None]
+    handles = samples[:, :, 0]
+    copies = samples.shape[1]
+    cost = -settings.displacement_weight * copies * length[points] / typical
+    cost = cost + own_costs(samples, handles, overlap, width)
+    free = np.isfinite(cost)
+    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), settings.beside_price * copies)
+
+
+def subdivided(rig: Rig) -> Rig:
+    """The same rig with every mesh face cut into quads once, linearly: four times the points, same motions."""
+    return replace(rig, meshes=tuple(_subdivided_mesh(each) for each in rig.meshes))
+
+
+def _subdivided_mesh(mesh: RigMesh) -> RigMesh:
+    count, faces = len(mesh.points), len(mesh.face_counts)
+    face = np.repeat(np.arange(faces), mesh.face_counts)
+    first = np.cumsum(mesh.face_counts) - mesh.face_counts
+    corner = np.arange(len(face)) - first[face]
+    following = mesh.face_indices[first[face] + (corner + 1) % mesh.face_counts[face]]
+    ends = np.sort(np.column_stack([mesh.face_indices, following]), axis=1)
+    edges, edge = np.unique(ends, axis=0, return_inverse=True)
+    edge = edge.reshape(-1)
+    before = edge[first[face] + (corner - 1) % mesh.face_counts[face]]
+    quads = np.column_stack([mesh.face_indices, count + edge, count + len(edges) + face, count + before])
+
+    def finer(values: Floats) -> Floats:
+        """Values at the corners, at the middles of the edges and of the faces."""
+        middle = np.add.reduceat(values[mesh.face_indices], first) / mesh.face_counts[:, None]
+        return np.concatenate([values, (values[edges[:, 0]] + values[edges[:, 1]]) / 2, middle])
+
+    skin = mesh.skin
+    if skin is not None:
+        rows = np.concatenate([np.arange(count), edges[:, 0], mesh.face_indices[first]])
+        skin = replace(skin, joints=skin.joints[rows], weights=skin.weights[rows])
+    return replace(
+        mesh,
+        points=finer(mesh.points),
+        face_counts=np.full(len(quads), 4),
+        face_indices=quads.reshape(-1),
+        skin=skin,
+        shapes=tuple(_finer_shape(each, count, finer) for each in mesh.shapes),
+    )
+
+
+def _finer_shape(shape: Shape, count: int, finer: object) -> Shape:
+    dense = np.zeros((len(shape.weights), count, 3))
+    dense[:, shape.points] = shape.offsets
+    fine = np.stack([finer(each) for each in dense])  # type: ignore[operator]
+    moving = np.flatnonzero(np.abs(fine).max(axis=(0, 2)) > 0)
+    return replace(shape, points=moving, offsets=fine[:, moving].astype(np.float32))

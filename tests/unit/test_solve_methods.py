@@ -1,0 +1,168 @@
+"""The other methods, the exchange format, and the laws that all solutions obey."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import fields, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from layout_problems import crowd, random_problem, renumbered
+
+from usdrigui.errors import RigUIError
+from usdrigui.model import LayoutProblem
+from usdrigui.overlap import total_cost
+from usdrigui.settings import SolveSettings
+from usdrigui.solve import load_problem, save_problem, solve
+from usdrigui.solve.paper import clusters, sample
+
+
+def best_or_none(problem: LayoutProblem, method: str) -> float | None:
+    try:
+        return solve(problem, SolveSettings(method=method)).cost  # type: ignore[arg-type]
+    except RigUIError as error:
+        if error.issue.code != "SOLVE_INFEASIBLE":
+            raise
+        return None
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(st.integers(1000, 10**6), st.integers(0, 10**6))
+def test_renumbering_changes_nothing_but_names(seed: int, order: int) -> None:
+    problem = random_problem(seed)
+    one, other = best_or_none(problem, "highs"), best_or_none(renumbered(problem, order), "highs")
+    assert (one is None) == (other is None)
+    if one is not None:
+        assert other == pytest.approx(one, rel=1.1e-4)
+
+
+@settings(max_examples=40, deadline=None, derandomize=True)
+@given(st.integers(1000, 10**6))
+def test_bound_optimum_cost_in_this_order(seed: int) -> None:
+    problem = random_problem(seed)
+    optimum = best_or_none(problem, "enumerate")
+    if optimum is not None:
+        for method in ("highs", "paper"):
+            found = solve(problem, SolveSettings(method=method, work_limit=3_000))
+            assert found.bound <= optimum + 1e-9 <= found.cost + 2e-9
+
+
+def test_total_renumbered() -> None:
+    """The test's own renumbering keeps the objective."""
+    problem = random_problem(12)
+    labels = solve(problem, SolveSettings()).labels
+    assert total_cost(problem, labels) == pytest.approx(solve(renumbered(problem, 5), SolveSettings()).cost)
+
+
+# --- the paper's pipeline ----------------------------------------------------------------------------
+
+
+def test_paper_with_one_cluster_and_all_candidates_is_the_optimum() -> None:
+    problem = crowd(4, variables=4, candidates=20)
+    whole = solve(problem, SolveSettings(method="enumerate"))
+    assert solve(problem, SolveSettings(method="paper")).cost == pytest.approx(whole.cost, rel=1e-4)
+
+
+def test_paper_never_beats_the_optimum_and_is_seeded() -> None:
+    for seed in range(6):
+        problem = crowd(seed, variables=5, candidates=30)
+        optimum = solve(problem, SolveSettings()).cost
+        one = SolveSettings(method="paper", clusters=2, sample=0.2, seed=seed)
+        first, second = solve(problem, one), solve(problem, one)
+        assert first.cost >= optimum - 1e-4 * abs(optimum)
+        assert (first.labels == second.labels).all()
+        assert first.bound <= optimum
+
+
+def test_paper_counts_explicit_costs_across_clusters() -> None:
+    for seed in range(200):
+        problem = random_problem(seed)
+        try:
+            found = solve(problem, SolveSettings(method="paper", clusters=2, sample=0.6))
+        except RigUIError:
+            continue
+        assert found.cost == pytest.approx(total_cost(problem, found.labels))
+
+
+def test_clusters_part_what_lies_apart() -> None:
+    problem = crowd(0, variables=6, candidates=10)
+    far = np.array([100.0, 0.0, 0.0])
+    moved = tuple(
+        replace(each, handles=each.handles + far * (at % 2), samples=each.samples + far * (at % 2))
+        for at, each in enumerate(problem.variables)
+    )
+    assert clusters(replace(problem, variables=moved), 2) == [[0, 2, 4], [1, 3, 5]]
+    assert clusters(problem, 1) == [[0, 1, 2, 3, 4, 5]]
+
+
+def test_sampling_prefers_large_displacements_and_keeps_one_each() -> None:
+    problem = crowd(0, variables=2, candidates=400)
+    kept = sample(problem, [0, 1], 0.1, np.random.default_rng(0))
+    assert sum(map(len, kept)) in (80, 81)
+    for variable, labels in zip(problem.variables, kept, strict=True):
+        assert variable.cost[labels].mean() < variable.cost.mean()
+    tiny = sample(problem, [0, 1], 1e-6, np.random.default_rng(0))
+    assert [len(each) for each in tiny].count(0) == 0
+
+
+# --- enumeration, toulbar2 ---------------------------------------------------------------------------
+
+
+def test_enumeration_refuses_what_is_too_large() -> None:
+    with pytest.raises(RigUIError, match="SOLVE_TOO_LARGE"):
+        solve(crowd(0, variables=9, candidates=60), SolveSettings(method="enumerate"))
+
+
+def test_toulbar2_agrees_on_whole_problems() -> None:
+    pytest.importorskip("pytoulbar2")
+    for seed in range(2):
+        problem = crowd(seed, variables=5, candidates=40)
+        theirs = solve(problem, SolveSettings(method="toulbar2"))
+        ours = solve(problem, SolveSettings())
+        assert theirs.status == ours.status == "optimal"
+        assert ours.cost == pytest.approx(theirs.cost, rel=1e-4)
+        assert ours.bound <= theirs.cost + 1e-6
+
+
+def test_toulbar2_predicts_its_memory() -> None:
+    pytest.importorskip("pytoulbar2")
+    with pytest.raises(RigUIError, match="SOLVE_MEMORY"):
+        solve(crowd(0, variables=6, candidates=900), SolveSettings(method="toulbar2", memory_limit=64))
+
+
+def test_toulbar2_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pytoulbar2", None)
+    with pytest.raises(RigUIError, match="SOLVE_EXTRA"):
+        solve(crowd(0), SolveSettings(method="toulbar2"))
+
+
+# --- exchange ----------------------------------------------------------------------------------------
+
+
+def test_saved_problem_is_the_problem(tmp_path: Path) -> None:
+    for seed in (3, 8, 21):
+        problem = random_problem(seed)
+        save_problem(tmp_path / "a.npz", problem)
+        again = load_problem(tmp_path / "a.npz")
+        assert [each.name for each in again.variables] == [each.name for each in problem.variables]
+        for one, other in zip(problem.variables, again.variables, strict=True):
+            assert all(np.array_equal(getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
+        assert len(again.extra) == len(problem.extra)
+        labels = np.zeros(len(problem.variables), dtype=np.int64)
+        assert total_cost(again, labels) == total_cost(problem, labels)
+        save_problem(tmp_path / "b.npz", again)
+        assert (tmp_path / "a.npz").read_bytes() == (tmp_path / "b.npz").read_bytes()
+
+
+def test_other_files_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(RigUIError, match="FILE_NOT_FOUND"):
+        load_problem(tmp_path / "none.npz")
+    (tmp_path / "text.npz").write_text("hello")
+    np.savez(tmp_path / "other.npz", version=np.array(99))
+    np.savez(tmp_path / "short.npz", version=np.array(1))
+    for name in ("text", "other", "short"):
+        with pytest.raises(RigUIError, match="PROBLEM_FILE"):
+            load_problem(tmp_path / f"{name}.npz")
