@@ -7,6 +7,7 @@ Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import sys
@@ -115,6 +116,28 @@ def _view(arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
+def _attach(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.usd.attach import attach
+
+    state = attach(arguments.asset, arguments.layer, _settings(arguments))
+    return _edited(state, "is among its sublayers", arguments)
+
+
+def _detach(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.usd.attach import detach
+
+    state = detach(arguments.asset, arguments.layer, _settings(arguments))
+    return _edited(state, "is not among its sublayers", arguments)
+
+
+def _edited(state: str, what: str, arguments: argparse.Namespace) -> Exit:
+    if arguments.json:
+        told = {"asset": str(arguments.asset), "layer": str(arguments.layer), "outcome": state, "exit": 0}
+        print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
+    _say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)
+    return Exit.OK
+
+
 def _schema_path(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.schema import schema_path
 
@@ -138,6 +161,8 @@ def _parser() -> argparse.ArgumentParser:
     _add_inspect(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_attach(commands)
+    _add_detach(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
     schema.set_defaults(run=_schema_path)
     return parser
@@ -172,6 +197,18 @@ def _add_view(commands: Any) -> None:
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
     parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+
+
+def _add_attach(commands: Any) -> None:
+    parser = _command(commands, "attach", _attach, "put a bare layout layer among the sublayers of the asset itself")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`")
+
+
+def _add_detach(commands: Any) -> None:
+    parser = _command(commands, "detach", _detach, "take a layout layer out of the asset's sublayers again")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone")
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:

@@ -284,6 +284,12 @@ _CODES: dict[str, Code] = {
         "Use a name listed by `usdrigui inspect`.",
         Exit.USAGE,
     ),
+    "FIXED_IMPOSSIBLE": Code(
+        "error",
+        "A fixed anchor asks for what no layout can give.",
+        "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
+        Exit.USAGE,
+    ),
     "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
     # --- installation ----------------------------------------------------------------------------
     "EXTRA_MISSING": Code(
@@ -353,6 +359,26 @@ _CODES: dict[str, Code] = {
         "What was written did not read back as it should; what was there before is untouched.",
         "Check the disk and run again.",
         Exit.FILE,
+    ),
+    # --- layouts inside the asset ------------------------------------------------------------------
+    "ATTACH_PACKAGE": Code(
+        "error",
+        "A usdz is read-only for USD; no layer can be added to it.",
+        "Unpack it and attach the layout to its root layer, or keep the layout beside it.",
+    ),
+    "ATTACH_LINK": Code(
+        "error",
+        "The asset is a symbolic link, from which the layout's path would lead elsewhere than from the file.",
+        "Name the file itself.",
+        Exit.FILE,
+    ),
+    "ATTACH_NOT_BARE": Code(
+        "error", "The layout brings sublayers of its own into the asset.", "Write it with `usdrigui process --bare`."
+    ),
+    "ATTACH_CYCLE": Code(
+        "error",
+        "The layout already stands over the asset, so that each would contain the other.",
+        "Write it with `usdrigui process --bare`, or detach it from the asset first.",
     ),
     # --- posing ----------------------------------------------------------------------------------
     "SOURCE_MISSING": Code(

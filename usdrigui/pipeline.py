@@ -9,6 +9,7 @@ Nothing here prints; what a run has to say is in the record that it returns.
 from __future__ import annotations
 
 import functools
+import os
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -341,6 +342,9 @@ def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, 
     """Write the layer, unless a file that it was made from has changed meanwhile."""
     from usdrigui.usd import layer
 
+    own = os.path.realpath(target)
+    if not settings.output.bare and any(own == each.path for each in source.sources):
+        raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     target.parent.mkdir(parents=True, exist_ok=True)
     pairs = [(character.rig, character.layout) for character in laid]
     unchanged = functools.partial(check_unchanged, source.sources)

@@ -19,6 +19,17 @@ from usdrigui.model import Anchor, Element, Floats, Layout, LeftOff, Member
 from usdrigui.usd import author, schema
 from usdrigui.usd.stage import open_stage
 
+_DECISIONS = tuple(
+    author.properties(api)[name].name
+    for api, name in (
+        (schema.ANCHOR, "prim"),
+        (schema.ANCHOR, "pointIndex"),
+        (schema.ELEMENT, "controls"),
+        (schema.ELEMENT, "elementType"),
+    )
+)
+"""Properties in which a layout's decisions stand: which controls share an element, and where it is."""
+
 
 def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
     """All layouts that a layer or stage holds, one per character, in stage order.
@@ -46,21 +57,59 @@ def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
                 yield prim
 
 
+def edited_elements(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
+    """By SkelRoot, the names of the elements whose place, kind or controls a layer stronger than the one that
+    defines them has an opinion about: what somebody has corrected by hand."""
+    found: dict[str, tuple[str, ...]] = {}
+    for scope in layout_scopes(stage):
+        names = [_element_name(prim) for prim in scope.GetAllChildren() if _has(prim, schema.ELEMENT) and _edited(prim)]
+        if names:
+            found[str(scope.GetPath().GetParentPath())] = tuple(names)
+    return found
+
+
+def _edited(prim: Usd.Prim) -> bool:
+    stack = prim.GetPrimStack()
+    defining = next((number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef), len(stack))
+    return any(name in spec.properties for spec in stack[:defining] for name in _DECISIONS)
+
+
 def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
     """Names of the controls whose values `Layout.base_values` lists, of the layout at `scope`."""
     return tuple(_strings(_value(scope, schema.LAYOUT, "baseControls")))
 
 
 def source_of(path: Path) -> str:
-    """The asset that a layout layer stands over: its first sublayer, anchored; empty if it has none.
+    """The asset that a layout layer stands over; empty if it has none.
 
-    Raises FILE_NOT_FOUND and FILE_NOT_USD.
+    That is its first sublayer, anchored; or, where the layout itself is in a sublayer (attached to the
+    asset), the file.  Raises FILE_NOT_FOUND and FILE_NOT_USD.
     """
     layer = Sdf.Layer.FindOrOpen(str(path)) if path.is_file() else None
     if layer is None:
         raise refuse("FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer")
     paths = list(layer.subLayerPaths)
+    if paths and not _holds_layout(layer) and any(_brings_layout(layer, each) for each in paths):
+        return str(path)
     return str(Sdf.ComputeAssetPathRelativeToLayer(layer, paths[0])) if paths else ""
+
+
+def _brings_layout(layer: Sdf.Layer, sublayer: str) -> bool:
+    """Whether a sublayer is a layout without a source of its own."""
+    found = Sdf.Layer.FindOrOpen(Sdf.ComputeAssetPathRelativeToLayer(layer, sublayer))
+    return found is not None and not len(found.subLayerPaths) and _holds_layout(found)
+
+
+def _holds_layout(layer: Sdf.Layer) -> bool:
+    """Whether the layer itself has a layout, below whichever prim."""
+    found: list[Sdf.Path] = []
+
+    def visit(path: Sdf.Path) -> None:
+        if path.IsPrimPath() and path.name == schema.SCOPE:
+            found.append(path)
+
+    layer.Traverse(Sdf.Path.absoluteRootPath, visit)
+    return any(schema.LAYOUT in layer.GetPrimAtPath(each).GetInfo("apiSchemas").GetAppliedItems() for each in found)
 
 
 def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:

@@ -1,0 +1,192 @@
+"""`usdrigui attach` and `detach`: the one edit of an asset, and everything that they refuse."""
+
+import os
+import shutil
+
+import pytest
+import skinned_stages
+from pxr import Sdf, Usd, UsdUtils
+
+from usdrigui.cli import main
+from usdrigui.errors import RigUIError
+from usdrigui.settings import Settings
+from usdrigui.usd.attach import attach, detach
+
+
+@pytest.fixture(scope="module")
+def laid_out(tmp_path_factory):
+    """A character with a bare layout and one that stands over it."""
+    folder = tmp_path_factory.mktemp("once")
+    character = skinned_stages.character(folder / "char.usda")
+    assert main(["process", str(character), "--quiet", "--bare", "-o", str(folder / "ui" / "bare.usda")]) == 0
+    assert main(["process", str(character), "--quiet"]) == 0
+    return folder
+
+
+@pytest.fixture
+def folder(laid_out, tmp_path):
+    shutil.copytree(laid_out, tmp_path / "asset")
+    return tmp_path / "asset"
+
+
+def refusal(asset, layer):
+    before = asset.read_bytes() if asset.is_file() else b""
+    with pytest.raises(RigUIError) as caught:
+        attach(asset, layer, Settings())
+    assert (asset.read_bytes() if asset.is_file() else b"") == before
+    return caught.value.issue.code
+
+
+def layouts(path):
+    stage = Usd.Stage.Open(Sdf.Layer.OpenAsAnonymous(str(path)) if path.suffix == ".usdc" else str(path))
+    return [prim.GetPath() for prim in stage.TraverseAll() if prim.GetName() == "RigUI"]
+
+
+def reworded(folder, text):
+    """The character behind a root layer of that text."""
+    (folder / "char.usda").rename(folder / "body.usda")
+    asset = folder / "char.usda"
+    asset.write_bytes(text.encode())
+    return asset
+
+
+TEXTS = {
+    "no metadata": '#usda 1.0\n\nover "World" (\n    references = @./body.usda@</World>\n)\n{\n}\n',
+    "metadata": (
+        '#usda 1.0\n(\n    # a remark of the rigger\n    defaultPrim = "World"\n)\n\n'
+        'def "World" (\n    prepend references = @./body.usda@</World>\n)\n{\n}\n'
+    ),
+    "sublayers": (
+        '#usda 1.0\n(\n    "doc"   \n    subLayers = [ @./body.usda@ (offset = 10; scale = 2) ]  # odd\n'
+        '    defaultPrim = "World"\n)\n'
+    ),
+    "empty list": (
+        '#usda 1.0\n(\n    subLayers = []\n)\nover "World" (\n    references = @./body.usda@</World>\n)\n{\n}\n'
+    ),
+    "comment first": "#usda 1.0\n# who made it\n(\n    subLayers = [\n        @./body.usda@\n    ]\n)\n",
+}
+
+
+@pytest.mark.parametrize("text", TEXTS.values(), ids=TEXTS.keys())
+def test_there_and_back_gives_the_same_opinions(folder, text):
+    asset = reworded(folder, text)
+    before = Sdf.Layer.OpenAsAnonymous(str(asset))
+    assert attach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
+    after = Sdf.Layer.OpenAsAnonymous(str(asset))
+    assert list(after.subLayerPaths) == ["./ui/bare.usda", *before.subLayerPaths]
+    assert [(each.offset, each.scale) for each in after.subLayerOffsets][1:] == [
+        (each.offset, each.scale) for each in before.subLayerOffsets
+    ]
+    assert layouts(asset)
+    assert detach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
+    assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before.ExportToString()
+
+
+@pytest.mark.parametrize("name", ["no metadata", "metadata", "sublayers"])
+def test_there_and_back_gives_the_same_text(folder, name):
+    asset = reworded(folder, TEXTS[name])
+    attach(asset, folder / "ui" / "bare.usda", Settings())
+    assert all(line in asset.read_text() for line in TEXTS[name].splitlines() if "subLayers" not in line)
+    detach(asset, folder / "ui" / "bare.usda", Settings())
+    assert asset.read_text() == TEXTS[name]
+
+
+@pytest.mark.parametrize("suffix", [".usdc", ".usd"])
+def test_a_crate_stays_a_crate(folder, suffix):
+    asset = folder / f"crate{suffix}"
+    Sdf.Layer.FindOrOpen(str(folder / "char.usda")).Export(str(asset), args={"format": "usdc"})
+    before = Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString()
+    assert attach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
+    assert asset.read_bytes().startswith(b"PXR-USDC")
+    attached = Sdf.Layer.OpenAsAnonymous(str(asset))
+    assert list(attached.subLayerPaths) == ["./ui/bare.usda"]
+    assert detach(asset, folder / "ui" / "bare.usda", Settings()) == "written"
+    assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
+
+
+def test_twice_is_once(folder):
+    asset, bare = folder / "char.usda", folder / "ui" / "bare.usda"
+    attach(asset, bare, Settings())
+    before = asset.read_bytes()
+    assert attach(asset, bare, Settings()) == "unchanged"
+    assert asset.read_bytes() == before
+    detach(asset, bare, Settings())
+    assert detach(asset, bare, Settings()) == "unchanged"
+
+
+def test_a_layer_that_is_gone_can_be_detached(folder):
+    asset, bare = folder / "char.usda", folder / "ui" / "bare.usda"
+    before = asset.read_bytes()
+    attach(asset, bare, Settings())
+    bare.unlink()
+    assert detach(asset, bare, Settings()) == "written"
+    assert asset.read_bytes() == before
+
+
+def test_refuses_what_it_cannot_write(folder):
+    bare = folder / "ui" / "bare.usda"
+    packed = folder / "char.usdz"
+    UsdUtils.CreateNewUsdzPackage(str(folder / "char.usda"), str(packed))
+    assert refusal(packed, bare) == "ATTACH_PACKAGE"
+    link = folder / "latest.usda"
+    link.symlink_to(folder / "char.usda")
+    assert refusal(link, bare) == "ATTACH_LINK"
+    assert refusal(folder / "nobody.usda", bare) == "FILE_NOT_FOUND"
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write anything")
+def test_refuses_a_read_only_asset(folder):
+    (folder / "char.usda").chmod(0o444)
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "FILE_PERMISSION"
+
+
+def test_a_locked_asset_stays_as_it_is(folder, monkeypatch):
+    """What the file system says when the file may not be written, also where the tests run as root."""
+    monkeypatch.setattr(os, "access", lambda *_, **__: False)
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "FILE_PERMISSION"
+
+
+def test_refuses_layers_that_are_not_bare(folder):
+    other = folder / "other.usda"
+    Sdf.Layer.CreateNew(str(other)).Save()
+    layer = Sdf.Layer.FindOrOpen(str(folder / "ui" / "bare.usda"))
+    layer.subLayerPaths.append("../other.usda")
+    layer.Save()
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "ATTACH_NOT_BARE"
+
+
+def test_refuses_cycles(folder):
+    asset = folder / "char.usda"
+    assert refusal(asset, folder / "char.rigui.usda") == "ATTACH_CYCLE"
+    round_about = Sdf.Layer.FindOrOpen(str(folder / "ui" / "bare.usda"))
+    middle = Sdf.Layer.CreateNew(str(folder / "middle.usda"))
+    middle.subLayerPaths.append("./char.usda")
+    middle.Save()
+    prim = Sdf.CreatePrimInLayer(round_about, "/Elsewhere")
+    prim.referenceList.Prepend(Sdf.Reference("../middle.usda", "/World"))
+    round_about.Save()
+    assert refusal(asset, folder / "ui" / "bare.usda") == "ATTACH_CYCLE"
+
+
+def test_refuses_layers_without_layout_or_of_another_character(folder):
+    assert refusal(folder / "char.usda", folder / "body.usda") == "FILE_NOT_FOUND"
+    empty = Sdf.Layer.CreateNew(str(folder / "empty.usda"))
+    empty.Save()
+    assert refusal(folder / "char.usda", folder / "empty.usda") == "LAYOUT_MISSING"
+    layer = Sdf.Layer.FindOrOpen(str(folder / "ui" / "bare.usda"))
+    layer.GetPrimAtPath("/World/Char").name = "Other"
+    layer.Save()
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "LAYOUT_STALE"
+
+
+def test_an_asset_with_its_layout_inside_is_checked_viewed_and_processed_again(folder, capsys):
+    asset, bare = folder / "char.usda", folder / "ui" / "bare.usda"
+    assert main(["attach", str(asset), str(bare)]) == 0
+    assert "usdrigui: written" in capsys.readouterr().out
+    assert main(["check", str(asset), "--strict"]) == 0
+    before = bare.read_bytes()
+    assert main(["process", str(asset), "-o", str(bare), "--quiet"]) == 1
+    assert "ATTACH_CYCLE" in capsys.readouterr().err
+    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    assert bare.read_bytes() == before
+    assert main(["detach", str(asset), str(bare), "--json"]) == 0

@@ -1,0 +1,224 @@
+"""The one place that edits an asset, and only when told to: the layout among the asset's own sublayers.
+
+`attach` puts a bare layout layer first among the sublayers of the asset's root layer, `detach` takes it
+out again.  Both write through `usdrigui.usd.safe_write`, after the edited file has been read back in a
+process of its own.  A text layer is edited in place of one entry, so that comments and layout of the text
+stay; if the edited text does not mean exactly what the edited layer means, the layer is exported instead.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Literal
+
+from pxr import Sdf, Tf
+
+from usdrigui.errors import RigUIError, refuse
+from usdrigui.settings import Settings
+from usdrigui.usd.child import read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.layer import layer_bytes, relative_asset_path
+from usdrigui.usd.safe_write import commit
+from usdrigui.usd.source import SourceFile, admit, check_unchanged
+from usdrigui.usd.stage import told
+
+Outcome = Literal["written", "unchanged"]
+
+_BLOCK = "(\n    subLayers = [\n        @{path}@\n    ]\n)\n"
+"""What a text layer without any metadata gets after its first line."""
+_FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
+"""What one with metadata but without sublayers gets after the opening bracket."""
+_ENTRY = "\n        @{path}@,"
+"""What one with sublayers gets before the first of them."""
+
+
+def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
+    """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
+
+    Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
+    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), all that reading can
+    raise, and the FILE_ codes of writing.  Then nothing has been written.
+    """
+    before = _admitted(asset, settings)
+    layouts = read_layouts_isolated(layer, settings).layouts
+    characters = {rig.root for rig in read_rigs_isolated(asset, settings).rigs}
+    missing = sorted({layout.root for layout in layouts} - characters)
+    if missing:
+        raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
+    _check_bare(asset, layer)
+    source = _opened(asset)
+    if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
+        return "unchanged"
+    entry = relative_asset_path(layer, asset)
+    roots = [layout.root for layout in layouts]
+    return _commit(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
+
+
+def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
+    """Take `layer`, which need not exist any more, out of the sublayers of the root layer of `asset`.
+
+    The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and what
+    reading and writing can raise.
+    """
+    before = _admitted(asset, settings)
+    source = _opened(asset)
+    entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
+    if not entries:
+        return "unchanged"
+    return _commit(asset, source, before, functools.partial(_readable, settings), removed=entries)
+
+
+# --- what may be edited ------------------------------------------------------------------------------
+
+
+def _admitted(asset: Path, settings: Settings) -> SourceFile:
+    if asset.suffix.lower() == ".usdz":
+        raise refuse("ATTACH_PACKAGE", str(asset), "is a package, whose layers cannot be edited")
+    if asset.is_symlink():
+        raise refuse("ATTACH_LINK", str(asset), f"is a link to {os.path.realpath(asset)}")
+    return admit(asset, settings.read.size_limit)
+
+
+def _check_bare(asset: Path, layer: Path) -> None:
+    """Refuse layers that bring sublayers of their own, or lead back to the asset."""
+    if _same(asset, layer):
+        raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
+    if any(_same(asset, found) for found in _needed(layer, set())):
+        raise refuse("ATTACH_CYCLE", str(layer), f"stands over {asset} already")
+    opened = _opened(layer)
+    if opened.subLayerPaths:
+        raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.subLayerPaths[0]}")
+
+
+def _needed(path: Path, seen: set[str]) -> Iterator[Path]:
+    """Every layer that a layer brings along by composition, as far as their files are there."""
+    if not path.is_file():
+        return
+    for each in _opened(path).GetCompositionAssetDependencies():
+        found = path.parent / each
+        if os.path.realpath(found) not in seen:
+            seen.add(os.path.realpath(found))
+            yield found
+            yield from _needed(found, seen)
+
+
+def _opened(path: Path) -> Sdf.Layer:
+    """The file as it is now, as a layer that nobody else holds."""
+    try:
+        layer = Sdf.Layer.OpenAsAnonymous(str(path))
+    except (Tf.ErrorException, RuntimeError) as error:
+        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
+    if layer is None:
+        raise refuse("FILE_NOT_USD", str(path), "is not a USD layer")
+    return layer
+
+
+def _leads_to(asset: Path, entry: str, layer: Path) -> bool:
+    """Whether a sublayer path of the asset is `layer`, whether or not the file is there."""
+    return _same(asset.parent / entry, layer)
+
+
+def _same(first: Path, second: Path) -> bool:
+    return os.path.realpath(first) == os.path.realpath(second)
+
+
+# --- the edit ----------------------------------------------------------------------------------------
+
+
+def _commit(
+    asset: Path,
+    source: Sdf.Layer,
+    before: SourceFile,
+    verify: Callable[[Path], bool],
+    *,
+    added: str = "",
+    removed: Sequence[str] = (),
+) -> Outcome:
+    """Write the asset's root layer with one sublayer more or some fewer, in the format that it has."""
+    original = asset.read_bytes()
+    _edit(source, added, removed)
+    if original.startswith(b"#usda"):
+        text = original.decode(errors="surrogateescape")
+        edited = _with_entry(text, added) if added else _without_entries(text, removed)
+        kept = _means(edited, source)
+        content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
+    else:
+        content = layer_bytes(source, ".usdc")
+    check_unchanged([before])
+    return commit(content, asset, verify=verify)
+
+
+def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
+    """Change the list of sublayers; those that stay keep their offsets."""
+    pairs = [
+        (path, offset)
+        for path, offset in zip(layer.subLayerPaths, layer.subLayerOffsets, strict=True)
+        if path not in removed
+    ]
+    if added:
+        pairs.insert(0, (added, Sdf.LayerOffset()))
+    if not pairs:
+        layer.pseudoRoot.ClearInfo("subLayers")
+        layer.pseudoRoot.ClearInfo("subLayerOffsets")
+        return
+    layer.subLayerPaths = [path for path, _ in pairs]
+    for index, (_, offset) in enumerate(pairs):
+        layer.subLayerOffsets[index] = offset
+
+
+def _with_entry(text: str, path: str) -> str:
+    """The text of a layer with one sublayer before all others."""
+    head, body = _split(text)
+    if not body.lstrip().startswith("("):
+        return head + _BLOCK.format(path=path) + body
+    opening = body.index("(") + 1
+    # Only the layer's own metadata, which ends at the first line that is a closing bracket, may hold the field.
+    closing = re.search(r"^\)", body[opening:], re.MULTILINE)
+    own = body[opening : opening + closing.start()] if closing else ""
+    listed = re.search(r"^\s*subLayers\s*=\s*\[", own, re.MULTILINE)
+    if listed is None:
+        return head + body[:opening] + _FIELD.format(path=path) + body[opening:]
+    place = opening + listed.end()
+    return head + body[:place] + _ENTRY.format(path=path) + body[place:]
+
+
+def _without_entries(text: str, paths: Sequence[str]) -> str:
+    """The text without those sublayers, and without what held nothing but them."""
+    for path in paths:
+        for form in (_BLOCK, _FIELD, _ENTRY):
+            piece = form.format(path=path)
+            if piece in text:
+                text = text.replace(piece, "", 1)
+                break
+    return text
+
+
+def _split(text: str) -> tuple[str, str]:
+    """The first line, which names the format, and the rest."""
+    head, end, body = text.partition("\n")
+    return head + end, body
+
+
+def _means(text: str, layer: Sdf.Layer) -> bool:
+    """Whether the text holds exactly what the layer holds."""
+    parsed = Sdf.Layer.CreateAnonymous(".usda")
+    try:
+        return bool(parsed.ImportFromString(text)) and parsed.ExportToString() == layer.ExportToString()
+    except (Tf.ErrorException, RuntimeError, UnicodeError):
+        return False
+
+
+def _holds_layouts(roots: Sequence[str], settings: Settings, path: Path) -> bool:
+    """Whether the file composes to a character with the layouts."""
+    return set(roots) <= {each.root for each in read_layouts_isolated(path, settings).layouts}
+
+
+def _readable(settings: Settings, path: Path) -> bool:
+    """Whether the file is still an asset."""
+    try:
+        return bool(read_rigs_isolated(path, settings).rigs)
+    except RigUIError:
+        return False
