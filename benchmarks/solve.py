@@ -1,0 +1,280 @@
+"""One command, one table: our solver beside the paper's pipeline, raw McCormick, toulbar2 and CPLEX.
+
+    python benchmarks/solve.py [--cases WORD...] [--methods WORD...] [--seconds 120] [--assets DIR] [--json FILE]
+
+Cases: the real rigs, folded (symmetric pairs once) and unfolded; a head of 100 K points made from ict_face57
+by subdivision; families of face-like problems at the sizes of the paper's Table 1.  Methods: ``ours``; the
+paper's pipeline at 20, 5 and 1 % of the candidates; HiGHS on the raw McCormick program; toulbar2 on the whole
+problem; CPLEX's integer quadratic program (the paper's route), as far as its free size goes.
+
+Every run is a process of its own: wall and processor seconds of the solve alone, peak memory of the process.
+Gaps of methods that prove no bound of the whole problem are against our bound.  ``cost +`` is how much a
+cost lies above ours, ``time x`` the processor time over ours.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import json
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from instances import TABLE_1, face_like, subdivided
+
+from usdrigui.errors import RigUIError
+from usdrigui.model import LayoutProblem
+from usdrigui.overlap import total_cost
+from usdrigui.settings import SolveSettings, load
+from usdrigui.solve import load_problem, save_problem, solve
+
+ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
+RIGS = ("ict_face57.usdc", "mh_expr34.usdc", "godette.usdc", "openusd_blendshapes.usda", "vitruvian.usdc")
+METHODS = ("ours", "paper 20%", "paper 5%", "paper 1%", "mccormick", "toulbar2", "cplex")
+FREE_CPLEX = 1000
+"""Variables and constraints of CPLEX's free size."""
+
+
+def main() -> None:
+    arguments = _arguments()
+    if arguments.one:
+        print(json.dumps(run_one(Path(arguments.one[0]), arguments.one[1], arguments.seconds)))
+        return
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, path in cases(Path(folder), arguments.assets, arguments.cases):
+            ours: dict[str, Any] = {}
+            for method in arguments.methods:
+                row = {"case": name, "method": method} | _in_a_process(path, method, arguments.seconds)
+                ours = row if method == "ours" and "cost" in row else ours
+                rows.append(_compared(row, ours))
+                print(_line(rows[-1]), flush=True)
+    if arguments.json:
+        Path(arguments.json).write_text(json.dumps(rows, indent=1))
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--cases", nargs="*", default=[], help="only cases whose names hold one of these words")
+    parser.add_argument("--methods", nargs="*", default=list(METHODS), choices=METHODS)
+    parser.add_argument("--seconds", type=float, default=120.0, help="wall-clock limit of every run")
+    parser.add_argument("--assets", type=Path, default=ASSETS)
+    parser.add_argument("--json", help="write the rows to this file as well")
+    parser.add_argument("--one", nargs=2, metavar=("PROBLEM", "METHOD"), help=argparse.SUPPRESS)
+    return parser.parse_args()
+
+
+# --- cases -------------------------------------------------------------------------------------------
+
+
+def cases(folder: Path, assets: Path, words: list[str]) -> Any:
+    """Names of the cases wanted and the files of their problems, made one at a time."""
+    for rig in RIGS:
+        for fold in (True, False):
+            name = f"{rig.split('.')[0]} {'folded' if fold else 'unfolded'}"
+            if _wanted(name, words) and (assets / rig).exists():
+                yield name, _saved(folder, _rig_problem(assets / rig, fold=fold, finer=False))
+    name = "ict_face57 100K"
+    if _wanted(name, words) and (assets / RIGS[0]).exists():
+        yield name, _saved(folder, _rig_problem(assets / RIGS[0], fold=True, finer=True))
+    for model, (points, controls) in TABLE_1.items():
+        name = f"{model} {points}/{controls}"
+        if _wanted(name, words):
+            yield name, _saved(folder, face_like(points, controls))
+
+
+def _wanted(name: str, words: list[str]) -> bool:
+    return not words or any(word in name for word in words)
+
+
+def _rig_problem(asset: Path, *, fold: bool, finer: bool) -> LayoutProblem:
+    from usdrigui.pipeline import posed
+    from usdrigui.usd.child import read_rigs_isolated
+
+    settings = load({"symmetry": {"fold": fold}})
+    rig = read_rigs_isolated(asset, settings).rigs[0]
+    return posed(subdivided(rig) if finer else rig, settings).problem
+
+
+def _saved(folder: Path, problem: LayoutProblem) -> Path:
+    path = folder / "problem.npz"
+    save_problem(path, problem)
+    return path
+
+
+# --- runs --------------------------------------------------------------------------------------------
+
+
+def _in_a_process(path: Path, method: str, seconds: float) -> dict[str, Any]:
+    command = [sys.executable, __file__, "--one", str(path), method, "--seconds", str(seconds)]
+    try:
+        run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=3 * seconds + 60)
+    except subprocess.TimeoutExpired:
+        return {"note": "did not stop in time"}
+    if run.returncode:
+        return {"note": (run.stderr.strip().splitlines() or ["died"])[-1][:100]}
+    found: dict[str, Any] = json.loads(run.stdout.strip().splitlines()[-1])
+    return found
+
+
+def run_one(path: Path, method: str, seconds: float) -> dict[str, Any]:
+    """Solve a saved problem by one method; figures for the table."""
+    problem = load_problem(path)
+    size = {
+        "variables": len(problem.variables),
+        "candidates": sum(len(each.cost) for each in problem.variables),
+    }
+    wall, processor = time.monotonic(), time.process_time()
+    try:
+        found = _SOLVERS[method.split()[0]](problem, method, seconds)
+    except RigUIError as error:
+        found = {"note": f"{error.issue.code}: {error.issue.message}"}
+    measured = {
+        "seconds": time.monotonic() - wall,
+        "processor": time.process_time() - processor,
+        "memory": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+    }
+    return size | found | measured
+
+
+def _ours(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    del method
+    return _by_us(problem, SolveSettings(time_limit=seconds))
+
+
+def _paper(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    share = float(method.split()[1].rstrip("%")) / 100
+    settings = SolveSettings(method="paper", clusters=2, sample=share, time_limit=seconds)
+    found = _by_us(problem, settings)
+    return found | {"bound": None}
+
+
+def _toulbar2(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    del method
+    return _by_us(problem, SolveSettings(method="toulbar2", time_limit=seconds, memory_limit=4096))
+
+
+def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:
+    found = solve(problem, settings)
+    return {"cost": found.cost, "bound": found.bound, "note": found.status}
+
+
+def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    """HiGHS on x, y >= x_r + x_s - 1 as the costs are, no reduction, no reparametrisation."""
+    del method
+    from usdrigui.solve.assignment import forbidden_price
+    from usdrigui.solve.blocks import all_labels, block_pool, singles
+    from usdrigui.solve.highs import solve_part
+    from usdrigui.solve.search import whole_part
+    from usdrigui.solve.tables import near_blocks, pair_tables
+    from usdrigui.solve.watch import Watch
+
+    watch = Watch(SolveSettings(time_limit=seconds))
+    labels = all_labels(problem)
+    if len(labels.label) > 8000:
+        return {"note": f"{len(labels.label)} candidates: too large to write down"}
+    pool = block_pool(labels, singles(labels))
+    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
+    unary = [pool.cost[a:b] for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
+    price = forbidden_price(problem, labels)
+    cut = float(labels.best.sum()) + price - 1e-6
+    found = solve_part(whole_part(unary, tables, price), cut, watch, 10**6, pairs=2_000_000)
+    if found is None:
+        return {"note": "over 2 million products"}
+    cost = None
+    if found.chosen:
+        chosen = pool.start[:-1] + np.array([found.chosen[at] for at in range(pool.count)])
+        cost = total_cost(problem, labels.label[chosen])
+    return {"cost": cost, "bound": found.bound}
+
+
+def _cplex(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
+    """CPLEX's integer quadratic program over all candidates, hard pairs priced."""
+    del method
+    if importlib.util.find_spec("cplex") is None:
+        return {"note": "cplex is not installed"}
+    import cplex
+
+    from usdrigui.solve.assignment import forbidden_price
+    from usdrigui.solve.blocks import all_labels, block_pool, singles
+    from usdrigui.solve.tables import near_blocks, pair_tables
+    from usdrigui.solve.watch import Watch
+
+    labels = all_labels(problem)
+    if len(labels.label) + len(problem.variables) > FREE_CPLEX:
+        return {"note": f"{len(labels.label)} candidates: beyond the free size"}
+    pool = block_pool(labels, singles(labels))
+    tables = pair_tables(problem, pool, near_blocks(problem, pool, Watch(SolveSettings())), labels.label)
+    price = forbidden_price(problem, labels)
+    program = cplex.Cplex()
+    program.set_results_stream(None)
+    program.set_log_stream(None)
+    program.set_warning_stream(None)
+    program.parameters.threads.set(1)
+    program.parameters.timelimit.set(seconds)
+    program.parameters.mip.tolerances.mipgap.set(1e-4)
+    program.variables.add(obj=pool.cost.tolist(), types="B" * len(pool.cost))
+    for a, b in zip(pool.start[:-1].tolist(), pool.start[1:].tolist(), strict=True):
+        program.linear_constraints.add([[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0])
+    terms = []
+    for table in tables:
+        i, j = np.nonzero(table.costs)
+        rows, columns = pool.start[table.first] + table.rows[i], pool.start[table.second] + table.columns[j]
+        terms += zip(rows.tolist(), columns.tolist(), np.minimum(table.costs[i, j], price).tolist(), strict=True)
+    program.objective.set_quadratic_coefficients(terms)
+    program.solve()
+    values = np.array(program.solution.get_values())
+    chosen = [a + values[a:b].argmax() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
+    cost = total_cost(problem, labels.label[np.array(chosen)])
+    return {"cost": cost, "bound": program.solution.MIP.get_best_objective()}
+
+
+_SOLVERS = {"ours": _ours, "paper": _paper, "mccormick": _mccormick, "toulbar2": _toulbar2, "cplex": _cplex}
+
+
+# --- table -------------------------------------------------------------------------------------------
+
+
+def _compared(row: dict[str, Any], ours: dict[str, Any]) -> dict[str, Any]:
+    """The row with its gap and its ratios to ours."""
+    if row.get("cost") is None:
+        return row
+    bound = row["bound"] if row.get("bound") is not None else ours.get("bound")
+    if bound is not None:
+        row["gap"] = max(0.0, row["cost"] - bound) / max(abs(row["cost"]), 1e-12)
+    if ours and row is not ours:
+        row["cost above ours"] = (row["cost"] - ours["cost"]) / abs(ours["cost"])
+        row["time over ours"] = row["processor"] / max(ours["processor"], 1e-3)
+    return row
+
+
+def _line(row: dict[str, Any]) -> str:
+    def show(key: str, form: str) -> str:
+        return form.format(row[key]) if row.get(key) is not None else "-"
+
+    cells = (
+        row["case"].ljust(28),
+        row["method"].ljust(10),
+        show("variables", "{:d}").rjust(4),
+        show("candidates", "{:d}").rjust(7),
+        show("cost", "{:.5f}").rjust(11),
+        show("bound", "{:.5f}").rjust(11),
+        show("gap", "{:.1e}").rjust(8),
+        show("seconds", "{:.1f} s").rjust(8),
+        show("processor", "{:.1f} s").rjust(8),
+        show("memory", "{:.0f} MB").rjust(8),
+        show("cost above ours", "cost {:+.2%}").rjust(12),
+        show("time over ours", "time x{:.1f}").rjust(11),
+        str(row.get("note", "")),
+    )
+    return " ".join(cells)
+
+
+if __name__ == "__main__":
+    main()
