@@ -49,9 +49,10 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
     type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
     free = np.array([_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))])
     tight = np.array([type_.getlength(element.label) for element, _ in shown]) > free
+    small = {element.name for (element, _), cut in zip(shown, tight, strict=True) if cut}
     for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
-        # One size within a row, so that twins look alike.
-        own = font(min(9, round(type_.size))) if tight[np.abs(rows - y) < 0.4 * pitch].any() else type_
+        # Twins have one size, so that they look alike.
+        own = font(min(9, round(type_.size))) if small & {element.name, element.mirror} else type_
         place = (float(box[2]) + 9.0, float(y))
         pen.text(place, _cut(element.label, own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
