@@ -1,0 +1,387 @@
+"""For every issue code the smallest occasion that calls for it: ``OCCASIONS[code](folder, patch)``.
+
+An occasion runs the command, or the one function that can find the fault, and returns (exit code, issues).
+Files are made in `folder`; `patch` is pytest's monkeypatch, for faults of the machine.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import smallest
+
+from usdrigui import pipeline, rays
+from usdrigui.cli import main
+from usdrigui.errors import RigUIError
+from usdrigui.layout import trajectory
+from usdrigui.settings import Settings, SolveSettings
+from usdrigui.usd import child, layer, rig, safe_write, schema, skeleton, source
+
+Found = tuple[int, list[dict[str, Any]]]
+Occasion = Callable[[Path, Any], Found]
+
+
+def command(*arguments: object) -> Found:
+    """Exit code and issues of one run of the command."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+        code = main([*map(str, arguments), "--json"])
+    return code, json.loads(out.getvalue())["issues"]
+
+
+def process(folder: Path, code: str = "", *arguments: object) -> Found:
+    """The command on the smallest character, changed for `code`; --dry-run unless an output is named."""
+    output = () if "-o" in arguments else ("--dry-run",)
+    return command("process", smallest.character(folder, code), *output, *arguments)
+
+
+@contextlib.contextmanager
+def refusal() -> Iterator[list[Any]]:
+    """Catch what the block refuses."""
+    found: list[Any] = []
+    try:
+        yield found
+    except RigUIError as error:
+        found[:] = [int(error.exit_code), [asdict(error.issue)]]
+
+
+def refused(call: Callable[[], object]) -> Found:
+    with refusal() as found:
+        call()
+    assert found, "nothing was refused"
+    return found[0], found[1]
+
+
+# --- reading -----------------------------------------------------------------------------------------
+
+
+def _made(code: str, *arguments: object) -> Occasion:
+    return lambda folder, _: command("process", smallest.MAKERS[code](folder), "--dry-run", *arguments)
+
+
+def _impostor(script: str, *arguments: object) -> Occasion:
+    """A reading process of another kind."""
+
+    def occasion(folder: Path, patch: Any) -> Found:
+        path = folder / "python"
+        path.write_text(f"#!/bin/sh\n{script}\n")
+        path.chmod(0o755)
+        patch.setattr(child.sys, "executable", str(path))
+        return process(folder, "", *arguments)
+
+    return occasion
+
+
+def _changed(folder: Path, _: Any) -> Found:
+    path = smallest.character(folder)
+    read = source.hashed(path)
+    path.write_text(path.read_text() + "\n")
+    return refused(lambda: source.check_unchanged([read]))
+
+
+def _usd_error(folder: Path, patch: Any) -> Found:
+    from pxr import Tf
+
+    patch.setattr(rig, "_scene", lambda *_: Tf.RaiseRuntimeError("corrupt asset"))
+    return refused(lambda: rig.read_rigs(smallest.character(folder), Settings()))
+
+
+def _thinned(folder: Path, patch: Any) -> Found:
+    patch.setattr(skeleton, "_CLIP_BYTES", 600)
+    path = smallest.character(folder, "CLIP_THINNED")
+    return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].issues]
+
+
+def _trajectories(code: str) -> Occasion:
+    def occasion(folder: Path, _: Any) -> Found:
+        (found,) = rig.read_rigs(smallest.character(folder, code), Settings())
+        said = trajectory.trajectories(found, Settings().trajectories, np.zeros(len(found.controls)))
+        return 0, [asdict(each) for each in said.issues]
+
+    return occasion
+
+
+# --- writing -----------------------------------------------------------------------------------------
+
+
+def _failing_write(number: int) -> Occasion:
+    def occasion(folder: Path, patch: Any) -> Found:
+        def fail(*_: object) -> int:
+            raise OSError(number, os.strerror(number))
+
+        patch.setattr(os, "write", fail)
+        return refused(lambda: safe_write.commit("text", folder / "out.usda"))
+
+    return occasion
+
+
+# --- layers ------------------------------------------------------------------------------------------
+
+
+def _written(folder: Path, *arguments: str) -> None:
+    code, _ = process(folder, "", "-o", folder / "char.rigui.usda", *arguments)
+    assert code == 0
+
+
+def _laid_out(folder: Path) -> Path:
+    _written(folder)
+    return folder / "char.rigui.usda"
+
+
+def _edited(*edits: tuple[str, str], of: str = "char.rigui.usda") -> Callable[[Path], Path]:
+    """A layout of the smallest character with regular expressions replaced in it, or in the character."""
+
+    def made(folder: Path) -> Path:
+        found = _laid_out(folder)
+        path = folder / of
+        text = path.read_text()
+        for old, new in edits:
+            text, count = re.subn(old, new, text, count=1, flags=re.DOTALL)
+            assert count, f"{old!r} is not in {of}"
+        path.write_text(text)
+        return found
+
+    return made
+
+
+_WIDTH = "uniform double rigUI:layout:handleWidth"
+_WORSE = "uniform point3f rigUI:anchor:position = (2, 0, 0)\nuniform int rigUI:anchor:pointIndex = 1"
+_INVISIBLE = 'token visibility = "invisible"\npoint3f[] points'
+_OTHER_NAMES = (
+    r'blendShapes = \["smile", "frown"\](.*?)\["smile", "frown"\]',
+    r'blendShapes = ["grin", "frown"]\1["grin", "frown"]',
+)
+
+
+def _checked(made: Callable[[Path], Path], *arguments: object) -> Occasion:
+    return lambda folder, _: command("check", made(folder), *arguments)
+
+
+def _renamed(folder: Path) -> Path:
+    found = _laid_out(folder)
+    path = folder / "char.usda"
+    path.write_text(path.read_text().replace('"Char"', '"Hero"').replace("</Char/", "</Hero/"))
+    return found
+
+
+def _viewed(made: Callable[[Path], Path]) -> Occasion:
+    return lambda folder, _: refused(lambda: pipeline.load_layer(made(folder), Settings()))
+
+
+def _bare(folder: Path) -> Path:
+    _written(folder, "--bare")
+    return folder / "char.rigui.usda"
+
+
+def _no_layout(folder: Path) -> Path:
+    return smallest.character(folder)
+
+
+def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Occasion:
+    from usdrigui.usd.attach import attach
+
+    return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings()))
+
+
+def _linked(folder: Path) -> Path:
+    (folder / "link.usda").symlink_to("char.usda")
+    return _bare(folder)
+
+
+def _over_another(folder: Path) -> Path:
+    found = _bare(folder)
+    (folder / "other.usda").write_text("#usda 1.0\n")
+    found.write_text(found.read_text().replace("#usda 1.0\n(", "#usda 1.0\n(\n    subLayers = [@./other.usda@]", 1))
+    return found
+
+
+# --- problems and poses ------------------------------------------------------------------------------
+
+
+def _problem(folder: Path) -> Any:
+    (found,) = rig.read_rigs(smallest.character(folder), Settings())
+    return pipeline.posed(found, Settings()).problem
+
+
+def _solved(method: str, **settings: Any) -> Occasion:
+    from usdrigui.solve import solve
+
+    def occasion(folder: Path, _: Any) -> Found:
+        return refused(lambda: solve(_problem(folder), SolveSettings(method=method, **settings)))
+
+    return occasion
+
+
+def _too_large(folder: Path, patch: Any) -> Found:
+    import usdrigui.solve.enumerate
+
+    patch.setattr(usdrigui.solve.enumerate, "MOST", 1)
+    return _solved("enumerate")(folder, patch)
+
+
+def _infeasible(folder: Path, _: Any) -> Found:
+    from usdrigui.solve import solve
+
+    problem = _problem(folder)
+    crowded = tuple(
+        replace(each, beside=np.inf, handles=each.handles * 0, samples=each.samples * 0) for each in problem.variables
+    )
+    return refused(lambda: solve(replace(problem, variables=crowded), SolveSettings()))
+
+
+def _without(package: str, occasion: Occasion) -> Occasion:
+    def hidden(folder: Path, patch: Any) -> Found:
+        patch.setitem(sys.modules, package, None)
+        return occasion(folder, patch)
+
+    return hidden
+
+
+def _bad_term(*_: object) -> Found:
+    from usdrigui.layout import extensions
+
+    return refused(lambda: extensions._checked("studio", [1.0, -1.0], 2))
+
+
+def _posed(call: Callable[[Any], object]) -> Occasion:
+    return lambda folder, _: refused(lambda: call(rig.read_rigs(smallest.character(folder), Settings())[0]))
+
+
+def _pulled(found: Any) -> object:
+    from usdrigui.pose import direct
+
+    return direct._checked_points(found, [99], [])
+
+
+def _valued(pose: Mapping[str, float]) -> Callable[[Any], object]:
+    from usdrigui.pose import evaluate
+
+    return lambda found: evaluate.checked_values(found, evaluate.values_of(found, pose))
+
+
+def _empty_page(*_: object) -> Found:
+    from usdrigui.view.page import page_html
+
+    return refused(lambda: page_html([], "none"))
+
+
+def _schema_gone(folder: Path, patch: Any) -> Found:
+    patch.setattr(schema, "__file__", str(folder / "usdrigui" / "usd" / "schema.py"))
+    return refused(schema.schema_path)
+
+
+def _schema_late(*_: object) -> Found:
+    program = (
+        "from pxr import Usd; keep = Usd.SchemaRegistry()\n"
+        "import json; from dataclasses import asdict; from usdrigui.errors import RigUIError\n"
+        "from usdrigui.usd import schema\n"
+        "try: schema.register()\n"
+        "except RigUIError as error: print(json.dumps([int(error.exit_code), [asdict(error.issue)]]))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    exit_code, issues = json.loads(done.stdout)
+    place = str(schema.schema_path())
+    return exit_code, [{key: value.replace(place, "SCHEMAS") for key, value in each.items()} for each in issues]
+
+
+def _raising(error: BaseException) -> Occasion:
+    def occasion(folder: Path, patch: Any) -> Found:
+        def broken(*_: object, **__: object) -> None:
+            raise error
+
+        patch.setattr(pipeline, "process", broken)
+        return process(folder)
+
+    return occasion
+
+
+def _configured(toml: str) -> Occasion:
+    def occasion(folder: Path, _: Any) -> Found:
+        (folder / "char.rigui.toml").write_text(toml)
+        return process(folder)
+
+    return occasion
+
+
+def _bad_problem(folder: Path, _: Any) -> Found:
+    from usdrigui.solve.exchange import load_problem
+
+    (folder / "problem.npz").write_bytes(b"none")
+    return refused(lambda: load_problem(folder / "problem.npz"))
+
+
+OCCASIONS: Mapping[str, Occasion] = {
+    **{code: (lambda folder, _, code=code: process(folder, code)) for code in smallest.EDITS},
+    **{code: _made(code) for code in smallest.MAKERS},
+    **{
+        code: (lambda folder, _, setting=setting: process(folder, "", "--set", setting))
+        for code, setting in smallest.CONFIGURED.items()
+    },
+    "SOURCE_TIME_LIMIT": _made("SOURCE_TIME_LIMIT", "--set", "read.time_limit=1"),
+    "SOURCE_MEMORY_LIMIT": _made("SOURCE_MEMORY_LIMIT", "--set", "read.memory_limit=24"),
+    "SOURCE_READER_LOST": _impostor("kill -KILL $$"),
+    "SOURCE_CHANGED": _changed,
+    "USD_ERROR": _usd_error,
+    "CLIP_THINNED": _thinned,
+    "CONTROL_TINY": _trajectories("CONTROL_TINY"),
+    "CONTROL_DUPLICATE": _trajectories("CONTROL_DUPLICATE"),
+    "CONFIG_SYNTAX": _configured("[solve\n"),
+    "INTERRUPTED": _raising(KeyboardInterrupt()),
+    "BUG": _raising(ZeroDivisionError("by nothing")),
+    "EXTRA_MISSING": _without(
+        "embreex", lambda *_: refused(lambda: rays.make_caster(np.zeros((1, 3, 3)), "embree"))
+    ),
+    "FILE_FULL": _failing_write(errno.ENOSPC),
+    "FILE_READ_ONLY": _failing_write(errno.EROFS),
+    "FILE_PERMISSION": _failing_write(errno.EACCES),
+    "FILE_WRITE": _failing_write(errno.EIO),
+    "FILE_TARGET": lambda folder, _: process(folder, "", "-o", folder / "char.usda"),
+    "FILE_VERIFY": lambda folder, _: refused(
+        lambda: safe_write.commit("text", folder / "out.usda", verify=lambda _: False)
+    ),
+    "SOURCE_UNREFERABLE": lambda folder, _: refused(
+        lambda: layer.relative_asset_path(folder / "a@@@b.usda", folder / "out.usda")
+    ),
+    "SCHEMA_MISSING": _schema_gone,
+    "SCHEMA_TOO_LATE": _schema_late,
+    "VIEW_MISMATCH": _empty_page,
+    "LAYOUT_MISSING": _checked(_no_layout),
+    "LAYOUT_INVALID": _checked(_edited((r"uniform int rigUI:anchor:pointIndex = \d+\n", ""))),
+    "LAYOUT_VERSION": _checked(_edited((_WIDTH, "uniform int rigUI:layout:version = 99\n" + _WIDTH))),
+    "SOURCE_MISSING": _viewed(_bare),
+    "LAYOUT_STALE": _viewed(_renamed),
+    "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
+    "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),
+    "LAYOUT_ANCHOR_MOVED": _checked(_edited((r"anchor:position = \([^)]*\)", "anchor:position = (9, 9, 9)"))),
+    "LAYOUT_CONTROL_GONE": _checked(_edited(_OTHER_NAMES, of="char.usda")),
+    "LAYOUT_CONTROL_NEW": _checked(_edited(_OTHER_NAMES, of="char.usda")),
+    "LAYOUT_HANDLES_COLLIDE": _checked(_edited(("Index = 5", "Index = 0"), (r"\(4, 3, 0\)", "(0, 0, 0)"))),
+    "LAYOUT_BETTER_PLACE": _checked(_edited(("uniform int rigUI:anchor:pointIndex = 0", _WORSE))),
+    "LAYOUT_ANCHOR_HIDDEN": _checked(_edited((r"point3f\[\] points", _INVISIBLE), of="char.usda")),
+    "FIXED_IMPOSSIBLE": _configured('[controls.smile]\nanchor = "/Char/Face#5"\n'),
+    "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
+    "ATTACH_LINK": _attached(_linked, "link.usda"),
+    "ATTACH_CYCLE": _attached(_laid_out),
+    "ATTACH_NOT_BARE": _attached(_over_another),
+    "SOLVE_TOO_LARGE": _too_large,
+    "SOLVE_MEMORY": _solved("toulbar2", memory_limit=0),
+    "SOLVE_EXTRA": _without("pytoulbar2", _solved("toulbar2")),
+    "SOLVE_INFEASIBLE": _infeasible,
+    "PROBLEM_FILE": _bad_problem,
+    "TERM_INVALID": _bad_term,
+    "POSE_CONTROL": _posed(_valued({"smirk": 1.0})),
+    "POSE_VALUE": _posed(_valued({"smile": float("nan")})),
+    "POSE_POINT": _posed(_pulled),
+}  # fmt: skip

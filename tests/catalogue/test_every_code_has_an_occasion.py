@@ -1,0 +1,79 @@
+"""The catalogue: every issue code has one smallest occasion that calls for it, and a golden report of it.
+
+To add a code: an edit in smallest.py or an occasion in occasions.py, then
+``USDRIGUI_GOLDEN=write pytest tests/catalogue`` and a look at the new file under golden/.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import occasions
+import pytest
+from zygote import Zygote
+
+from usdrigui.errors import CODES, Exit
+from usdrigui.usd import child
+
+GOLDEN = Path(__file__).parent / "golden"
+WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
+IN_USDS_WORDS = {"FILE_NOT_USD", "LAYER_MISSING", "COMPOSITION_ERROR", "USD_DIAGNOSTIC", "USD_ERROR", "LAYOUT_VERSION"}
+"""Their messages are not ours, or name a version: any text will do."""
+FRESH = {"SOURCE_READER_LOST", "SOURCE_CRASHES_USD", "SOURCE_TIME_LIMIT", "SOURCE_MEMORY_LIMIT"}
+"""Read by a real child of its own; the others by one that is forked, to save time."""
+
+
+@pytest.fixture(scope="module")
+def zygote():
+    if sys.platform != "linux":
+        yield None
+        return
+    forking = Zygote(child._environment())
+    yield forking
+    forking.close()
+
+
+def test_no_code_lacks_an_occasion():
+    lacking = sorted(set(CODES) - set(occasions.OCCASIONS))
+    assert not lacking, f"add the smallest occasion for {lacking} to tests/catalogue/occasions.py"
+    assert not sorted(set(occasions.OCCASIONS) - set(CODES)), "codes are never removed"
+
+
+def test_no_golden_report_is_left_over():
+    assert {each.stem for each in GOLDEN.glob("*.json")} == set(CODES)
+
+
+@pytest.mark.parametrize("code", occasions.OCCASIONS)
+def test_its_golden_report(code, tmp_path, monkeypatch, zygote):
+    if zygote is not None and code not in FRESH:
+        monkeypatch.setattr(child, "_started", zygote.start)
+    exit_code, issues = occasions.OCCASIONS[code](tmp_path, monkeypatch)
+    monkeypatch.undo()
+    report = {"exit": exit_code, "issues": [_anonymous(each, tmp_path) for each in issues if each["code"] == code]}
+    assert report["issues"], f"the occasion calls for {[each['code'] for each in issues]}"
+    path = GOLDEN / f"{code}.json"
+    if WRITE:
+        path.write_text(json.dumps(report, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    assert report == json.loads(path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_its_entry_is_sound(code):
+    entry = CODES[code]
+    (golden,) = json.loads((GOLDEN / f"{code}.json").read_text(encoding="utf-8"))["issues"][:1]
+    assert golden["repair"] == entry.repair
+    assert golden["severity"] == entry.severity or golden["severity"] == "error"
+    assert entry.meaning.endswith(".")
+    assert entry.exit in set(Exit) - {Exit.OK}
+
+
+def _anonymous(found, folder):
+    """An issue without the place where the test ran, and without the words of others."""
+    clean = {key: value.replace(str(folder), "FOLDER") for key, value in found.items()}
+    assert all(clean[key] for key in ("code", "severity", "message", "repair"))
+    if found["code"] in IN_USDS_WORDS:
+        clean["message"] = "..."
+    return clean
