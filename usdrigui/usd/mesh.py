@@ -10,7 +10,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import issue, refuse
-from usdrigui.model import Floats, Indices, RigMesh, Skin
+from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
 from usdrigui.usd.shapes import Binding, Found, note_tokens, read_shapes
 from usdrigui.usd.skeleton import Frames
@@ -77,7 +77,25 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         skin=skin,
         shapes=shapes,
         topology_hash=topology_hash(len(points), counts, indices),
+        subsets=_subsets(mesh, counts, indices, len(points)),
     )
+
+
+def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int) -> tuple[Subset, ...]:
+    """GeomSubsets of faces or points; members that the mesh does not have are left out."""
+    found = []
+    ends = np.cumsum(counts)
+    for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh):
+        members = np.asarray(subset.GetIndicesAttr().Get() or (), dtype=np.int64)
+        if subset.GetElementTypeAttr().Get() == UsdGeom.Tokens.face:
+            faces = members[(members >= 0) & (members < len(counts))]
+            spans = [indices[ends[face] - counts[face] : ends[face]] for face in faces]
+            points = np.unique(np.concatenate(spans)) if spans else np.zeros(0, dtype=np.int64)
+        else:
+            points = np.unique(members[(members >= 0) & (members < count)])
+        if len(points):
+            found.append(Subset(str(subset.GetPath()), points))
+    return tuple(found)
 
 
 def topology_hash(points: int, counts: Indices, indices: Indices) -> str:
