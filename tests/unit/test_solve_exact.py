@@ -73,7 +73,7 @@ def test_proves_crowds_optimal(seed: int) -> None:
 
 
 def test_crowd_needs_more_than_the_pairwise_bound(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem = crowd(1)
+    problem = crowd(1, variables=5, candidates=30)
     assert solve(problem, HIGHS).status == "optimal"
     monkeypatch.setattr(reduce, "NODES", 0)
     monkeypatch.setattr(reduce, "MEMBERS", 0)
@@ -180,7 +180,7 @@ def test_no_variables() -> None:
 
 
 def test_stopping_at_once_returns_an_honest_layout() -> None:
-    problem = crowd(5, variables=12, candidates=60)
+    problem = crowd(5, variables=5, candidates=30)
     told: list[Progress] = []
     found = solve(problem, HIGHS, told.append, stop=lambda: bool(told))
     assert found.status == "stopped"
@@ -190,7 +190,7 @@ def test_stopping_at_once_returns_an_honest_layout() -> None:
 
 def test_progress_only_gets_better() -> None:
     told: list[Progress] = []
-    found = solve(crowd(2), HIGHS, told.append)
+    found = solve(crowd(2, variables=5, candidates=30), HIGHS, told.append)
     costs, lower = [each.cost for each in told], [each.bound for each in told]
     assert costs == sorted(costs, reverse=True)
     assert lower == sorted(lower)
@@ -204,6 +204,17 @@ def test_work_limit_is_reproducible() -> None:
     assert (first.labels == second.labels).all()
     assert (first.cost, first.bound) == (second.cost, second.bound)
     assert [each.figures for each in first.steps] == [each.figures for each in second.steps]
+
+
+def test_memory_is_planned_before_it_is_spent() -> None:
+    problem = crowd(7, variables=8, candidates=400)
+    plan = 191  # MiB: as much as the matrices of a group take
+    found = solve(problem, SolveSettings(memory_limit=plan, work_limit=400_000))
+    assert "memory limit" in [each.name for each in found.steps]
+    assert found.status == "stopped"
+    assert found.bound <= found.cost
+    free = solve(problem, SolveSettings(work_limit=400_000))
+    assert "memory limit" not in [each.name for each in free.steps]
 
 
 def test_importing_the_package_loads_no_solver() -> None:

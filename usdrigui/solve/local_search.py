@@ -19,8 +19,8 @@ from usdrigui.solve.watch import Watch
 STEP = "local search"
 WORSE = 0.02
 """How much worse than the best a layout may be for the search to go on from it."""
-CACHE = 32_000_000
-"""Neighbour entries kept: 16 bytes each."""
+CACHE_SHARE = 0.2
+"""Share of the memory allowed that may hold remembered neighbours, at 16 bytes an entry."""
 
 
 class Neighbours:
@@ -32,6 +32,7 @@ class Neighbours:
         self._watch = watch
         self._known: OrderedDict[int, tuple[Indices, Floats]] = OrderedDict()
         self._entries = 0
+        self._most = int(CACHE_SHARE * watch.settings.memory_limit * 2**20 / 16)
         self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.pool.bodies]
         for place, body in zip(self._place, labels.pool.bodies, strict=True):
             place[body.owner] = np.arange(len(body.owner))
@@ -44,7 +45,7 @@ class Neighbours:
         found = self._evaluate(label)
         self._known[label] = found
         self._entries += len(found[0])
-        while self._entries > CACHE and len(self._known) > 1:
+        while self._entries > self._most and len(self._known) > 1:
             self._entries -= len(self._known.popitem(last=False)[1][0])
         return found
 

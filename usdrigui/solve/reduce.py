@@ -10,7 +10,7 @@ import numpy as np
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem
 from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, whole
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.groups import decode, group_gains
+from usdrigui.solve.groups import LARGEST, decode, group_gains
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -20,6 +20,7 @@ MEMBERS = 10
 """Variables of a group at first."""
 NEAR = 0.02
 SLOW = 0.1
+BYTES_PER_PAIR = 120
 SWEEPS = 8
 
 
@@ -67,7 +68,11 @@ def reduce(
             return residual
         nodes = nodes * 5 // 4 if residual.blocks.sizes[alive].max() > 1 else nodes * 2
         rest = keep(residual.blocks, alive)
-        blocks, parent = halve(labels, rest, _worth_splitting(residual, alive, watch.cut, share))
+        chosen = _affordable(residual, alive, share, watch)
+        if chosen is None:
+            watch.note("memory limit", blocks=len(rest.variable), mebibytes=_planned(residual, alive.astype(np.int64)))
+            return residual
+        blocks, parent = halve(labels, rest, chosen)
         before = residual.bound
         residual = _bounded(problem, labels, blocks, forbidden, watch, residual, np.flatnonzero(alive)[parent])
         share = NEAR if residual.bound - before > SLOW * (watch.cut - before) else min(1.0, 2.0 * share)
@@ -102,6 +107,25 @@ def _representatives(labels: Labels, residual: Residual) -> Indices:
         members = blocks.members[blocks.start[at] : blocks.start[at + 1]]
         found[variable] = members[labels.pool.cost[members].argmin()]
     return found
+
+
+def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) -> Flags | None:
+    """The blocks to split, fewer than wished where their tables would not fit into the memory allowed; None
+    when even those of the solution alone would not."""
+    for wanted in (share, 0.25 * share, 0.0):
+        chosen = _worth_splitting(residual, alive, watch.cut, wanted)
+        parts = alive.astype(np.int64)
+        parts[np.flatnonzero(alive)[chosen]] = 2
+        if _planned(residual, parts) <= watch.settings.memory_limit:
+            return chosen
+    return None
+
+
+def _planned(residual: Residual, parts: Indices) -> float:
+    """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, and the
+    tables of two rounds in both directions; and the matrices of a group under search."""
+    pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
+    return (BYTES_PER_PAIR * pairs + 4 * 8 * LARGEST**2) / 2**20
 
 
 def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:

@@ -12,8 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
-from usdrigui.solve.blocks import Pool, near_pairs, pair_bounds
+from usdrigui.solve.blocks import Bodies, Pool, near_pairs, pair_bounds
 from usdrigui.solve.watch import Watch
+
+AT_ONCE = 1_000_000
+"""Distances between bodies held at a time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,11 +51,22 @@ def near_blocks(problem: LayoutProblem, pool: Pool, watch: Watch) -> list[NearPa
     found = []
     for a, one in enumerate(pool.bodies):
         for b, other in enumerate(pool.bodies):
-            i, j = near_pairs(one, slice(0, len(one.owner)), other, problem.overlap.reach, problem.separation)
+            i, j = _near(problem, one, other)
             first, second = one.owner[i], other.owner[j]
             apart = pool.variable[first] < pool.variable[second]
             found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], watch))
     return found
+
+
+def _near(problem: LayoutProblem, one: Bodies, other: Bodies) -> tuple[Indices, Indices]:
+    """Pairs of bodies that may interact, found a few rows at a time."""
+    rows = max(1, AT_ONCE // max(len(other.owner), 1))
+    pieces = [
+        near_pairs(one, slice(at, min(at + rows, len(one.owner))), other, problem.overlap.reach, problem.separation)
+        for at in range(0, len(one.owner), rows)
+    ]
+    none = np.empty(0, dtype=np.int64)
+    return np.concatenate([none, *(i for i, _ in pieces)]), np.concatenate([none, *(j for _, j in pieces)])
 
 
 def refined(
