@@ -137,8 +137,9 @@ def _samples(subject: Body, camera: Camera, pixels: Floats) -> tuple[Floats, Flo
     met = np.flatnonzero(hits.triangle >= 0)
     depth[met] = front - hits.distance[met]
     triangle = hits.triangle[met]
-    weights = _barycentric(camera.project(subject.points[subject.corners[triangle]])[..., :2], pixels[met])
-    normals = np.einsum("nk,nkd->nd", weights, subject.normals[subject.corners[triangle]]) @ camera.rows.T
+    corners = subject.corners[triangle]
+    weights = _barycentric(camera.project(subject.points)[:, :2][corners], pixels[met])
+    normals = np.einsum("nk,nkd->nd", weights, (subject.normals @ camera.rows.T)[corners])
     colour[met] = _lit(normals) * np.where(subject.trim[triangle, None], _TRIM, CLAY)
     return colour, depth
 
