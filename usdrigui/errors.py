@@ -380,6 +380,32 @@ _CODES: dict[str, Code] = {
         "The layout already stands over the asset, so that each would contain the other.",
         "Write it with `usdrigui process --bare`, or detach it from the asset first.",
     ),
+    # --- many assets -------------------------------------------------------------------------------
+    "BATCH_NO_MATCH": Code(
+        "error",
+        "A pattern matches no asset.",
+        "Correct it; put it in quotes, so that the shell leaves it alone.",
+        Exit.USAGE,
+    ),
+    "BATCH_TIME_LIMIT": Code(
+        "error", "An asset took longer than the batch allows.", "Raise --timeout, or process it alone.", Exit.LIMIT
+    ),
+    "BATCH_KILLED": Code(
+        "error",
+        "The process of an asset was ended from outside.",
+        "Look for a memory limit of the machine or the farm, and run again.",
+        Exit.LIMIT,
+    ),
+    "BATCH_NO_REPORT": Code(
+        "error",
+        "The process of an asset ended without its report.",
+        "Run `usdrigui process` on the asset alone to see what it says.",
+        Exit.BUG,
+    ),
+    "BATCH_SCHEDULER": Code(
+        "error", "No dask scheduler answers.", "Check the address and that the scheduler runs.", Exit.FILE
+    ),
+    "BATCH_TOO_MANY": Code("error", "There are more assets than one job can hold.", "Make several jobs.", Exit.USAGE),
     # --- posing ----------------------------------------------------------------------------------
     "SOURCE_MISSING": Code(
         "error",
@@ -405,6 +431,11 @@ _CODES: dict[str, Code] = {
     ),
     "POSE_VALUE": Code(
         "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
+    ),
+    "NORMALS_INWARD": Code(
+        "warning",
+        "The faces of the character are wound so that their normals point inward.",
+        "Correct the meshes' orientation attribute, or reverse their faces.",
     ),
     "TERM_INVALID": Code(
         "error",

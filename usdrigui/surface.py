@@ -72,6 +72,16 @@ def vertex_normals(points: Floats, corners: Indices, places: Indices | None = No
     return np.asarray(normals if places is None else normals[places], dtype=np.float64)
 
 
+def faces_inward(points: Floats, corners: Indices) -> bool:
+    """Whether the triangles enclose a clearly negative volume: a character whose faces are wound the wrong
+    way round.  Open and flat surfaces, whose volume says little, count as right."""
+    if not len(corners):
+        return False
+    a, b, c = (points[corners[:, i]] - points[np.unique(corners)].mean(axis=0) for i in range(3))
+    volume = float(np.einsum("ti,ti->t", a, np.cross(b, c)).sum()) / 6.0
+    return bool(volume < -0.01 * float(triangle_areas(points, corners).sum()) ** 1.5)
+
+
 def point_areas(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
     """``(n,)`` a third of the area of the triangles around each point; with `places` the whole of a
     place's area falls to its first point and the others get zero."""

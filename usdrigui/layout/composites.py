@@ -1,9 +1,10 @@
 """Composites: controls that repeat what others do (visemes, emotions, flattened in-betweens).
 
 Rigs keep them beside the atomic controls they were sculpted from.  On the face they would only crowd
-the atoms, so they go to the board.  They are recognised by what they share with the others, never by name:
+the atoms, so they go to the board.  They are recognised by what they share with the others:
 
-* a *repetition* runs parallel to a stronger control everywhere (``smile_50`` beside ``smile``);
+* a *repetition* runs parallel to a stronger control everywhere; where the name hints at a step of it
+  (``smile_50`` beside ``smile``), roughly parallel is enough, since in-betweens are made to lie off the line;
 * a *mixture* is a sum of several smaller controls with non-negative weights;
 * a *spread* is symmetric and moves distant parts of the face as distant atoms do (an emotion moves the
   brows as the brow's control does, and the mouth as the mouth's does).
@@ -16,12 +17,15 @@ from scipy.optimize import nnls
 from scipy.sparse import csr_array
 
 from usdrigui.layout.fields import Fields
+from usdrigui.layout.names import is_step_of
 from usdrigui.layout.reach import reaches
 from usdrigui.layout.terms import Context
 from usdrigui.model import Flags, Symmetry, Trajectories
 
 _PARALLEL = 0.98
 """Cosine of two motions from which one repeats the other."""
+_STEP = 0.75
+"""The same where the name calls one a step of the other: a flattened in-between lies off the straight line."""
 _EXPLAINED = 0.85
 """Share of a motion's energy that a mixture of others must explain."""
 _PARTS = 1.8
@@ -71,13 +75,15 @@ class _Shares:
         self.norm, self.cosine = context.affinity.norm, context.affinity.cosine
         reach = reaches(trajectories.motions, len(trajectories.base))
         self.size = reach @ context.areas
-        self.largest_first = [int(i) for i in np.argsort(-self.size, kind="stable")]
+        rough = np.round(self.size / max(float(self.size.max(initial=0.0)), 1e-300), 6)
+        self.largest_first = sorted(range(len(rough)), key=lambda i: (-rough[i], self.names[i]))
         self.contains = _contained(context.fields, reach[:, context.fields.places])
         self.far = _distant(context)
 
     def repetition(self, index: int, rest: list[int]) -> str:
         for other in rest:
-            if self.cosine[index, other] > _PARALLEL and self._stronger(other, index):
+            least = _STEP if is_step_of(self.names[index], self.names[other]) else _PARALLEL
+            if self.cosine[index, other] > least and self._stronger(other, index):
                 share = self.norm[index] / self.norm[other]
                 return f"does the same as {self.names[other]}, {share:.0%} as far"
         return ""
@@ -106,7 +112,9 @@ class _Shares:
         return f"moves distant parts of the face at once, as {self.names[a]} and {self.names[b]} do"
 
     def _stronger(self, a: int, b: int) -> bool:
-        return bool((self.norm[a], -a) > (self.norm[b], -b))
+        if abs(self.norm[a] - self.norm[b]) <= 1e-6 * self.norm[a]:
+            return self.names[a] < self.names[b]
+        return bool(self.norm[a] > self.norm[b])
 
 
 def _contained(fields: Fields, reach: Flags) -> Flags:

@@ -37,6 +37,12 @@ def has_side(name: str) -> bool:
     return any(word in _SWAPPED for word in _words(name))
 
 
+def is_step_of(name: str, other: str) -> bool:
+    """True when `name` is `other` with a number behind it, as flattened in-betweens are called."""
+    stem = re.fullmatch(r"(.*[A-Za-z].*?)[ _.:-]?\d+", name)
+    return stem is not None and stem[1].lower() == other.lower()
+
+
 def common_label(labels: list[str]) -> str:
     """One label for controls that share an element: what they have in common, and what tells them apart.
 

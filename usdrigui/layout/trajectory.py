@@ -11,7 +11,7 @@ from usdrigui.errors import Issue, issue
 from usdrigui.layout.reach import covering
 from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
 from usdrigui.settings import TrajectorySettings
-from usdrigui.surface import mesh_triangles, point_areas, vertex_normals, weld
+from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
 
 STAGE = "trajectories"
 
@@ -118,19 +118,27 @@ def _assembled(
     corners = mesh_triangles(rig.meshes)
     places = weld(base, total_motion(motions, len(base)).astype(np.float64))
     local = _local(motions, point_areas(base, corners, places))
+    normals = vertex_normals(base, corners, weld(base))
+    inward = faces_inward(base, corners)
     heights = base @ rig.up
-    face_size = _face_size([motions[i] for i in np.flatnonzero(local)], heights) or _diagonal(base)
     peaks = np.array([motion.arc_length.max() for motion in motions])
+    face_size = _face_size([motions[i] for i in np.flatnonzero(local)], heights) or _diagonal(base)
+    face_size = face_size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
     return Trajectories(
         base=base,
-        normals=vertex_normals(base, corners, weld(base)),
+        normals=-normals if inward else normals,
         places=places,
         motions=motions,
         face_size=face_size,
         typical_length=float(np.median(peaks[local])) if local.any() else face_size,
         left_off=left_off,
-        issues=(*_tiny(rig, motions, face_size, settings), *_duplicates(rig, motions)),
+        issues=(*_inward(rig, inward), *_tiny(rig, motions, face_size, settings), *_duplicates(rig, motions)),
     )
+
+
+def _inward(rig: Rig, inward: bool) -> list[Issue]:
+    said = "the faces enclose a negative volume; normals are taken the other way round"
+    return [issue("NORMALS_INWARD", rig.root, said)] if inward else []
 
 
 def _local(motions: tuple[Motion, ...], areas: Floats) -> Flags:

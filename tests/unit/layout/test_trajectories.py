@@ -142,3 +142,17 @@ def jointed(angle):
 
 FULL, QUADS_FULL = makers.mask()
 HEAD = np.full_like(FULL, 0.4)
+
+
+def test_faces_wound_inward_are_noticed_and_turned():
+    angles = np.linspace(0.0, 2.0 * np.pi, 13)[:-1]
+    points = np.array([[np.cos(a), y, np.sin(a)] for y in (-1.0, 1.0) for a in angles])
+    sides = [[i, 12 + i, 12 + (i + 1) % 12, (i + 1) % 12] for i in range(12)]
+    faces = [*sides, list(range(12)), list(range(23, 11, -1))]
+    shapes = {"a": makers.bump(points, (0.0, 1.0), (0, 1, 0), 1.5)}
+    right = trajectories(makers.rig(points, faces, shapes), DENSE)
+    wrong = trajectories(makers.rig(points, [face[::-1] for face in faces], shapes), DENSE)
+    for found in (right, wrong):
+        assert (np.einsum("ni,ni->n", found.normals, points) > 0.0).all()
+    assert [each.code for each in wrong.issues] == ["NORMALS_INWARD"]
+    assert not right.issues

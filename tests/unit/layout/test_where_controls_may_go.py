@@ -213,6 +213,14 @@ def test_repetitions_mixtures_and_spreads_are_composites():
     assert not chosen(rig, controls={"both": {"place": "face"}})("both").composite
 
 
+def test_flattened_in_betweens_are_steps_of_their_control():
+    off_the_line = 0.5 * SHAPES["pucker"] + 0.3 * np.linalg.norm(SHAPES["pucker"], axis=1)[:, None] * [0.0, 1.0, 0.0]
+    found = chosen(rig_with(pucker_50=off_the_line, other=off_the_line * 1.1))
+    assert found("pucker_50").composite
+    assert "pucker" in found("pucker_50").reason
+    assert not found("other").composite
+
+
 def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
     own = makers.bump(POINTS, (0.0, 0.1), (0, 0, 1), 0.5, 0.08)
     brow, smile = SHAPES["brow_L"] + SHAPES["brow_R"], SHAPES["smile_L"] + SHAPES["smile_R"]
