@@ -15,6 +15,7 @@ import pytest
 from mutations import mutant, package
 from skel_stages import head
 
+from usdrigui.cli import main
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 from usdrigui.usd.child import read_rigs_isolated
@@ -22,6 +23,10 @@ from usdrigui.usd.child import read_rigs_isolated
 HERE = Path(__file__).parent
 FOUND = sorted((HERE / "found").glob("*.usd*"))
 """Files that once broke something, by this fuzzer or otherwise, with what they must end in."""
+ENDS = {
+    "no_faces": (0, []),
+    "singular_skeleton": (1, ["SKELETON_INVALID"]),
+}
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
 
@@ -36,6 +41,19 @@ def test_every_damaged_file_has_a_documented_end(form, tmp_path):
     assert sum(found["ends"].values()) == 150
     assert len(found["ends"]) > 5, "the damage has become too gentle or too rough to tell anything"
     assert found["ends"].get("0", 0) < 120
+
+
+@pytest.mark.parametrize("path", FOUND, ids=lambda path: path.stem)
+def test_what_was_found_once(path, tmp_path, capfd):
+    """By the command as it is, in a copy so that nothing is written here."""
+    copy = tmp_path / f"char{path.suffix}"
+    copy.write_bytes(path.read_bytes())
+    exit_code = main(["process", str(copy), "--json"])
+    printed = capfd.readouterr()
+    codes = [each["code"] for each in json.loads(printed.out)["issues"]]
+    assert (exit_code, codes[:1] if exit_code else []) == ENDS[path.stem]
+    assert "Traceback" not in printed.err
+    assert copy.read_bytes() == path.read_bytes()
 
 
 def test_a_mutant_is_the_same_every_time(tmp_path):

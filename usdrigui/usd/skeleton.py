@@ -53,7 +53,10 @@ class Frames:
 
     def to_root(self, prim: Usd.Prim) -> Floats:
         """(4, 4) transform from the prim's space to root space."""
-        return np.array(self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64)
+        found = np.array(self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64)
+        if not np.isfinite(found).all():
+            raise refuse("NOT_FINITE", str(prim.GetPath()), "its transform holds NaN or infinity")
+        return found
 
     def direction(self, world: Gf.Vec3d) -> Floats:
         """(3,) unit vector in root space of a world direction."""
@@ -207,7 +210,10 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
         if each is not None and (each.IsInstanceProxy() or each.IsInPrototype()):
             raise refuse("INSTANCE", str(each.GetPath()), "lies inside an instance")
     tokens = tuple(animation.GetBlendShapeOrder()) if animation else ()
-    record = Skeleton(path, str(animated.GetPath()) if animated else "", frames.to_root(prim))
+    to_root = frames.to_root(prim)
+    if np.linalg.matrix_rank(to_root) < 4:
+        raise refuse("SKELETON_INVALID", path, "its transform collapses space")
+    record = Skeleton(path, str(animated.GetPath()) if animated else "", to_root)
     names = tuple(str(name) for name in query.GetJointOrder())
     if animation:
         _check_joint_values(UsdSkel.Animation(animated))

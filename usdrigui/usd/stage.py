@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +12,8 @@ from pxr import Pcp, Sdf, Tf, Usd, UsdUtils
 
 from usdrigui.errors import Issue, issue, refuse
 
+_ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
+"""Differs from run to run."""
 _MISSING = (
     Pcp.ErrorInvalidSublayerPath,
     Pcp.ErrorInvalidAssetPath,
@@ -62,7 +65,7 @@ def listening() -> Iterator[list[str]]:
     finally:
         for each in delegate.TakeUncoalescedDiagnostics():
             try:
-                text = each.commentary
+                text = _ADDRESS.sub("#", each.commentary)
             except UnicodeDecodeError:
                 text = "a message that is not UTF-8"
             if text not in heard:
@@ -114,7 +117,7 @@ def told(error: Exception) -> str:
 
 def _described(error: Pcp.ErrorBase) -> str:
     try:
-        return " ".join(str(error).split())
+        return _ADDRESS.sub("#", " ".join(str(error).split()))
     except UnicodeDecodeError:
         return str(error.errorType)
 

@@ -1,0 +1,59 @@
+"""Every structural trap ends as it should: refused with its code, or laid out with what is strange about it said."""
+
+from __future__ import annotations
+
+import sys
+
+import occasions
+import pytest
+import traps
+from zygote import Zygote
+
+from usdrigui.usd import child
+from usdrigui.usd.read_layout import read_layout
+
+
+@pytest.fixture(scope="module")
+def zygote():
+    if sys.platform != "linux":
+        yield None
+        return
+    forking = Zygote(child._environment())
+    yield forking
+    forking.close()
+
+
+@pytest.mark.parametrize("name", traps.TRAPS)
+def test_a_trap(name, tmp_path, monkeypatch, zygote, capfd):
+    if zygote is not None:
+        monkeypatch.setattr(child, "_started", zygote.start)
+    _, expected_exit, expected = traps.TRAPS[name]
+    exit_code, issues = occasions.command("process", traps.trapped(tmp_path, name))
+    assert exit_code == expected_exit, issues
+    assert expected <= {each["code"] for each in issues}
+    assert "0x" not in str(issues), "an address of this run is in the report"
+    layer = tmp_path / "char.rigui.usda"
+    assert layer.exists() == (exit_code == 0)
+    if not exit_code:
+        assert read_layout(layer)
+    assert "Traceback" not in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["names that are not ASCII", "a name with markup"])
+def test_a_name_comes_back_from_the_layer(name, tmp_path):
+    path = traps.trapped(tmp_path, name)
+    assert occasions.command("process", path)[0] == 0
+    (layout,) = read_layout(tmp_path / "char.rigui.usda")
+    names = {member.control for element in layout.elements for member in element.members}
+    assert names == ({"lächeln", "怒り"} if "ASCII" in name else {'<b>&"smile', "frown"})
+
+
+def test_a_layout_layer_is_a_source_too(tmp_path):
+    """The layer over a character is the character with a layout: processing it finds the same controls again."""
+    path = traps.smallest.character(tmp_path)
+    assert occasions.command("process", path)[0] == 0
+    layer = tmp_path / "char.rigui.usda"
+    assert occasions.command("process", layer, "-o", tmp_path / "again.usda")[0] == 0
+    first, second = read_layout(layer), read_layout(tmp_path / "again.usda")
+    assert [each.elements[0].anchor.point for each in first] == [each.elements[0].anchor.point for each in second]
+    assert len(first) == len(second) == 1
