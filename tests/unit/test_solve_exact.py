@@ -209,7 +209,7 @@ def test_work_limit_is_reproducible() -> None:
 def test_memory_is_planned_before_it_is_spent() -> None:
     problem = crowd(7, variables=8, candidates=400)
     plan = 191  # MiB: as much as the matrices of a group take
-    found = solve(problem, SolveSettings(memory_limit=plan, work_limit=400_000))
+    found = solve(problem, SolveSettings(memory_limit=plan))
     assert "memory limit" in [each.name for each in found.steps]
     assert found.status == "stopped"
     assert found.bound <= found.cost

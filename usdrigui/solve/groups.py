@@ -41,17 +41,21 @@ class Grouped:
 
 
 def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int, most: int) -> Grouped:
-    """Solve and merge groups until they agree, reach the cut-off, have `most` members or spent `nodes`."""
+    """Solve and merge groups until they agree, reach the cut-off or have spent `nodes`.
+
+    Groups have `most` members at first, more when all of those are solved and nodes remain.
+    """
     chosen = chosen.copy()
     label = _joined(np.arange(len(chosen)), _disagreements(dual, chosen, 0.02 * max(cut - bound, 0.0)), most)
     solved: dict[tuple[int, ...], tuple[Found, float]] = {}
+    best: Grouped | None = None
     while True:
         spent = 0
         for group in _groups(label):
             if group not in solved:
                 least = _least(dual, group)
                 others = sum(solved[each][0].bound - solved[each][1] for each in _groups(label) if each in solved)
-                found, used = _solve(dual, group, least, cut - bound - others, chosen, watch, nodes - spent)
+                found, used = _solve(dual, group, least, cut - bound - others, chosen, watch, (nodes - spent + 1) // 2)
                 solved[group] = (found, least)
                 spent += used
             found = solved[group][0]
@@ -65,11 +69,15 @@ def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Wa
         clashes = [each for each in _disagreements(dual, chosen, 1e-7) if _apart(member, each)]
         finished = all(np.isfinite(solved[each][0].cost) for each in current)
         nodes -= spent
-        if not clashes or not finished or nodes <= 0 or bound + gains.sum() >= cut or watch.stopped():
-            return Grouped(gains, member, chosen, not clashes and finished)
-        merged = _joined(label, clashes[: max(1, len(clashes) // 2)], most)
-        if (merged == label).all():
-            return Grouped(gains, member, chosen, complete=False)
+        # A large group whose search was cut short can prove less than its parts did.
+        if best is None or gains.sum() > best.gain.sum():
+            best = Grouped(gains, member, chosen.copy(), not clashes and finished)
+        if not clashes or not finished or nodes <= 0 or bound + best.gain.sum() >= cut or watch.stopped():
+            return best
+        merged = label
+        while (merged == label).all():
+            merged = _joined(label, clashes[: max(1, len(clashes) // 2)], most)
+            most += 1
         label = merged
 
 

@@ -20,6 +20,8 @@ MEMBERS = 10
 """Variables of a group at first."""
 NEAR = 0.02
 SLOW = 0.1
+FRUSTRATED = 0.5
+"""Share of the missing bound that the blocks' own solution must leave before groups are searched."""
 BYTES_PER_PAIR = 120
 SWEEPS = 8
 
@@ -85,7 +87,7 @@ def _examined(
     watch.found(STEP, bound=min(residual.bound, watch.cut))
     improve(_representatives(labels, residual))
     missing = watch.cut - residual.bound
-    splitting = residual.value - residual.bound <= 0.5 * missing and not residual.exact
+    splitting = residual.value - residual.bound <= FRUSTRATED * missing and not residual.exact
     if watch.closed() or watch.stopped() or splitting:
         return residual
     residual = _grouped(residual, watch, nodes)
@@ -141,7 +143,7 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
     """The residual with the bound raised by groups of variables."""
     dual = residual.dual
-    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes, MEMBERS + nodes // 2000)
+    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes, MEMBERS)
     total = residual.bound + float(found.gain.sum())
     _, excess = dual.parts(found.member)
     own = np.array([found.gain[each] if each >= 0 else 0.0 for each in found.member])

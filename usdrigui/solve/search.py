@@ -237,7 +237,7 @@ class Search:
             if not np.isfinite(found.cost) and found.bound < limit - 1e-9:
                 return Found(max(bound, found.bound), np.inf, {})
             if np.isfinite(found.cost) or limit >= cut:
-                return found
+                return Found(max(bound, found.bound), found.cost, found.chosen)
             bound, step = limit - 1e-9, 1.5 * step
 
     def _blame(self, part: Part) -> None:
