@@ -7,12 +7,17 @@ Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
 from __future__ import annotations
 
 import argparse
+import dataclasses
+import functools
+import hashlib
 import json
 import os
 import signal
 import sys
+import time
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -21,6 +26,7 @@ from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui import report, terminal
+    from usdrigui.clients.batch import jobs
     from usdrigui.settings import Settings
 
 
@@ -51,7 +57,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
 
     settings = _settings(arguments)
     screen = _screen(arguments)
-    with _Interruption() as interruption, screen.progress() as shown:
+    with _Interruption() as interruption, _progress(screen, arguments) as shown:
 
         def watch(event: pipeline.Event) -> None:
             interruption.patient = event.can_stop
@@ -75,6 +81,98 @@ def _process(arguments: argparse.Namespace) -> Exit:
 
 def _inspect(arguments: argparse.Namespace) -> Exit:
     from usdrigui import inspection, pipeline
+
+def _batch(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients.batch import run, sheet
+
+    screen = _screen(arguments)
+    jobs = _jobs(arguments)
+    address = arguments.dask
+    start = time.perf_counter()
+    with screen.batch_progress(len(jobs)) as shown:
+        rows = []
+        for row in run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs):
+            rows.append(row)
+            shown(row)
+    ordered = run.in_order(rows, jobs)
+    summary = run.Summary(ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs)
+    written = []
+    if arguments.sheet is not None:
+        written.append(f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet)} {arguments.sheet}")
+    if arguments.summary is not None:
+        written.append(f"{pipeline.write_file(run.to_json(summary).encode(), arguments.summary)} {arguments.summary}")
+    if arguments.json:
+        sys.stdout.write(run.to_json(summary))
+    else:
+        screen.batch(summary, written)
+    warned = arguments.strict and any(row.warnings for row in ordered)
+    return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)
+
+
+def _openjd(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients import openjd
+    from usdrigui.clients.batch import places
+
+    assets = places.find_assets(arguments.patterns)
+    pairs = [(asset, places.output_of(asset, assets, arguments.folder)) for asset in assets]
+    template = openjd.template(pairs, _passed_on(arguments))
+    if arguments.output is None:
+        sys.stdout.write(template)
+        return Exit.OK
+    state = pipeline.write_file(template.encode(), arguments.output)
+    _say(f"usdrigui: {state} {arguments.output}: {len(assets)} tasks", arguments)
+    return Exit.OK
+
+
+def _jobs(arguments: argparse.Namespace) -> list[jobs.Job]:
+    """One job per asset, each with the settings that its own configuration gives."""
+    from usdrigui.clients.batch import jobs, places
+
+    assets = places.find_assets(arguments.patterns)
+    threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
+    passed = (*_passed_on(arguments), *threads)
+    found = []
+    for asset in assets:
+        output = places.output_of(asset, assets, arguments.folder)
+        picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
+        arguments.asset = asset
+        digest = _settings_digest(arguments)
+        found.append(jobs.Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
+    del arguments.asset
+    return found
+
+
+def _threads_each(arguments: argparse.Namespace) -> int:
+    """Threads for each process, so that together they fill the machine; on a cluster one."""
+    return 1 if arguments.dask else max(1, (os.cpu_count() or 1) // max(1, arguments.jobs))
+
+
+def _settings_digest(arguments: argparse.Namespace) -> str:
+    """Digest of everything that the settings of a command say, but for the threads, which change no result."""
+    settings = _settings(arguments)
+    settings = dataclasses.replace(settings, solve=dataclasses.replace(settings.solve, threads=0))
+    return hashlib.sha256(repr(settings).encode()).hexdigest()
+
+
+def _passed_on(arguments: argparse.Namespace) -> list[str]:
+    """The settings of a command as options of another, with files by their absolute paths."""
+    passed = []
+    for name in ("config", "pose"):
+        if getattr(arguments, name) is not None:
+            passed += [f"--{name}", str(getattr(arguments, name).absolute())]
+    if arguments.preset != "default":
+        passed += ["--preset", arguments.preset]
+    for text in arguments.set:
+        passed += ["--set", text]
+    for option in _OPTIONS:
+        value = getattr(arguments, option, None)
+        if value is not None and value is not False:
+            name = f"--{option.replace('_', '-')}"
+            passed += [name] if value is True else [f"{name}={value}"]
+    return passed
+
 
     settings = _settings(arguments)
     screen = _screen(arguments)
@@ -193,6 +291,8 @@ def _add_check(commands: Any) -> None:
 
 
 def _add_view(commands: Any) -> None:
+    _add_batch(commands)
+    _add_openjd(commands)
     parser = _command(commands, "view", _view, "pose the character in a browser by its layout")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
@@ -212,6 +312,7 @@ def _add_detach(commands: Any) -> None:
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
+    parser.add_argument("--openjd", action="store_true", help="print progress as Open Job Description asks for it")
     parser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
     parser.set_defaults(run=run)
     parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
@@ -240,6 +341,31 @@ _OPTIONS: Mapping[str, tuple[str, str]] = {
     "view": ("candidates", "view"),
     "space": ("candidates", "space"),
     "time": ("read", "time"),
+def _add_batch(commands: Any) -> None:
+    parser = _command(commands, "batch", _batch, "lay out many characters, each in a process of its own")
+    _add_assets(parser)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time")
+    parser.add_argument("--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead")
+    parser.add_argument("--timeout", type=float, default=0.0, metavar="SECONDS", help="end an asset that takes longer")
+    parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
+    parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
+    parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
+    _add_settings(parser)
+
+
+def _add_openjd(commands: Any) -> None:
+    parser = _command(commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)")
+    _add_assets(parser)
+    parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
+    _add_settings(parser)
+
+
+def _add_assets(parser: Any) -> None:
+    parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
+    parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
+    parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
+
+
     "gap": ("solve", "gap"),
     "method": ("solve", "method"),
     "threads": ("solve", "threads"),
@@ -379,4 +505,16 @@ def _bug(error: Exception, arguments: argparse.Namespace) -> int:
 
 def _say(line: str, arguments: argparse.Namespace) -> None:
     if not arguments.json:
+def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> AbstractContextManager[terminal.Watch]:
+    if not arguments.openjd:
+        return screen.progress()
+    from usdrigui.clients import openjd
+
+    return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
+
+
         print(line)
+    if getattr(arguments, "openjd", False):
+        from usdrigui.clients import openjd
+
+        print(*openjd.failure_lines(found), sep="\n", flush=True)

@@ -31,10 +31,10 @@ from usdrigui.layout import trajectory as trajectory_stage
 from usdrigui.layout import visibility as visibility_stage
 from usdrigui.layout.terms import Context
 from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
-from usdrigui.report import CharacterReport, Outcome, Report, rows_of
+from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.usd.child import ReadResult, read_layouts_isolated, read_rigs_isolated
-from usdrigui.usd.source import check_unchanged
+from usdrigui.usd.source import SourceFile, check_unchanged
 
 if TYPE_CHECKING:
     from usdrigui.solve.watch import Progress
@@ -130,6 +130,7 @@ def process(
 
 def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -> Inspection:
     """What the stages before the search find out about `asset`; writes nothing."""
+        sources=tuple(_source_row(each, asset) for each in source.sources),
     clock = _Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
@@ -387,3 +388,8 @@ class _Clock:
     def _tell(self, event: Event) -> None:
         if self.watch is not None:
             self.watch(event)
+def _source_row(source: SourceFile, asset: Path) -> SourceRow:
+    folder = os.path.realpath(asset.parent)
+    return SourceRow(os.path.relpath(source.path, folder).replace(os.sep, "/"), source.sha256)
+
+

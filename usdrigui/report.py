@@ -64,6 +64,16 @@ class CharacterReport:
 
 @dataclass(frozen=True, eq=False)
 class Report:
+@dataclass(frozen=True, slots=True)
+class SourceRow:
+    """One file that composed the asset."""
+
+    path: str
+    """Relative to the asset's folder, with forward slashes."""
+    sha256: str
+    """Hex digest of what was read."""
+
+
     """One run of `usdrigui.process`."""
 
     asset: str
@@ -78,6 +88,8 @@ class Report:
     settings: Mapping[str, Any] = field(default_factory=dict)
 
     @property
+    sources: tuple[SourceRow, ...] = ()
+    """The asset first."""
     def exit_code(self) -> Exit:
         """Exit code of the command, before `--strict`."""
         return Exit.OK
@@ -174,6 +186,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "solution": {
             "method": assignment.method,
             "status": assignment.status,
+        "sources": [asdict(each) for each in report.sources],
             "cost": assignment.cost,
             "bound": assignment.bound,
             "gap": assignment.gap,

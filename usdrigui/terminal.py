@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
     from usdrigui.errors import Issue
     from usdrigui.inspection import ControlFacts, Inspection
+    from usdrigui.clients.batch.jobs import Row
+    from usdrigui.clients.batch.run import Summary
     from usdrigui.layout.review import ElementReview
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
@@ -89,6 +91,35 @@ class Screen:
         counts = {
             severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
         }
+    @contextmanager
+    def batch_progress(self, count: int) -> Iterator[Callable[[Row], None]]:
+        """One line an asset, as they are done; nothing when quiet."""
+        done = 0
+
+        def tell(row: Row) -> None:
+            nonlocal done
+            done += 1
+            if not (self._quiet or self._silent):
+                text = (
+                    f"[{done:>{len(str(count))}}/{count}] {row.outcome:<9} {row.seconds:7.2f} s {row.asset} {row.code}"
+                )
+                self._side.print(text.rstrip(), soft_wrap=True)
+
+        yield tell
+
+    def batch(self, summary: Summary, written: Sequence[str]) -> None:
+        """One line an asset in the order given, what was written besides, and the verdict."""
+        if not self._quiet:
+            self._out.print(_batch_table(summary.rows))
+            for line in written:
+                self._out.print(line)
+        outcomes = ("written", "unchanged", "skipped", "refused", "failed")
+        told = ", ".join(f"{summary.count(each)} {each}" for each in outcomes if summary.count(each))
+        sound = sum(row.sound for row in summary.rows)
+        rate = 60.0 * len(summary.rows) / max(summary.seconds, 1e-9)
+        verdict = f"usdrigui: {sound} of {len(summary.rows)} assets have their layout: {told}"
+        self._out.print(f"{verdict}; {summary.seconds:.1f} s, {rate:.1f} a minute", soft_wrap=True)
+
         state = "fits its rig" if not counts["error"] else "does not fit its rig"
         told = f"{counts['error']} errors, {counts['warning']} warnings"
         self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
@@ -146,7 +177,28 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
         gain = f"{each.gain:.3f}" if each.better else ""
         numbers = (_percent(each.kept), f"{each.linear:.3f}", f"{each.overlap:.3f}")
-        table.add_row(*map(Text, (each.element, *numbers, each.nearest, apart, gain, each.better)))
+        table.add_row(*map(_cell, (each.element, *numbers, each.nearest, apart, gain, each.better)))
+    return table
+
+
+def _changes_table(changes: Sequence[Change]) -> Table:
+    table = _table("control", "change", "element", "by", "before", "now", "why")
+    for change in changes:
+        by = f"{change.distance:.1f} w" if math.isfinite(change.distance) else ""
+        element = change.element if change.element != change.control else ""
+        cells = (change.control, change.kind, element, by, change.before, change.after, "; ".join(change.why))
+        table.add_row(*map(_cell, cells))
+    return table
+
+
+def _batch_table(rows: Sequence[Row]) -> Table:
+    table = _table("asset", "outcome", "face", "beside", "off", "gap", "warnings", "seconds", "why")
+    for row in rows:
+        counts = [str(each) if row.sound else "" for each in (row.face, row.beside, row.left_off)]
+        gap = f"{row.gap:.1e}" if row.sound else ""
+        why = f"{row.code} {row.message}".strip()
+        cells = (row.asset, row.outcome, *counts, gap, str(row.warnings or ""), f"{row.seconds:.2f}", why)
+        table.add_row(*map(_cell, cells))
     return table
 
 

@@ -1,0 +1,185 @@
+"""`usdrigui batch`: many assets, isolated, resumable, accounted for."""
+
+import json
+import os
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+
+import batch_assets
+import pytest
+from PIL import Image
+
+from usdrigui.cli import main
+from usdrigui.clients.batch import jobs, places, run, state
+from usdrigui.errors import RigUIError
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Two sound assets and a broken one, laid out once."""
+    path = tmp_path_factory.mktemp("batch")
+    batch_assets.folder_of(path)
+    return path
+
+
+def batch(folder, capsys, *options, expected_exit=0, pattern="**/*.usda"):
+    capsys.readouterr()
+    arguments = ["batch", str(folder / pattern), "--jobs", "2", "--json", *options]
+    assert main(arguments) == expected_exit
+    return json.loads(capsys.readouterr().out)
+
+
+def outcomes(document):
+    return {Path(row["asset"]).relative_to(Path(row["asset"]).parents[1]).as_posix(): row for row in document["assets"]}
+
+
+def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, tmp_path, capsys):
+    first = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
+    assert first["counts"] == {"written": 2, "unchanged": 0, "skipped": 0, "refused": 1, "failed": 0}
+    (refused,) = [row for row in first["assets"] if row["outcome"] == "refused"]
+    assert (refused["code"], refused["exit"]) == ("FILE_NOT_USD", 1)
+    assert refused["repair"]
+    assert all(Path(row["output"]).is_file() for row in first["assets"] if row["exit"] == 0)
+    assert Image.open(tmp_path / "sheet.png").width == 1800
+    layers = {path: path.stat().st_mtime_ns for path in folder.rglob("*.rigui.usda")}
+
+    second = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
+    assert second["counts"] == {"written": 0, "unchanged": 0, "skipped": 2, "refused": 1, "failed": 0}
+    assert {path: path.stat().st_mtime_ns for path in layers} == layers
+    same = [(row["face"], row["beside"], row["gap"]) for row in first["assets"]]
+    assert [(row["face"], row["beside"], row["gap"]) for row in second["assets"]] == same
+
+    changed = folder / "a1" / "char.usda"
+    changed.write_text(changed.read_text() + "\n# touched\n")
+    third = outcomes(batch(folder, capsys, expected_exit=0, pattern="a*/*.usda"))
+    assert (third["a0/char.usda"]["outcome"], third["a1/char.usda"]["outcome"]) == ("unchanged", "unchanged")
+    fourth = outcomes(batch(folder, capsys, pattern="a*/*.usda"))
+    assert {row["outcome"] for row in fourth.values()} == {"skipped"}
+
+
+def test_prints_a_table_and_a_verdict(folder, capsys):
+    assert main(["batch", str(folder / "a0" / "char.usda"), str(folder / "broken.usda"), "--jobs", "1"]) == 1
+    printed = capsys.readouterr()
+    assert "FILE_NOT_USD" in printed.out
+    assert printed.out.splitlines()[-1].startswith("usdrigui: 1 of 2 assets have their layout")
+    assert "[2/2]" in printed.err
+
+
+def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_path):
+    """Settings, a file below the asset, the layer and the picture; without running anything."""
+    asset = batch_assets.split(folder)
+    output, picture = tmp_path / "split.rigui.usda", tmp_path / "split.rigui.png"
+    output.write_text("layer")
+    picture.write_text("picture")
+    job = jobs.Job(str(asset), str(output), str(picture), (), "settings")
+    files = [Path("split.usda"), Path("a0/char.usda")]
+    sources = [{"path": each.as_posix(), "sha256": state.hashed(folder / each).sha256} for each in files]
+    row = jobs.Row(job.asset, job.output, job.picture, "written", 0)
+    written = {name: getattr(row, name) for name in row.__slots__}
+
+    def remembered():
+        state.remember(job, sources, written)
+        assert state.recall(job) == written
+
+    remembered()
+    for other in ({"settings": "others"}, {"asset": "another.usda"}, {"picture": ""}):
+        changed = {name: getattr(job, name) for name in job.__slots__} | other
+        assert state.recall(jobs.Job(**changed)) is None
+    for path in (folder / "a0" / "char.usda", output, picture):
+        remembered()
+        before = path.read_bytes()
+        path.write_bytes(before + b" ")
+        assert state.recall(job) is None
+        path.unlink()
+        assert state.recall(job) is None
+        path.write_bytes(before)
+    state.state_path(job.output).write_text("{")
+    assert state.recall(job) is None
+    state.forget(job)
+    stale = [{**each, "sha256": "0" * 64} for each in sources]
+    state.remember(job, stale, written)
+    assert not state.state_path(job.output).exists()
+    asset.unlink()
+
+
+def fake(monkeypatch, tmp_path, text):
+    """Processes of the batch run a script instead of usdrigui."""
+    script = tmp_path / "fake.sh"
+    script.write_text(f"#!/bin/sh\n{text}\n")
+    script.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(script))
+    return jobs.Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "", (), "")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+@pytest.mark.parametrize(
+    ("text", "code", "exit_code"),
+    [
+        ("kill -9 $$", "BATCH_KILLED", 4),
+        ("kill -11 $$", "BATCH_KILLED", 4),
+        ("echo rubbish; exit 5", "BATCH_NO_REPORT", 5),
+        ("exit 0", "BATCH_NO_REPORT", 5),
+    ],
+)
+def test_a_process_that_dies_is_a_row(monkeypatch, tmp_path, text, code, exit_code):
+    row = jobs.run_job(fake(monkeypatch, tmp_path, text))
+    assert (row.outcome, row.code, row.exit) == ("failed", code, exit_code)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
+    job = fake(monkeypatch, tmp_path, f"sleep 1000 & echo $! > {tmp_path}/pid; wait")
+    row = jobs.run_job(jobs.Job(job.asset, job.output, "", (), "", timeout=1.0))
+    assert (row.outcome, row.code, row.exit) == ("failed", "BATCH_TIME_LIMIT", 4)
+    assert not alive(int((tmp_path / "pid").read_text()))
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
+def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
+    fake(monkeypatch, tmp_path, f"[ $4 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
+    many = [jobs.Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", (), "") for i in range(6)]
+    rows = run.run_local(many, 2)
+    assert next(rows).code == "BATCH_NO_REPORT"
+    deadline = time.monotonic() + 30
+    while not (tmp_path / "pid").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    closing = threading.Thread(target=rows.close)
+    closing.start()
+    closing.join(30)
+    assert not closing.is_alive()
+    assert not alive(int((tmp_path / "pid").read_text()))
+
+
+def alive(process):
+    deadline = time.monotonic() + 10
+    while time.monotonic() < deadline:
+        try:
+            os.kill(process, 0)
+        except ProcessLookupError:
+            return False
+        if Path(f"/proc/{process}/stat").exists() and " Z " in Path(f"/proc/{process}/stat").read_text():
+            return False
+        time.sleep(0.05)
+    os.kill(process, signal.SIGKILL)
+    return True
+
+
+def test_patterns(tmp_path):
+    for name in ("b/x.usd", "b/x.rigui.usda", "a/x.usda", "a/x.usdc", "a/notes.txt"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    found = places.find_assets([str(tmp_path / "b" / "x.usd"), str(tmp_path / "**" / "*")])
+    assert [each.relative_to(tmp_path).as_posix() for each in found] == ["b/x.usd", "a/x.usda", "a/x.usdc"]
+    layers = [places.output_of(each, found, tmp_path / "out").relative_to(tmp_path).as_posix() for each in found]
+    assert layers == ["out/b/x.rigui.usda", "out/a/x_usda.rigui.usda", "out/a/x_usdc.rigui.usda"]
+    assert places.output_of(found[0], found, None) == tmp_path / "b" / "x.rigui.usda"
+
+
+def test_a_pattern_without_match_is_refused(tmp_path, capsys):
+    with pytest.raises(RigUIError, match="BATCH_NO_MATCH"):
+        places.find_assets([str(tmp_path / "*.usda")])
+    assert main(["batch", str(tmp_path / "*.usda")]) == 2
+    assert "BATCH_NO_MATCH" in capsys.readouterr().err

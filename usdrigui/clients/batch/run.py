@@ -1,0 +1,109 @@
+"""A whole batch: jobs in, rows out as they are done, a summary at the end.
+
+`run_local` uses processes of this machine, `run_on_dask` the workers of a dask.distributed cluster, which
+must see the same files under the same paths and have usdrigui installed.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from usdrigui.clients.batch.jobs import Job, Row, end_all, run_job
+from usdrigui.errors import CODES, Exit, refuse
+
+FORMAT = "usdrigui.batch"
+VERSION = 1
+_RETRIES = 3
+"""Workers that a job may lose before it is given up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What became of every asset, in the order in which they were named."""
+
+    rows: tuple[Row, ...]
+    seconds: float
+    """Wall clock of the whole batch."""
+    where: str
+    """``local``, or the address of the scheduler."""
+    workers: int
+
+    @property
+    def exit_code(self) -> Exit:
+        """0 if every asset has its layout, else the gravest exit code of any."""
+        return Exit(max((row.exit for row in self.rows), default=0))
+
+    def count(self, outcome: str) -> int:
+        """Number of assets with that outcome."""
+        return sum(row.outcome == outcome for row in self.rows)
+
+
+def run_local(jobs: Sequence[Job], workers: int) -> Iterator[Row]:
+    """Rows as they are done, `workers` at a time; leaving the loop early ends what still runs."""
+    pool = ThreadPoolExecutor(max_workers=max(1, workers))
+    futures = [pool.submit(run_job, job) for job in jobs]
+    try:
+        for future in as_completed(futures):
+            yield future.result()
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        end_all()
+        pool.shutdown()
+
+
+def run_on_dask(jobs: Sequence[Job], address: str) -> Iterator[Row]:
+    """Rows as they are done by a cluster; a job whose worker dies is given to another one.
+
+    Raises EXTRA_MISSING without dask.distributed, BATCH_SCHEDULER where no scheduler answers.
+    """
+    try:
+        distributed = importlib.import_module("distributed")
+    except ImportError:
+        raise refuse("EXTRA_MISSING", "dask", "--dask needs `pip install usdrigui[dask]`") from None
+    try:
+        client = distributed.Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise refuse("BATCH_SCHEDULER", address, f"no scheduler answers: {error}") from error
+    with client:
+        futures = client.map(run_job, jobs, pure=False, retries=_RETRIES)
+        by_key = {future.key: job for future, job in zip(futures, jobs, strict=True)}
+        for future in distributed.as_completed(futures):
+            yield future.result() if future.status == "finished" else _lost(by_key[future.key], future.exception())
+
+
+def in_order(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
+    """The rows in the order of the jobs."""
+    place = {job.output: index for index, job in enumerate(jobs)}
+    return tuple(sorted(rows, key=lambda row: place[row.output]))
+
+
+def to_json(summary: Summary) -> str:
+    """The summary as a JSON document."""
+    document: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "exit": int(summary.exit_code),
+        "where": summary.where,
+        "workers": summary.workers,
+        "seconds": round(summary.seconds, 3),
+        "counts": {each: summary.count(each) for each in ("written", "unchanged", "skipped", "refused", "failed")},
+        "assets": [_plain(row) for row in summary.rows],
+    }
+    return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _plain(row: Row) -> dict[str, Any]:
+    gap = row.gap if math.isfinite(row.gap) else None
+    repair = CODES[row.code].repair if row.code in CODES else ""
+    return {**asdict(row), "gap": gap, "repair": repair}
+
+
+def _lost(job: Job, error: BaseException | None) -> Row:
+    row = Row(job.asset, job.output, job.picture, "failed", int(CODES["BATCH_KILLED"].exit), "BATCH_KILLED")
+    return replace(row, message=f"the cluster gave it up: {type(error).__name__}")

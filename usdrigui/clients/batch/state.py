@@ -1,0 +1,67 @@
+"""What a batch remembers of an asset, in a small file beside its layer, so that it can be skipped next time.
+
+``char.rigui.usda`` has ``char.rigui.batch.json``.  An asset is skipped when its settings, our version,
+every file that composed it, the layer and the picture are what they were.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from usdrigui import __version__
+from usdrigui.errors import RigUIError
+from usdrigui.usd.safe_write import commit
+from usdrigui.usd.source import hashed
+
+if TYPE_CHECKING:
+    from usdrigui.clients.batch.jobs import Job
+
+FORMAT = "usdrigui.batch.state"
+VERSION = 1
+
+
+def state_path(output: str) -> Path:
+    """The file that remembers how a layer was made."""
+    return Path(output).with_suffix(".batch.json")
+
+
+def recall(job: Job) -> dict[str, Any] | None:
+    """The row of the last batch, if laying out again would give the same; else None."""
+    try:
+        known = json.loads(state_path(job.output).read_bytes())
+        same = known["about"] == _about(job, known["sources"]) and known["row"]["asset"] == job.asset
+        return {**known["row"]} if same else None
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, Any]) -> None:
+    """Write the file; where that fails, the asset is laid out again next time."""
+    with contextlib.suppress(OSError, RigUIError):
+        about = _about(job, sources)
+        document = {"format": FORMAT, "version": VERSION, "about": about, "sources": list(sources), "row": dict(row)}
+        # A file changed since it was read must not count as laid out.
+        if about["sources"] == [each["sha256"] for each in sources]:
+            commit(json.dumps(document, indent=2) + "\n", state_path(job.output))
+
+
+def forget(job: Job) -> None:
+    """Remove the file: what it says may be wrong from now on."""
+    with contextlib.suppress(OSError):
+        state_path(job.output).unlink()
+
+
+def _about(job: Job, sources: Sequence[Mapping[str, str]]) -> dict[str, Any]:
+    """Everything that the result depends on, as it is now; raises OSError where a file is gone."""
+    folder = Path(job.asset).parent
+    return {
+        "usdrigui": __version__,
+        "settings": job.settings,
+        "sources": [hashed(folder / each["path"]).sha256 for each in sources],
+        "output": hashed(job.output).sha256,
+        "picture": hashed(job.picture).sha256 if job.picture else "",
+    }
