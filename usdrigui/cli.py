@@ -7,6 +7,7 @@ Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
 from __future__ import annotations
 
 import argparse
+import io
 import dataclasses
 import functools
 import hashlib
@@ -78,9 +79,6 @@ def _process(arguments: argparse.Namespace) -> Exit:
         screen.report(result, written)
     return _strict(result.issues, arguments)
 
-
-def _inspect(arguments: argparse.Namespace) -> Exit:
-    from usdrigui import inspection, pipeline
 
 def _batch(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
@@ -174,6 +172,9 @@ def _passed_on(arguments: argparse.Namespace) -> list[str]:
     return passed
 
 
+def _inspect(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import inspection, pipeline
+
     settings = _settings(arguments)
     screen = _screen(arguments)
     with screen.progress() as shown:
@@ -259,6 +260,8 @@ def _parser() -> argparse.ArgumentParser:
     _add_inspect(commands)
     _add_check(commands)
     _add_view(commands)
+    _add_batch(commands)
+    _add_openjd(commands)
     _add_attach(commands)
     _add_detach(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
@@ -275,6 +278,7 @@ def _add_process(commands: Any) -> None:
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
     parser.add_argument("--bare", action="store_true", help="leave CHAR out of the layer's sublayers")
+    parser.add_argument("--openjd", action="store_true", help="print progress as Open Job Description asks for it")
     _add_settings(parser)
 
 
@@ -291,12 +295,35 @@ def _add_check(commands: Any) -> None:
 
 
 def _add_view(commands: Any) -> None:
-    _add_batch(commands)
-    _add_openjd(commands)
     parser = _command(commands, "view", _view, "pose the character in a browser by its layout")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
     parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+
+
+def _add_batch(commands: Any) -> None:
+    parser = _command(commands, "batch", _batch, "lay out many characters, each in a process of its own")
+    _add_assets(parser)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time")
+    parser.add_argument("--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead")
+    parser.add_argument("--timeout", type=float, default=0.0, metavar="SECONDS", help="end an asset that takes longer")
+    parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
+    parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
+    parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
+    _add_settings(parser)
+
+
+def _add_openjd(commands: Any) -> None:
+    parser = _command(commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)")
+    _add_assets(parser)
+    parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
+    _add_settings(parser)
+
+
+def _add_assets(parser: Any) -> None:
+    parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
+    parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
+    parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
 
 
 def _add_attach(commands: Any) -> None:
@@ -312,7 +339,6 @@ def _add_detach(commands: Any) -> None:
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
-    parser.add_argument("--openjd", action="store_true", help="print progress as Open Job Description asks for it")
     parser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
     parser.set_defaults(run=run)
     parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
@@ -341,31 +367,6 @@ _OPTIONS: Mapping[str, tuple[str, str]] = {
     "view": ("candidates", "view"),
     "space": ("candidates", "space"),
     "time": ("read", "time"),
-def _add_batch(commands: Any) -> None:
-    parser = _command(commands, "batch", _batch, "lay out many characters, each in a process of its own")
-    _add_assets(parser)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time")
-    parser.add_argument("--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead")
-    parser.add_argument("--timeout", type=float, default=0.0, metavar="SECONDS", help="end an asset that takes longer")
-    parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
-    parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
-    parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
-    _add_settings(parser)
-
-
-def _add_openjd(commands: Any) -> None:
-    parser = _command(commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)")
-    _add_assets(parser)
-    parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
-    _add_settings(parser)
-
-
-def _add_assets(parser: Any) -> None:
-    parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
-    parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
-    parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
-
-
     "gap": ("solve", "gap"),
     "method": ("solve", "method"),
     "threads": ("solve", "threads"),
@@ -456,6 +457,14 @@ def _screen(arguments: argparse.Namespace) -> terminal.Screen:
     return terminal.Screen(quiet=arguments.quiet, machine=arguments.json)
 
 
+def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> AbstractContextManager[terminal.Watch]:
+    if not arguments.openjd:
+        return screen.progress()
+    from usdrigui.clients import openjd
+
+    return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
+
+
 def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, ...]:
     """Write the report and the picture that were asked for; one line for each."""
     from usdrigui import pipeline, report
@@ -485,6 +494,10 @@ def _refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     if getattr(arguments, "json", False):
         sys.stdout.write(report.failure_json(asset, error.issue, error.exit_code))
     found = error.issue
+    if getattr(arguments, "openjd", False):
+        from usdrigui.clients import openjd
+
+        print(*openjd.failure_lines(found), sep="\n", flush=True)
     where = f" {found.path}:" if found.path else ""
     print(f"usdrigui: {found.code}{where} {found.message}", file=sys.stderr)
     print(f"  repair: {found.repair}", file=sys.stderr)
@@ -505,16 +518,4 @@ def _bug(error: Exception, arguments: argparse.Namespace) -> int:
 
 def _say(line: str, arguments: argparse.Namespace) -> None:
     if not arguments.json:
-def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> AbstractContextManager[terminal.Watch]:
-    if not arguments.openjd:
-        return screen.progress()
-    from usdrigui.clients import openjd
-
-    return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
-
-
         print(line)
-    if getattr(arguments, "openjd", False):
-        from usdrigui.clients import openjd
-
-        print(*openjd.failure_lines(found), sep="\n", flush=True)

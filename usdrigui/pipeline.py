@@ -125,12 +125,12 @@ def process(
         issues=tuple(found for rig in source.rigs for found in rig.issues),
         seconds=clock.seconds,
         settings=_plain(asdict(settings)),
+        sources=tuple(_source_row(each, asset) for each in source.sources),
     )
 
 
 def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -> Inspection:
     """What the stages before the search find out about `asset`; writes nothing."""
-        sources=tuple(_source_row(each, asset) for each in source.sources),
     clock = _Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
@@ -352,6 +352,11 @@ def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, 
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata, guard=unchanged)
 
 
+def _source_row(source: SourceFile, asset: Path) -> SourceRow:
+    folder = os.path.realpath(asset.parent)
+    return SourceRow(os.path.relpath(source.path, folder).replace(os.sep, "/"), source.sha256)
+
+
 def _plain(value: Any) -> Any:
     """Settings as JSON-ready values."""
     if isinstance(value, dict) or hasattr(value, "items"):
@@ -388,8 +393,3 @@ class _Clock:
     def _tell(self, event: Event) -> None:
         if self.watch is not None:
             self.watch(event)
-def _source_row(source: SourceFile, asset: Path) -> SourceRow:
-    folder = os.path.realpath(asset.parent)
-    return SourceRow(os.path.relpath(source.path, folder).replace(os.sep, "/"), source.sha256)
-
-

@@ -62,8 +62,6 @@ class CharacterReport:
         return sum(shares) / len(shares) if shares else math.nan
 
 
-@dataclass(frozen=True, eq=False)
-class Report:
 @dataclass(frozen=True, slots=True)
 class SourceRow:
     """One file that composed the asset."""
@@ -74,6 +72,8 @@ class SourceRow:
     """Hex digest of what was read."""
 
 
+@dataclass(frozen=True, eq=False)
+class Report:
     """One run of `usdrigui.process`."""
 
     asset: str
@@ -86,10 +86,10 @@ class SourceRow:
     seconds: tuple[tuple[str, float], ...]
     """Wall-clock seconds per stage, in order."""
     settings: Mapping[str, Any] = field(default_factory=dict)
-
-    @property
     sources: tuple[SourceRow, ...] = ()
     """The asset first."""
+
+    @property
     def exit_code(self) -> Exit:
         """Exit code of the command, before `--strict`."""
         return Exit.OK
@@ -165,6 +165,7 @@ def _document(report: Report) -> dict[str, Any]:
         "characters": [_character(each) for each in report.characters],
         "issues": [asdict(each) for each in report.issues],
         "settings": dict(report.settings),
+        "sources": [asdict(each) for each in report.sources],
         "seconds": dict(report.seconds),
     }
 
@@ -186,7 +187,6 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "solution": {
             "method": assignment.method,
             "status": assignment.status,
-        "sources": [asdict(each) for each in report.sources],
             "cost": assignment.cost,
             "bound": assignment.bound,
             "gap": assignment.gap,

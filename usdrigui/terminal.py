@@ -18,10 +18,10 @@ from rich.text import Text
 if TYPE_CHECKING:
     from rich.status import Status
 
-    from usdrigui.errors import Issue
-    from usdrigui.inspection import ControlFacts, Inspection
     from usdrigui.clients.batch.jobs import Row
     from usdrigui.clients.batch.run import Summary
+    from usdrigui.errors import Issue
+    from usdrigui.inspection import ControlFacts, Inspection
     from usdrigui.layout.review import ElementReview
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
@@ -81,16 +81,6 @@ class Screen:
         count = sum(len(character.controls) for character in found.characters)
         self._out.print(f"usdrigui: inspected {found.asset}: {count} controls; nothing was written")
 
-    def review(self, found: LayerReview) -> None:
-        """Faults first, then every element by the objective, then the verdict."""
-        if not self._quiet:
-            for root, review in found.characters:
-                self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
-                self._out.print(_review_table(review.elements))
-            self._issues(found.issues)
-        counts = {
-            severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
-        }
     @contextmanager
     def batch_progress(self, count: int) -> Iterator[Callable[[Row], None]]:
         """One line an asset, as they are done; nothing when quiet."""
@@ -120,6 +110,16 @@ class Screen:
         verdict = f"usdrigui: {sound} of {len(summary.rows)} assets have their layout: {told}"
         self._out.print(f"{verdict}; {summary.seconds:.1f} s, {rate:.1f} a minute", soft_wrap=True)
 
+    def review(self, found: LayerReview) -> None:
+        """Faults first, then every element by the objective, then the verdict."""
+        if not self._quiet:
+            for root, review in found.characters:
+                self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
+                self._out.print(_review_table(review.elements))
+            self._issues(found.issues)
+        counts = {
+            severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
+        }
         state = "fits its rig" if not counts["error"] else "does not fit its rig"
         told = f"{counts['error']} errors, {counts['warning']} warnings"
         self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
