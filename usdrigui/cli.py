@@ -56,8 +56,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
 
+    from usdrigui.examples import ExampleLayers
     settings = _settings(arguments)
     screen = _screen(arguments)
+    examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous)
     with _Interruption() as interruption, _progress(screen, arguments) as shown:
 
         def watch(event: pipeline.Event) -> None:
@@ -72,6 +74,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
             progress=watch,
             stop=interruption.requested,
         )
+            examples=examples,
         written = _extras(result, arguments)
     if arguments.json:
         sys.stdout.write(report.to_json(result))
@@ -202,6 +205,20 @@ def _check(arguments: argparse.Namespace) -> Exit:
 
 
 def _view(arguments: argparse.Namespace) -> Exit:
+def _diff(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+    from usdrigui.settings import Settings
+
+    names = str(arguments.before), str(arguments.layer)
+    found, only_in_one = pipeline.differences(arguments.before, arguments.layer, Settings())
+    if arguments.json:
+        sys.stdout.write(report.difference_json(*names, found, only_in_one))
+    else:
+        _screen(arguments).difference(*names, found, only_in_one)
+    differ = bool(only_in_one) or any(character.changes for character in found)
+    return Exit.REFUSED if arguments.strict and differ else Exit.OK
+
+
     from usdrigui import pipeline
     from usdrigui.view import page, serve
 
@@ -274,6 +291,7 @@ def _add_process(commands: Any) -> None:
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    _add_diff(commands)
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -290,6 +308,8 @@ def _add_inspect(commands: Any) -> None:
 
 def _add_check(commands: Any) -> None:
     parser = _command(commands, "check", _check, "say whether a layout layer still fits its rig, and how good it is")
+    parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
+    parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
     _add_settings(parser)
 
@@ -310,6 +330,12 @@ def _add_batch(commands: Any) -> None:
     parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
     parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
     parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
+def _add_diff(commands: Any) -> None:
+    parser = _command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
+    parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
+    parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
+
+
     _add_settings(parser)
 
 

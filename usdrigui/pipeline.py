@@ -20,9 +20,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from usdrigui.errors import Issue, refuse
+from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, with_fixed
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
 from usdrigui.layout import candidates as candidates_stage
+from usdrigui.layout import difference as difference_stage
 from usdrigui.layout import elements as elements_stage
+from usdrigui.layout import gain as gain_stage
 from usdrigui.layout import groups as groups_stage
 from usdrigui.layout import problem as problem_stage
 from usdrigui.layout import review as review_stage
@@ -99,19 +102,21 @@ def process(
     dry_run: bool = False,
     progress: Watch | None = None,
     stop: Callable[[], bool] | None = None,
+    examples: ExampleLayers | None = None,
 ) -> Report:
     """Lay out every character of `asset` and write the layer.
 
     Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
-    search, which then ends with the best layout so far.  Raises `usdrigui.errors.RigUIError`; then
-    nothing has been written.
+    search, which then ends with the best layout so far; `examples` are existing layouts to heed.  Raises
+    `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = _Clock(progress)
     target = output if output is not None else default_output(asset)
     _check_target(asset, target)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-    laid = [_lay_out(rig, settings, clock, stop, source.cameras) for rig in source.rigs]
+        heeded = read_examples(examples or ExampleLayers(), settings)
+    laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in source.rigs]
     outcome: Outcome = "dry run"
     if not dry_run:
         # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
@@ -140,10 +145,15 @@ def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -
 
 
 def posed(
-    rig: Rig, settings: Settings, clock: _Clock | None = None, cameras: Mapping[str, Floats] | None = None
+    rig: Rig,
+    settings: Settings,
+    clock: _Clock | None = None,
+    cameras: Mapping[str, Floats] | None = None,
+    examples: Examples | None = None,
 ) -> Posed:
     """The layout problem of one rig: every stage between reading and solving."""
-    clock = clock or _Clock(None)
+    clock, examples = clock or _Clock(None), examples or Examples()
+    settings = with_fixed(examples, rig, settings)
     base_values = _base_values(rig, settings)
     with clock.stage("trajectories"):
         found = trajectory_stage.trajectories(rig, settings.trajectories, base_values)
@@ -160,7 +170,7 @@ def posed(
             settings.candidates.occlusion,
             (cameras or {}).get(rig.root),
         )
-        context = Context(rig, found, symmetry, views, settings)
+        context = Context(rig, found, symmetry, views, settings, precedent_of(examples, rig, settings))
         candidates = candidates_stage.candidates(context)
     with clock.stage("problem"):
         groups = groups_stage.find_groups(context, candidates)
@@ -201,6 +211,20 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
     return LayerReview(str(layer), tuple(reviews), clock.seconds)
 
 
+def differences(
+    before: Path, after: Path, settings: Settings
+) -> tuple[tuple[difference_stage.Difference, ...], tuple[str, ...]]:
+    """What changed between two layout layers, by character, and the characters that only one of them has.
+
+    Raises RigUIError where a layer cannot be read.
+    """
+    old, new = (
+        {each.root: each for each in read_layouts_isolated(layer, settings).layouts} for layer in (before, after)
+    )
+    found = tuple(difference_stage.difference(old[root], new[root]) for root in new if root in old)
+    return found, tuple(sorted(old.keys() ^ new.keys()))
+
+
 def default_output(asset: Path) -> Path:
     """``char.usda`` → ``char.rigui.usda``, beside it."""
     return asset.with_name(asset.stem + ".rigui.usda")
@@ -218,11 +242,16 @@ def write_file(content: bytes, target: Path) -> str:
 
 
 def _lay_out(
-    rig: Rig, settings: Settings, clock: _Clock, stop: Callable[[], bool] | None, cameras: Mapping[str, Floats]
+    rig: Rig,
+    settings: Settings,
+    clock: _Clock,
+    stop: Callable[[], bool] | None,
+    cameras: Mapping[str, Floats],
+    examples: Examples,
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    ready = posed(rig, settings, clock, cameras)
+    ready = posed(rig, settings, clock, cameras, examples)
     with clock.stage("solve", can_stop=True):
         assignment = solve(ready.problem, settings.solve, clock.solving, stop)
     with clock.stage("layout"):
@@ -235,10 +264,18 @@ def _lay_out(
             assignment,
             ready.base_values,
         )
-    return _character(ready, layout, assignment)
+    previous = examples.previous.get(rig.root)
+    return _character(ready, layout, assignment, _changes(ready, previous, layout, assignment) if previous else None)
 
 
-def _character(ready: Posed, layout: Layout, assignment: Assignment) -> CharacterReport:
+def _changes(ready: Posed, previous: Layout, layout: Layout, assignment: Assignment) -> difference_stage.Difference:
+    gains = gain_stage.gains_of_leaving(ready.context, ready.groups, ready.problem, ready.choices, assignment.labels)
+    return difference_stage.difference(previous, layout, gains)
+
+
+def _character(
+    ready: Posed, layout: Layout, assignment: Assignment, changes: difference_stage.Difference | None
+) -> CharacterReport:
     rig = ready.context.rig
     controls = rig.controls
     motions = ready.context.trajectories.motions
@@ -251,6 +288,7 @@ def _character(ready: Posed, layout: Layout, assignment: Assignment) -> Characte
         assignment=assignment,
         rows=rows_of(rig, layout, peaks, _twin_names(ready)),
         notes=tuple(note for note in _notes(ready) if note.control in laid),
+        difference=changes,
     )
 
 

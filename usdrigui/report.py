@@ -50,6 +50,8 @@ class CharacterReport:
     """One per control of the source, in its order; the left-off ones last."""
     notes: tuple[LeftOff, ...] = ()
     """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
+    difference: Any = None
+    """`usdrigui.layout.difference.Difference` from the previous layout, where one was given."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""
@@ -148,6 +150,25 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
     return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
+def difference_json(before: str, after: str, found: Sequence[Any], only_in_one: Sequence[str]) -> str:
+    """The outcome of `usdrigui diff` as a JSON document; `found` are `usdrigui.layout.difference` records."""
+    document = {
+        "format": "usdrigui.difference",
+        "version": VERSION,
+        "before": before,
+        "after": after,
+        "characters": [_difference(each) for each in found],
+        "only_in_one": list(only_in_one),
+        "issues": [],
+    }
+    return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _difference(found: Any) -> dict[str, Any]:
+    changes = [asdict(change) for change in found.changes]
+    return {"root": found.root, "shared": found.shared, "displaced": len(found.displaced), "changes": changes}
+
+
 def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
     for element in layout.elements:
         for member in element.members:
@@ -184,6 +205,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "handle_width": layout.handle_width,
         "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
         "view": layout.view.tolist(),
+        "difference": _difference(character.difference) if character.difference is not None else None,
         "solution": {
             "method": assignment.method,
             "status": assignment.status,

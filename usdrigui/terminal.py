@@ -1,6 +1,6 @@
 """How a run looks on a terminal, and in a log: progress, tables and the closing verdict line.
 
-Names come from files, so nothing here interprets markup in them.
+Names come from files, so nothing here interprets markup in them, nor lets them steer the terminal.
 """
 
 from __future__ import annotations
@@ -9,11 +9,13 @@ import math
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
+
+from usdrigui.errors import visible
 
 if TYPE_CHECKING:
     from rich.status import Status
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
     from usdrigui.inspection import ControlFacts, Inspection
+    from usdrigui.layout.difference import Change, Difference
     from usdrigui.layout.review import ElementReview
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
@@ -29,10 +32,17 @@ if TYPE_CHECKING:
 _LOG_WIDTH = 160
 """Columns where the output is not a terminal."""
 
-_WRAPPED = ("why", "flags", "element", "twin", "nearest", "where")
+_WRAPPED = ("why", "flags", "element", "twin", "nearest", "where", "before", "now")
 """Columns that give way when the line is too long."""
 
 Watch = Callable[["Event"], None]
+
+
+class _Console(Console):
+    """Prints lines of text with nothing in them that steers the terminal."""
+
+    def print(self, *objects: Any, **options: Any) -> None:
+        super().print(*(visible(each) if isinstance(each, str) else each for each in objects), **options)
 
 
 class Screen:
@@ -41,8 +51,8 @@ class Screen:
     def __init__(self, *, quiet: bool = False, machine: bool = False) -> None:
         self._quiet = quiet
         self._silent = machine
-        self._out = Console(markup=False, highlight=False, width=None if sys.stdout.isatty() else _LOG_WIDTH)
-        self._side = Console(stderr=True, markup=False, highlight=False)
+        self._out = _Console(markup=False, highlight=False, width=None if sys.stdout.isatty() else _LOG_WIDTH)
+        self._side = _Console(stderr=True, markup=False, highlight=False)
 
     @contextmanager
     def progress(self) -> Iterator[Watch]:
@@ -124,6 +134,23 @@ class Screen:
         told = f"{counts['error']} errors, {counts['warning']} warnings"
         self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
 
+    def difference(self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]) -> None:
+        """Every control that changed, and the verdict."""
+        if not self._quiet:
+            for character in found:
+                self._changes(character)
+            for root in only_in_one:
+                self._out.print(f"{root}: only one of the two layers has a layout of it")
+        changed = sum(len(character.displaced) for character in found)
+        shared = sum(character.shared for character in found)
+        self._out.print(f"usdrigui: compared {before} and {after}: {changed} of {shared} common controls changed")
+
+    def _changes(self, found: Difference) -> None:
+        count = f"{len(found.displaced)} of {found.shared} common controls changed"
+        self._out.print(f"{found.root}: {count}, {len(found.changes) - len(found.displaced)} came or went")
+        if found.changes:
+            self._out.print(_changes_table(found.changes))
+
     def _live(self, status: Status, event: Event) -> None:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
 
@@ -147,6 +174,9 @@ class Screen:
             f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap:.2e} "
             f"({solution.gap_in_play:.2e} of what is in play), {solution.status} by {solution.method}"
         )
+        if character.difference is not None:
+            self._out.print("since the previous layout:")
+            self._changes(character.difference)
 
     def _issues(self, issues: Sequence[Issue]) -> None:
         for found in issues:
@@ -167,7 +197,7 @@ def _rows_table(rows: Sequence[ControlRow]) -> Table:
     for row in rows:
         kept = _percent(row.kept) if math.isfinite(row.kept) else ""
         element = row.element if row.element != row.control else ""
-        table.add_row(*map(Text, (row.control, row.kind, row.place, element, row.twin, kept, row.reason)))
+        table.add_row(*map(_cell, (row.control, row.kind, row.place, element, row.twin, kept, row.reason)))
     return table
 
 
@@ -216,8 +246,12 @@ def _facts_table(controls: Sequence[ControlFacts]) -> Table:
             facts.twin,
             ", ".join(facts.flags),
         )
-        table.add_row(*map(Text, cells))
+        table.add_row(*map(_cell, cells))
     return table
+
+
+def _cell(text: str) -> Text:
+    return Text(visible(text))
 
 
 def _table(*columns: str) -> Table:

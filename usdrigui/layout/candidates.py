@@ -8,6 +8,8 @@ import numpy as np
 
 from usdrigui.layout.composites import composites
 from usdrigui.layout.locality import fixed_anchor, kept_near, proxies
+from usdrigui.layout.partial import moves
+from usdrigui.layout.precedent import stood_on_face
 from usdrigui.layout.reach import covering
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.layout.tracks import polylines
@@ -44,7 +46,7 @@ def candidates(context: Context) -> Candidates:
             left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
         verdict = _verdict(context, motion, float(coverage[index]), bool(gone[index]), repeated.get(index, ""))
-        points, sources = _places(context, motion, verdict, said)
+        points, sources = _with_earlier(context, motion, verdict, *_places(context, motion, verdict, said))
         sets.append(
             CandidateSet(
                 motion=index,
@@ -92,7 +94,8 @@ def _verdict(context: Context, motion: Motion, coverage: float, gone: bool, repe
             return _Verdict("global", "moves the face as a whole")
     if settings.beside_hidden and _visible_share(context, motion) < settings.hidden_share:
         return _Verdict("hidden", "moves only what no view shows")
-    if settings.beside_composite and repeats:
+    # Who stands on the face already is not sent away because somebody else came.
+    if settings.beside_composite and repeats and not stood_on_face(context.precedent, (motion.control,)):
         return _Verdict("composite", repeats)
     if said.place == "beside":
         return _Verdict("global", "placed beside the face by the configuration")
@@ -106,7 +109,7 @@ def _places(context: Context, motion: Motion, verdict: _Verdict, said: ControlSe
     fixed = fixed_anchor(context.rig, name, said)
     if fixed is not None:
         point = np.array([fixed], dtype=np.int64)
-        return point, point if np.isin(point, motion.points).all() else peak
+        return point, point if moves(motion, name, said, fixed) else peak
     if verdict.family:
         return peak, peak
     if said.place == "proxy":
@@ -116,6 +119,18 @@ def _places(context: Context, motion: Motion, verdict: _Verdict, said: ControlSe
     if not len(points):
         points = _unseen(context, motion)
     points = kept_near(context, name, said, points)
+    return points, points
+
+
+def _with_earlier(
+    context: Context, motion: Motion, verdict: _Verdict, points: Indices, sources: Indices
+) -> tuple[Indices, Indices]:
+    """The places with the one where the control stood before: pruning must not drive away what is there."""
+    place = context.precedent.places.get(motion.control)
+    own = np.array_equal(points, sources) and not verdict.family and not context.said[motion.control].anchor
+    if place is None or place.beside or not own or place.point not in motion.points or place.point in points:
+        return points, sources
+    points = np.sort(np.append(points, place.point))
     return points, points
 
 

@@ -106,11 +106,7 @@ def _weights(context: Context, problem: LayoutProblem) -> tuple[tuple[str, float
 
 def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list[Element]:
     """The element of a group and of its mirror images."""
-    given = [group.name, *group.image_names]
-    names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]
-    if len(set(names)) < len(names):
-        # The same controls on both sides: a double element in the middle.
-        names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
+    names = names_of_copies(context, group, choice)
     made = []
     for copy, controls in enumerate(choice.controls):
         point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
@@ -134,6 +130,16 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
             )
         )
     return made
+
+
+def names_of_copies(context: Context, group: Group, choice: Choice) -> list[str]:
+    """Names of the element and of its images."""
+    given = [group.name, *group.image_names]
+    names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]
+    if len(set(names)) < len(names):
+        # The same controls on both sides: a double element in the middle.
+        names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
+    return names
 
 
 def _normal(context: Context, point: int) -> Floats:

@@ -16,6 +16,7 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.layout.names import has_side
 from usdrigui.layout.orbits import configured_orbits
+from usdrigui.layout.partial import stands_alone
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
@@ -53,6 +54,7 @@ def find_groups(context: Context, candidates: Candidates) -> tuple[Group, ...]:
     orbits = configured_orbits(context)
     turning = {i for orbit in orbits for i in orbit}
     merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
+    merged += grouping.of_the_precedent(_free(merged, grouping))
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
     if context.settings.groups.patches:
         merged += grouping.patches(_free(merged, grouping))
@@ -87,7 +89,7 @@ class _Grouping:
         fold = context.settings.symmetry.fold
         found = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
         # A control with a place of its own is not folded, and neither is its twin.
-        alone = {i for i in self.sets if context.said[motions[i].control].anchor and found[i] != i}
+        alone = {i for i, twin in found.items() if twin != i and stands_alone(context, motions[i].control)}
         self.twin = {
             i: -1 if i in alone or twin in alone or twin not in self.sets else twin for i, twin in found.items()
         }
@@ -125,6 +127,22 @@ class _Grouping:
             else:
                 axes.append((position,))
         return tuple(axes)
+
+    def of_the_precedent(self, free: set[int]) -> list[_Merged]:
+        """The groups of an earlier layout whose members still belong in one place, single controls included."""
+        index = {self.context.trajectories.motions[i].control: i for i in free}
+        found: list[_Merged] = []
+        for group in self.context.precedent.groups:
+            motions = tuple(index[control] for control in group.controls if control in index)
+            whole = len(motions) == len(group.controls)
+            if not motions or len({self.family[i] for i in motions}) > 1:
+                continue
+            pairs = group.opposed if whole else ()
+            ends = {end for pair in pairs for end in pair}
+            axes = sorted((*pairs, *((i,) for i in range(len(motions)) if i not in ends)), key=min)
+            reason = "as in the earlier layout" if len(motions) > 1 else ""
+            found.append(_Merged(motions, tuple(axes), reason, group.name if whole else ""))
+        return found
 
     # --- opposed controls -------------------------------------------------------------------------
 

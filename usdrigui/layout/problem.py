@@ -14,6 +14,8 @@ import numpy as np
 from usdrigui.layout.candidates import loosened
 from usdrigui.layout.extensions import user_pairs
 from usdrigui.layout.orbits import orbit_points
+from usdrigui.layout.partial import refuse_impossible
+from usdrigui.layout.precedent import leaving, stood_on_face
 from usdrigui.layout.terms import Context, off_plane
 from usdrigui.layout.tracks import arc_lengths, flattened, gains, lengths, paths, resampled
 from usdrigui.model import (
@@ -65,6 +67,7 @@ def layout_problem(
         choices.append(choice)
     weight = context.settings.objective.displacement_weight
     problem = LayoutProblem(tuple(variables), overlap, separation, weight)
+    refuse_impossible(context, groups, problem, tuple(choices))
     return replace(problem, extra=user_pairs(context, problem, tuple(choices))), tuple(choices)
 
 
@@ -101,11 +104,24 @@ def _variable(
         if kept.any():
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
+    stay, leave = leaving_costs(context, choice)
     settings = context.settings.objective
     stays = any(context.said[c].place in ("face", "proxy") or context.said[c].anchor for c in group.controls)
     beside = settings.beside_price * len(choice.controls) if settings.beside_allowed and not stays else np.inf
-    variable = Variable(group.name, choice.anchors[:, 0], cost[kept], samples[kept], handles[kept], beside)
+    variable = Variable(
+        group.name, choice.anchors[:, 0], cost[kept] + stay, samples[kept], handles[kept], beside + leave
+    )
     return variable, choice
+
+
+def leaving_costs(context: Context, choice: Choice) -> tuple[Floats, float]:
+    """What an earlier layout makes each label cost (R,), and what it makes the place beside the face cost."""
+    precedent, base, width = context.precedent, context.trajectories.base, context.handle_width
+    stay, leave = np.zeros(len(choice.anchors)), 0.0
+    for copy, controls in enumerate(choice.controls):
+        stay += leaving(precedent, controls, choice.anchors[:, copy], base, width)
+        leave += precedent.price * stood_on_face(precedent, controls)
+    return stay, leave
 
 
 def _copies(group: Group) -> tuple[tuple[int, ...], ...]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from usdrigui.model import Rig
 from usdrigui.settings import ControlSettings, Settings
 
@@ -10,7 +12,13 @@ def remarks(rig: Rig, settings: Settings) -> tuple[ControlSettings, ...]:
     """(controls,) the configuration's part for every control of `rig`; defaults where it says nothing."""
     renamed = {said.rename: said for said in settings.controls.values() if said.rename}
     plain = ControlSettings()
-    return tuple(renamed.get(c.name) or settings.controls.get(c.name, plain) for c in rig.controls)
+    said = {c.name: renamed.get(c.name) or settings.controls.get(c.name, plain) for c in rig.controls}
+    for members in settings.groups.groups.values():
+        anchors = {said[name].anchor for name in members if name in said} - {""}
+        if len(anchors) == 1:
+            # One element has one anchor: fixing a member fixes the group.
+            said |= {name: replace(said[name], anchor=min(anchors)) for name in members if name in said}
+    return tuple(said[c.name] for c in rig.controls)
 
 
 def control_index(rig: Rig, settings: Settings) -> dict[str, int]:

@@ -221,7 +221,7 @@ def _rated(
     context: Context, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int
 ) -> ElementReview:
     variable, choice, label = problem.variables[index], choices[index], int(labels[index])
-    alone = _cost_given_others(problem, labels, index)
+    alone = cost_given_others(problem, labels, index)
     best = int(np.argmin(alone))
     gain = float(alone[label] - alone[best]) if np.isfinite(alone[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
@@ -237,7 +237,7 @@ def _rated(
     )
 
 
-def _cost_given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
+def cost_given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
     """(R,) cost of every candidate of one variable, all others staying where they are."""
     count = len(problem.variables[index].points)
     mine = np.arange(count)

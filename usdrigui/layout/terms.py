@@ -16,6 +16,7 @@ import numpy as np
 from usdrigui.layout.affinity import Affinity, affinity
 from usdrigui.layout.extensions import user_linear_cost
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
+from usdrigui.layout.precedent import NONE, Precedent
 from usdrigui.layout.remarks import remarks
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.visibility import Views
@@ -33,6 +34,8 @@ class Context:
     symmetry: Symmetry
     views: Views
     settings: Settings
+    precedent: Precedent = NONE
+    """An earlier layout that this one should be like."""
 
     @cached_property
     def said(self) -> tuple[ControlSettings, ...]:

@@ -98,11 +98,12 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path) -> LayoutsResult:
-    from usdrigui.usd.read_layout import read_layout, source_of
+    from usdrigui.usd.read_layout import edited_elements, read_layout, source_of
 
     with _kept_stages() as stages:
         layouts = read_layout(path)
-        return LayoutsResult(layouts, source_of(path), _sources(path, stages.GetAllStages()))
+        edited = edited_elements(next(iter(stages.GetAllStages())))
+        return LayoutsResult(layouts, source_of(path), edited, _sources(path, stages.GetAllStages()))
 
 
 @contextlib.contextmanager
