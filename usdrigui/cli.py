@@ -7,10 +7,10 @@ Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
 from __future__ import annotations
 
 import argparse
-import io
 import dataclasses
 import functools
 import hashlib
+import io
 import json
 import os
 import signal
@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from usdrigui import __version__
-from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.errors import Exit, RigUIError, refuse, visible
 
 if TYPE_CHECKING:
     from usdrigui import report, terminal
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns its exit code (see `usdrigui.errors.Exit`)."""
     arguments = _parser().parse_args(argv)
+    _prepare_streams(machine=getattr(arguments, "json", False))
     try:
         return int(arguments.run(arguments))
     except RigUIError as error:
@@ -55,11 +56,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
-
     from usdrigui.examples import ExampleLayers
+
     settings = _settings(arguments)
-    screen = _screen(arguments)
     examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous)
+    screen = _screen(arguments)
     with _Interruption() as interruption, _progress(screen, arguments) as shown:
 
         def watch(event: pipeline.Event) -> None:
@@ -73,8 +74,8 @@ def _process(arguments: argparse.Namespace) -> Exit:
             dry_run=arguments.dry_run,
             progress=watch,
             stop=interruption.requested,
-        )
             examples=examples,
+        )
         written = _extras(result, arguments)
     if arguments.json:
         sys.stdout.write(report.to_json(result))
@@ -204,7 +205,6 @@ def _check(arguments: argparse.Namespace) -> Exit:
     return _strict(found.issues, arguments)
 
 
-def _view(arguments: argparse.Namespace) -> Exit:
 def _diff(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
     from usdrigui.settings import Settings
@@ -219,6 +219,7 @@ def _diff(arguments: argparse.Namespace) -> Exit:
     return Exit.REFUSED if arguments.strict and differ else Exit.OK
 
 
+def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.view import page, serve
 
@@ -254,6 +255,20 @@ def _edited(state: str, what: str, arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
+def _picture(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.view import sheet
+
+    loaded = pipeline.load_layer(arguments.layer, _settings(arguments))
+    if arguments.output.suffix == ".gif":
+        content = sheet.film_gif(loaded.characters, frames=arguments.frames)
+    else:
+        content = sheet.sheet_png(loaded.characters, labels=arguments.labels)
+    state = pipeline.write_file(content, arguments.output)
+    _say(f"usdrigui: {state} {arguments.output}", arguments)
+    return Exit.OK
+
+
 def _schema_path(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.schema import schema_path
 
@@ -276,7 +291,9 @@ def _parser() -> argparse.ArgumentParser:
     _add_process(commands)
     _add_inspect(commands)
     _add_check(commands)
+    _add_diff(commands)
     _add_view(commands)
+    _add_picture(commands)
     _add_batch(commands)
     _add_openjd(commands)
     _add_attach(commands)
@@ -291,7 +308,8 @@ def _add_process(commands: Any) -> None:
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
-    _add_diff(commands)
+    parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
+    parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -308,10 +326,14 @@ def _add_inspect(commands: Any) -> None:
 
 def _add_check(commands: Any) -> None:
     parser = _command(commands, "check", _check, "say whether a layout layer still fits its rig, and how good it is")
-    parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
-    parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
     _add_settings(parser)
+
+
+def _add_diff(commands: Any) -> None:
+    parser = _command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
+    parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
+    parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
 
 
 def _add_view(commands: Any) -> None:
@@ -330,12 +352,6 @@ def _add_batch(commands: Any) -> None:
     parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
     parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
     parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
-def _add_diff(commands: Any) -> None:
-    parser = _command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
-    parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
-    parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
-
-
     _add_settings(parser)
 
 
@@ -362,6 +378,14 @@ def _add_detach(commands: Any) -> None:
     parser = _command(commands, "detach", _detach, "take a layout layer out of the asset's sublayers again")
     parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone")
+
+
+def _add_picture(commands: Any) -> None:
+    parser = _command(commands, "picture", _picture, "draw a layout layer, or the character's animation under it")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="a .png, or a .gif that moves")
+    parser.add_argument("--labels", action="store_true", help="name the elements")
+    parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
 
 
 def _command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
@@ -508,6 +532,13 @@ def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, 
     return tuple(lines)
 
 
+def _prepare_streams(*, machine: bool) -> None:
+    """Names can hold any character: JSON is UTF-8 whatever the locale, and text never fails for want of a letter."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace", encoding="utf-8" if machine else None)
+
+
 def _strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
     warned = any(found.severity == "warning" for found in issues)
     return Exit.REFUSED if arguments.strict and warned else Exit.OK
@@ -525,9 +556,9 @@ def _refused(error: RigUIError, arguments: argparse.Namespace) -> None:
 
         print(*openjd.failure_lines(found), sep="\n", flush=True)
     where = f" {found.path}:" if found.path else ""
-    print(f"usdrigui: {found.code}{where} {found.message}", file=sys.stderr)
+    print(visible(f"usdrigui: {found.code}{where} {found.message}"), file=sys.stderr)
     print(f"  repair: {found.repair}", file=sys.stderr)
-    print(f"usdrigui: refused {asset}; nothing was written", file=sys.stderr)
+    print(visible(f"usdrigui: refused {asset}; nothing was written"), file=sys.stderr)
 
 
 def _bug(error: Exception, arguments: argparse.Namespace) -> int:
@@ -544,4 +575,4 @@ def _bug(error: Exception, arguments: argparse.Namespace) -> int:
 
 def _say(line: str, arguments: argparse.Namespace) -> None:
     if not arguments.json:
-        print(line)
+        print(visible(line))

@@ -79,6 +79,11 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
 
 
+def visible(text: str) -> str:
+    """Text that comes from a file as a terminal may show it: what would steer the terminal is spelt out."""
+    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+
+
 _CODES: dict[str, Code] = {
     # --- files -----------------------------------------------------------------------------------
     "FILE_NOT_FOUND": Code(
@@ -444,6 +449,9 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     # --- layouts that exist ------------------------------------------------------------------------
+    "ANIMATION_MISSING": Code(
+        "error", "The character has no animation that could be shown.", "Bind a SkelAnimation with time samples to it."
+    ),
     "LAYOUT_MESH_GONE": Code(
         "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
     ),
