@@ -220,7 +220,7 @@ class SolveSettings:
     """Relative gap at which a solution is called optimal."""
     threads: int = 0
     """0 takes the number of processors; the result does not depend on it."""
-    work_limit: int = 20_000_000
+    work_limit: int = 60_000_000
     """Search nodes and pair evaluations after which the solver stops with what it has; reproducible."""
     time_limit: float = 0.0
     """Seconds; 0 for none. The result may then depend on the machine."""

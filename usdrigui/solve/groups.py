@@ -19,6 +19,7 @@ from usdrigui.solve.search import Found, Part, Search
 from usdrigui.solve.watch import Watch
 
 TINY = 1e-9
+TINY_CLASH = 1e-7
 SWEEPS = 20
 PROGRAM, PROGRAM_NODES = 150, 200
 """Entries of a group that HiGHS is tried on, and its nodes."""
@@ -36,14 +37,15 @@ class Grouped:
     """(variables,) group of each variable, or -1."""
     chosen: Indices
     """(variables,) entries of a good solution."""
-    complete: bool
-    """Whether every group was solved to the end and all agree, so that `chosen` is optimal."""
 
 
-def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int, most: int) -> Grouped:
+def group_gains(
+    dual: Dual, bound: float, chosen: Indices, cut: float, watch: Watch, nodes: int, most: int, small: float = 0.0
+) -> Grouped:
     """Solve and merge groups until they agree, reach the cut-off or have spent `nodes`.
 
-    Groups have `most` members at first, more when all of those are solved and nodes remain.
+    Groups have `most` members at first, more when all of those are solved and nodes remain.  Clashes below
+    the share `small` of what is missing are not worth a merge.
     """
     chosen = chosen.copy()
     label = _joined(np.arange(len(chosen)), _disagreements(dual, chosen, 0.02 * max(cut - bound, 0.0)), most)
@@ -66,12 +68,13 @@ def group_gains(dual: Dual, bound: float, chosen: Indices, cut: float, watch: Wa
         member = np.full(len(chosen), -1)
         for number, group in enumerate(current):
             member[list(group)] = number
-        clashes = [each for each in _disagreements(dual, chosen, 1e-7) if _apart(member, each)]
+        least_clash = max(TINY_CLASH, small * (cut - bound - gains.sum()))
+        clashes = [each for each in _disagreements(dual, chosen, least_clash) if _apart(member, each)]
         finished = all(np.isfinite(solved[each][0].cost) for each in current)
         nodes -= spent
         # A large group whose search was cut short can prove less than its parts did.
         if best is None or gains.sum() > best.gain.sum():
-            best = Grouped(gains, member, chosen.copy(), not clashes and finished)
+            best = Grouped(gains, member, chosen.copy())
         if not clashes or not finished or nodes <= 0 or bound + best.gain.sum() >= cut or watch.stopped():
             return best
         merged = label

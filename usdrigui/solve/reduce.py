@@ -20,6 +20,7 @@ MEMBERS = 10
 """Variables of a group at first."""
 NEAR = 0.02
 SLOW = 0.1
+SMALL = 0.05
 FRUSTRATED = 0.5
 """Share of the missing bound that the blocks' own solution must leave before groups are searched."""
 BYTES_PER_PAIR = 120
@@ -143,7 +144,9 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
     """The residual with the bound raised by groups of variables."""
     dual = residual.dual
-    found = group_gains(dual, residual.bound, residual.chosen, watch.cut, watch, nodes, MEMBERS)
+    found = group_gains(
+        dual, residual.bound, residual.chosen, watch.cut, watch, nodes, MEMBERS, 0.0 if residual.exact else SMALL
+    )
     total = residual.bound + float(found.gain.sum())
     _, excess = dual.parts(found.member)
     own = np.array([found.gain[each] if each >= 0 else 0.0 for each in found.member])
