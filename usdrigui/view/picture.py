@@ -1,12 +1,12 @@
 """Pictures of a layout for reports and review pages, made without a display.
 
-`render` draws one character with its elements from several sides, `contact_sheet` puts many such
-pictures on one page.  The same input gives the same pixels.
+`render` draws one character with its elements from several sides, `film` the same at many poses,
+`contact_sheet` puts many pictures on one page.  The same input gives the same pixels.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -51,11 +51,48 @@ def render(
     """
     _check(views, size)
     posed = evaluate(prepare(rig, layout), values)
-    subject = shading.body(rig, posed.points)
-    panels = [_framed(layout, posed, rig.up, view, labels) for view in views]
+    return _page(rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title)
+
+
+def film(
+    rig: Rig,
+    layout: Layout,
+    poses: ArrayLike,
+    views: Sequence[str] = ("front",),
+    size: tuple[int, int] = (760, 820),
+    title: str = "",
+) -> Iterator[Image.Image]:
+    """One picture per row of ``poses`` (frames, controls), all framed as the base pose is; raises as `render`."""
+    _check(views, size)
+    poser = prepare(rig, layout)
+    scene = _set_up(rig, layout, evaluate(poser), views, size, False)
+    for values in np.asarray(poses, dtype=np.float64):
+        yield _page(rig, layout, evaluate(poser, values), scene, size, title)
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """The panels of a page with their cameras and upper left corners."""
+
+    panels: tuple[_Framed, ...]
+    cameras: tuple[Camera, ...]
+    corners: tuple[tuple[int, int], ...]
+
+
+def _set_up(
+    rig: Rig, layout: Layout, posed: PosedLayout, views: Sequence[str], size: tuple[int, int], labels: bool
+) -> _Scene:
+    panels = tuple(_framed(layout, posed, rig.up, view, labels) for view in views)
     cameras, corners = _arranged(panels, size)
+    return _Scene(panels, tuple(cameras), tuple(corners))
+
+
+def _page(
+    rig: Rig, layout: Layout, posed: PosedLayout, scene: _Scene, size: tuple[int, int], title: str
+) -> Image.Image:
+    subject = shading.body(rig, posed.points)
     page = Image.new("RGB", size, _PAPER)
-    for panel, camera, corner in zip(panels, cameras, corners, strict=True):
+    for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
         middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
         ImageDraw.Draw(page).text(middle, _CAPTIONS[panel.view], fill=_QUIET, font=lettering.font(13), anchor="mm")
@@ -249,6 +286,8 @@ def _legend(page: Image.Image, layout: Layout) -> None:
     pen, font = ImageDraw.Draw(page), lettering.font(13)
     x, y = float(_EDGE + 8), page.height - _LEGEND / 2
     for form, colour, text in _legend_entries(layout.elements):
+        if x + 15 + font.getlength(text) > page.width - _EDGE:
+            break  # a narrow page explains the colours first
         overlay.paste_knob(page, form, colour, 7.5, (x, y))
         pen.text((x + 15, y), text, fill=_QUIET, font=font, anchor="lm")
         x += 15 + font.getlength(text) + 30

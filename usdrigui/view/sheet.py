@@ -1,12 +1,19 @@
-"""The picture file of one run: one page a character, together on a contact sheet."""
+"""Picture files: one page a character, together on a contact sheet, or a short animation."""
 
 from __future__ import annotations
 
 import io
 from collections.abc import Sequence
 
+from PIL import Image
+
 from usdrigui.model import Layout, Rig
-from usdrigui.view.picture import contact_sheet, render
+from usdrigui.view.clip import clip_values
+from usdrigui.view.overlay import SIDES
+from usdrigui.view.picture import contact_sheet, film, render
+
+_FRAME = 80
+"""Milliseconds that a frame of an animation is shown."""
 
 
 def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) -> bytes:
@@ -16,3 +23,29 @@ def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False)
     buffer = io.BytesIO()
     page.save(buffer, format="PNG")
     return buffer.getvalue()
+
+
+def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> bytes:
+    """GIF bytes of the first character playing its clip under its layout; `frames` pictures, looped.
+
+    Raises RigUIError ANIMATION_MISSING.
+    """
+    rig, layout = characters[0]
+    pictures = list(film(rig, layout, clip_values(rig, frames)))
+    palette = _palette(pictures)
+    reduced = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    buffer = io.BytesIO()
+    reduced[0].save(buffer, format="GIF", save_all=True, append_images=reduced[1:], duration=_FRAME, loop=0)
+    return buffer.getvalue()
+
+
+def _palette(pictures: Sequence[Image.Image]) -> Image.Image:
+    """256 colours for all frames: most of them the pictures' own, the rest kept for the small marks."""
+    marks = [tuple(round(part * shade) for part in colour) for colour in SIDES.values() for shade in (0.6, 0.8, 1.0)]
+    pair = Image.new("RGB", (pictures[0].width * 2, pictures[0].height))
+    pair.paste(pictures[0], (0, 0))
+    pair.paste(pictures[len(pictures) // 2], (pictures[0].width, 0))
+    common = pair.quantize(colors=256 - len(marks)).getpalette() or []
+    palette = Image.new("P", (1, 1))
+    palette.putpalette([*common[: 3 * (256 - len(marks))], *(part for mark in marks for part in mark)])
+    return palette
