@@ -92,11 +92,12 @@ def point_areas(points: Floats, corners: Indices, places: Indices | None = None)
     return np.asarray(summed, dtype=np.float64)
 
 
-def weld(points: Floats, extra: Floats | None = None, resolution: float = 2e-6) -> Indices:
+def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) -> Indices:
     """``(n,)`` index of the first point at the same position: the point's *place*.
 
-    Positions are compared on a grid of `resolution` times the largest extent; equal positions always
-    share a place.  `extra` ``(n, k)`` further values must agree too (relative to their own largest
+    Positions are compared on a grid of `resolution` times the largest extent, above the rounding of
+    transforms and below any distance that was modelled: points that nearly touch stay apart, whichever way
+    the character is turned.  `extra` ``(n, k)`` further values must agree too (relative to their own largest
     magnitude): lips that touch at rest but move apart are two places.
     """
     cells = _cells(points, resolution)

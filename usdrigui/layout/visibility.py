@@ -14,6 +14,28 @@ from usdrigui.surface import mesh_triangles
 
 
 @dataclass(frozen=True, eq=False)
+class Frame(Record):
+    """The face's own frame: what is cast in it does not depend on where and how large the character is.
+
+    Rays that graze an edge are decided by rounding; cast in scene coordinates, a turned or scaled
+    character would get other candidates.
+    """
+
+    origin: Floats
+    axes: Floats
+    """(3, 3) rows: to the character's left, up, ahead."""
+    unit: float
+
+    def points(self, positions: Floats) -> Floats:
+        """(..., 3) positions in the frame."""
+        return np.asarray((positions - self.origin) @ self.axes.T / self.unit, dtype=np.float64)
+
+    def directions(self, vectors: Floats) -> Floats:
+        """(..., 3) unit vectors in the frame."""
+        return np.asarray(vectors @ self.axes.T, dtype=np.float64)
+
+
+@dataclass(frozen=True, eq=False)
 class Views(Record):
     """The directions from which a layout is judged, and the points seen from each at the base pose."""
 
@@ -25,7 +47,8 @@ class Views(Record):
     visible: Flags
     """(v, n)."""
     caster: Caster | None
-    """Casts rays at the visible meshes; None when occlusion is switched off."""
+    """Casts rays at the visible meshes, in the face's own frame; None when occlusion is switched off."""
+    frame: Frame
 
     @property
     def anywhere(self) -> Flags:
@@ -50,11 +73,21 @@ def find_views(
     ahead = front(rig, trajectories, symmetry.normal)
     directions = _directions(view, ahead, rig.up, camera)
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    frame = _frame(trajectories, symmetry, ahead, rig.up)
     if not occlusion:
-        return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None)
-    caster = make_caster(trajectories.base[mesh_triangles(rig.meshes, visible_only=True)])
-    seen = [visible_from(caster, trajectories.base, trajectories.normals, toward) for toward in directions]
-    return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster)
+        return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
+    points, normals = frame.points(trajectories.base), frame.directions(trajectories.normals)
+    caster = make_caster(points[mesh_triangles(rig.meshes, visible_only=True)])
+    seen = [visible_from(caster, points, normals, frame.directions(toward)) for toward in directions]
+    return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster, frame)
+
+
+def _frame(trajectories: Trajectories, symmetry: Symmetry, ahead: Floats, up: Floats) -> Frame:
+    """The face's frame at the middle of the character."""
+    middle = trajectories.base.mean(axis=0) if len(trajectories.base) else np.zeros(3)
+    if symmetry.normal.any():
+        middle = middle - ((middle - symmetry.origin) @ symmetry.normal) * symmetry.normal
+    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), trajectories.face_size)
 
 
 def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float, share: float = 0.5) -> Flags:
@@ -67,8 +100,8 @@ def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float, s
     if views.caster is not None:
         for direction in views.directions:
             ask = np.flatnonzero(hidden)
-            lifted = tracks[ask] + depth * direction
-            hidden[ask] = hidden_share(views.caster, lifted, normals[ask], direction) > share
+            lifted, outward = views.frame.points(tracks[ask] + depth * direction), views.frame.directions(normals[ask])
+            hidden[ask] = hidden_share(views.caster, lifted, outward, views.frame.directions(direction)) > share
     return hidden
 
 
