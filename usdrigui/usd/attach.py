@@ -71,6 +71,17 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     return _commit(asset, source, before, functools.partial(_readable, settings), removed=entries)
 
 
+def write_bare(layer: Path, target: Path) -> Outcome:
+    """Write a copy of a layout layer that has no sublayers, as `usdrigui process --bare` would have written it.
+
+    Raises FILE_NOT_USD, and the FILE_ codes of writing.
+    """
+    copy = _opened(layer)
+    copy.pseudoRoot.ClearInfo("subLayers")
+    copy.pseudoRoot.ClearInfo("subLayerOffsets")
+    return commit(layer_bytes(copy, target.suffix), target)
+
+
 # --- what may be edited ------------------------------------------------------------------------------
 
 

@@ -73,7 +73,7 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Iterator[Row]:
     with client:
         futures = client.map(run_job, jobs, pure=False, retries=_RETRIES)
         by_key = {future.key: job for future, job in zip(futures, jobs, strict=True)}
-        for future in distributed.as_completed(futures):
+        for future in distributed.as_completed(futures, loop=client.loop):
             yield future.result() if future.status == "finished" else _lost(by_key[future.key], future.exception())
 
 

@@ -1,0 +1,85 @@
+"""The three steps of a publish, for any framework or none: judge a layout, repair it, stage it.
+
+No step edits the asset.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from usdrigui import pipeline
+from usdrigui.errors import CODES, Issue, RigUIError
+from usdrigui.settings import Settings, environment_settings, load, read_toml
+from usdrigui.usd.attach import write_bare
+
+TITLE = "Rig UI layout is missing, stale or bad"
+DESCRIPTION = """\
+### {title}
+
+The layout layer of `{asset}` cannot be published as it is:
+
+{findings}
+
+**How to repair:** {repair}
+"""
+
+
+def settings_of(asset: Path) -> Settings:
+    """The settings that `usdrigui process` would take for an asset: environment and ``CHAR.rigui.toml``."""
+    beside = asset.with_suffix(".rigui.toml")
+    sources = [read_toml(beside)] if beside.is_file() else []
+    return load(*sources, environment=environment_settings())
+
+
+def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
+    """Everything that is wrong with the layout of an asset; empty when it may be published.
+
+    Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot), and the
+    refusal if the layer cannot be read, is missing, or stands over another asset.
+    """
+    try:
+        loaded = pipeline.load_layer(layer, settings_of(asset))
+        if Path(loaded.source).resolve() != asset.resolve():
+            return (_issue("LAYOUT_STALE", str(layer), f"stands over {loaded.source}, not over {asset}"),)
+        found = pipeline.check(layer, settings_of(asset)).issues
+    except RigUIError as error:
+        return (error.issue,)
+    return tuple(each for each in found if each.severity != "info")
+
+
+def repair(asset: Path, layer: Path) -> str:
+    """Lay the asset out anew and write the layer; returns ``written`` or ``unchanged``.
+
+    Raises `usdrigui.errors.RigUIError`; then nothing has been written.
+    """
+    return pipeline.process(asset, settings_of(asset), output=layer).outcome
+
+
+def stage(layer: Path, folder: Path) -> Path:
+    """A bare copy of the layer in a staging folder: published beside other layers, it must not name the asset.
+
+    Returns its path.  Raises `usdrigui.errors.RigUIError` with a FILE_ code.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    target = folder / layer.name
+    write_bare(layer, target)
+    return target
+
+
+def described(asset: Path, found: Sequence[Issue]) -> str:
+    """The findings as Markdown, for a publisher's report."""
+    lines = [f"- **{each.code}** {each.path}: {each.message}" for each in found[:20]]
+    more = [f"- and {len(found) - 20} more"] if len(found) > 20 else []
+    repairs = list(dict.fromkeys(each.repair for each in found))
+    advice = "use the repair action, which runs `usdrigui process` again" if repairs else ""
+    return DESCRIPTION.format(
+        title=TITLE,
+        asset=asset.name,
+        findings="\n".join(lines + more),
+        repair="; or: ".join([advice, *repairs[:3]]),
+    )
+
+
+def _issue(code: str, path: str, message: str) -> Issue:
+    return Issue(code, CODES[code].severity, path, message, CODES[code].repair)

@@ -1,0 +1,41 @@
+"""Stops the publish of a layout that is missing, stale or bad."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pyblish.api
+
+from usdrigui.clients.publish import hook
+from usdrigui.clients.publish.framework import PublishValidationError, RepairAction
+
+
+class ValidateRigUI(pyblish.api.InstancePlugin):
+    """The layout fits the character as it is, and every handle can be told apart and grabbed.
+
+    Runs `usdrigui check`.  The repair action lays the character out again; hand-made changes of the layer
+    are lost by it, so look at `usdrigui check` first where there are any.
+    """
+
+    label = "Rig UI layout fits its rig"
+    order = pyblish.api.ValidatorOrder
+    families = ["rigui"]  # noqa: RUF012 (Pyblish's own way)
+    actions = [RepairAction]  # noqa: RUF012
+    optional = True
+
+    def process(self, instance: Any) -> None:
+        """Raise what is found."""
+        asset, layer = Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"])
+        found = hook.judge(asset, layer)
+        for each in found:
+            self.log.error("%s %s: %s; %s", each.code, each.path, each.message, each.repair)
+        if found:
+            first = f"{found[0].code} {found[0].path}: {found[0].message}"
+            raise PublishValidationError(first, title=hook.TITLE, description=hook.described(asset, found))
+
+    @classmethod
+    def repair(cls, instance: Any) -> None:
+        """Lay the character out again."""
+        outcome = hook.repair(Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"]))
+        cls.log.info("%s %s", outcome, instance.data["rigUILayer"])
