@@ -28,9 +28,8 @@ def test_a_job_is_checked_and_run(tmp_path, capsys):
     batch_assets.folder_of(tmp_path / "assets")
     job = tmp_path / "job.json"
     pattern = str(tmp_path / "assets" / "a*" / "*.usda")
-    assert (
-        main(["openjd", pattern, "--output-dir", str(tmp_path / "out"), "--set", "solve.gap=0.01", "-o", str(job)]) == 0
-    )
+    options = ["--output-dir", str(tmp_path / "out"), "--set", "solve.gap=0.01", "-o", str(job)]
+    assert main(["openjd", pattern, *options]) == 0
     assert "2 tasks" in capsys.readouterr().out
     checked = openjd_command("check", str(job))
     assert checked.returncode == 0, checked.stdout + checked.stderr

@@ -24,7 +24,7 @@ def laid_out(tmp_path_factory):
 
 
 @pytest.fixture
-def asset(laid_out, tmp_path, monkeypatch):
+def asset(laid_out, tmp_path):
     """A character with its layout, and Pyblish with nothing but our plug-ins."""
     shutil.copytree(laid_out, tmp_path / "asset")
     pyblish_api.deregister_all_paths()

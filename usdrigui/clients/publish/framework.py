@@ -21,7 +21,7 @@ except ImportError:
             self.description = description
             self.detail = detail
 
-    class RepairAction(pyblish.api.Action):  # type: ignore[no-redef,misc]
+    class RepairAction(pyblish.api.Action):  # type: ignore[no-redef]
         """Calls the plug-in's `repair` on every instance that it failed on, as AYON's does."""
 
         label = "Repair"
