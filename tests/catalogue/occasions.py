@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ import smallest
 
 from usdrigui import pipeline, rays
 from usdrigui.cli import main
-from usdrigui.errors import RigUIError
+from usdrigui.errors import RigUIError, issue
 from usdrigui.layout import trajectory
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.usd import child, layer, rig, safe_write, schema, skeleton, source
@@ -75,13 +76,18 @@ def _impostor(script: str, *arguments: object) -> Occasion:
     """A reading process of another kind."""
 
     def occasion(folder: Path, patch: Any) -> Found:
-        path = folder / "python"
-        path.write_text(f"#!/bin/sh\n{script}\n")
-        path.chmod(0o755)
-        patch.setattr(child.sys, "executable", str(path))
+        _impersonated(folder, patch, child.sys, script)
         return process(folder, "", *arguments)
 
     return occasion
+
+
+def _impersonated(folder: Path, patch: Any, system: Any, script: str) -> None:
+    """Have another program run instead of Python."""
+    path = folder / "python"
+    path.write_text(f"#!/bin/sh\n{script}\n")
+    path.chmod(0o755)
+    patch.setattr(system, "executable", str(path))
 
 
 def _changed(folder: Path, _: Any) -> Found:
@@ -205,6 +211,46 @@ def _over_another(folder: Path) -> Path:
     (folder / "other.usda").write_text("#usda 1.0\n")
     found.write_text(found.read_text().replace("#usda 1.0\n(", "#usda 1.0\n(\n    subLayers = [@./other.usda@]", 1))
     return found
+
+
+# --- batches -----------------------------------------------------------------------------------------
+
+
+def _job(script: str, timeout: float = 0.0) -> Occasion:
+    """A job of a batch whose process is another one."""
+    from usdrigui.clients.batch import jobs
+
+    def occasion(folder: Path, patch: Any) -> Found:
+        _impersonated(folder, patch, jobs.sys, script)
+        row = jobs.run_job(jobs.Job(str(folder / "char.usda"), str(folder / "out.usda"), "", (), "", timeout))
+        return row.exit, [asdict(issue(row.code, row.asset, row.message))]
+
+    return occasion
+
+
+def _too_many(_: Path, patch: Any) -> Found:
+    from usdrigui.clients import openjd
+
+    patch.setattr(openjd, "_TASKS", 1)
+    patch.setattr(openjd, "_STEPS", 1)
+    return refused(lambda: openjd.template([(Path("/a"), Path("/b"))] * 2, ()))
+
+
+def _no_scheduler(_: Path, patch: Any) -> Found:
+    from usdrigui.clients.batch.run import run_on_dask
+
+    def client(*_: object, **__: object) -> None:
+        raise OSError("connection refused")
+
+    patch.setitem(sys.modules, "distributed", SimpleNamespace(Client=client))
+    return refused(lambda: list(run_on_dask([], "tcp://farm:8786")))
+
+
+def _no_animation(folder: Path, _: Any) -> Found:
+    from usdrigui.view.sheet import film_gif
+
+    (found,) = rig.read_rigs(smallest.character(folder), Settings())
+    return refused(lambda: film_gif([(found, None)]))
 
 
 # --- problems and poses ------------------------------------------------------------------------------
@@ -375,6 +421,14 @@ OCCASIONS: Mapping[str, Occasion] = {
     "ATTACH_LINK": _attached(_linked, "link.usda"),
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
+    "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),
+    "BATCH_TIME_LIMIT": _job("sleep 60", 0.2),
+    "BATCH_KILLED": _job("kill -KILL $$"),
+    "BATCH_NO_REPORT": _job("exit 7"),
+    "BATCH_TOO_MANY": _too_many,
+    "BATCH_SCHEDULER": _no_scheduler,
+    "ANIMATION_MISSING": _no_animation,
+    "NORMALS_INWARD": _trajectories("NORMALS_INWARD"),
     "SOLVE_TOO_LARGE": _too_large,
     "SOLVE_MEMORY": _solved("toulbar2", memory_limit=0),
     "SOLVE_EXTRA": _without("pytoulbar2", _solved("toulbar2")),

@@ -174,6 +174,11 @@ EDITS: Mapping[str, tuple[tuple[str, str], ...]] = {
     "CLIP_THINNED": (
         (_WEIGHTS, "float[] blendShapeWeights.timeSamples = { 0: [0, 0], 1: [1, 0], 2: [0, 0], 3: [0, 1] }"),
     ),
+    "NORMALS_INWARD": (
+        ("(4,0,0), (4,3,0)]", "(0,0,-2), (2,0,-2)]"),
+        ("faceVertexCounts = [4, 4]", "faceVertexCounts = [4, 4, 4, 3, 3]"),
+        ("[0, 1, 2, 3, 1, 4, 5, 2]", "[3, 2, 1, 0, 3, 4, 5, 2, 0, 1, 5, 4, 0, 4, 3, 1, 2, 5]"),
+    ),
     "UNITS_TYPE": (("metersPerUnit = 0.01", "metersPerUnit = 0"),),
     "CONTROL_TINY": (("(0,0,1), (0,0,0.5)]", "(0,0,1e-4), (0,0,5e-5)]"),),
     "CONTROL_DUPLICATE": (

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -74,6 +75,7 @@ def _anonymous(found, folder):
     """An issue without the place where the test ran, and without the words of others."""
     clean = {key: value.replace(str(folder), "FOLDER") for key, value in found.items()}
     assert all(clean[key] for key in ("code", "severity", "message", "repair"))
+    clean["message"] = re.sub(r"\(\w+\.py:\d+\)", "(PLACE)", clean["message"])
     if found["code"] in IN_USDS_WORDS:
         clean["message"] = "..."
     return clean

@@ -7,6 +7,7 @@ import sys
 import occasions
 import pytest
 import traps
+from pxr import Sdf
 from zygote import Zygote
 
 from usdrigui.usd import child
@@ -57,3 +58,17 @@ def test_a_layout_layer_is_a_source_too(tmp_path):
     first, second = read_layout(layer), read_layout(tmp_path / "again.usda")
     assert [each.elements[0].anchor.point for each in first] == [each.elements[0].anchor.point for each in second]
     assert len(first) == len(second) == 1
+
+
+@pytest.mark.parametrize("version", [(0, 0, 0), (0, 99, 0), (1, 0, 0), (255, 255, 255)])
+def test_a_crate_of_a_version_that_usd_does_not_read(version, tmp_path):
+    text = traps.smallest.character(tmp_path)
+    path = tmp_path / "char.usdc"
+    layer = Sdf.Layer.FindOrOpen(str(text))
+    layer.Export(str(path))
+    assert occasions.command("process", path, "--dry-run")[0] == 0
+    content = bytearray(path.read_bytes())
+    content[8:11] = bytes(version)
+    path.write_bytes(content)
+    exit_code, issues = occasions.command("process", path, "--dry-run")
+    assert (exit_code, issues[0]["code"]) == (1, "FILE_NOT_USD")
