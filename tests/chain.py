@@ -8,6 +8,7 @@ from typing import Any
 from usdrigui.layout.candidates import candidates
 from usdrigui.layout.elements import layout
 from usdrigui.layout.groups import find_groups
+from usdrigui.layout.precedent import NONE
 from usdrigui.layout.problem import layout_problem
 from usdrigui.layout.symmetry import find_symmetry
 from usdrigui.layout.terms import Context
@@ -38,19 +39,19 @@ def context_of(rig, settings=None, base_values=None, camera=None):
     return Context(rig, found, symmetry, views, settings)
 
 
-def posed(rig, settings=None, base_values=None):
+def posed(rig, settings=None, base_values=None, precedent=NONE):
     """Up to the problem."""
-    context = context_of(rig, settings, base_values)
+    context = replace(context_of(rig, settings, base_values), precedent=precedent)
     chosen = candidates(context)
     groups = find_groups(context, chosen)
     problem, choices = layout_problem(context, chosen, groups)
     return Line(context, chosen, groups, problem, choices)
 
 
-def lay_out(rig, settings=None, base_values=None):
+def lay_out(rig, settings=None, base_values=None, precedent=NONE):
     """All the way, solved to optimality."""
     settings = settings or Settings()
-    line = posed(rig, settings, base_values)
+    line = posed(rig, settings, base_values, precedent)
     solving = replace(settings.solve, gap=1e-9, threads=1)
     assignment = solve(line.problem, solving)
     made = layout(line.context, line.candidates, line.groups, line.problem, line.choices, assignment, base_values)

@@ -59,7 +59,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui.examples import ExampleLayers
 
     settings = _settings(arguments)
-    examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous)
+    examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous, like=arguments.like)
     screen = _screen(arguments)
     with _Interruption() as interruption, _progress(screen, arguments) as shown:
 
@@ -233,6 +233,23 @@ def _view(arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
+def _flat_picker(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients import picker
+
+    if arguments.svg is None and arguments.dwpicker is None:
+        raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
+    loaded = pipeline.load_layer(arguments.layer, _settings(arguments))
+    made = picker.picker(loaded.characters)
+    if arguments.svg is not None:
+        _say(f"{pipeline.write_file(picker.to_svg(made).encode(), arguments.svg)} {arguments.svg}", arguments)
+    if arguments.dwpicker is not None:
+        content = picker.to_dwpicker(made, arguments.layer.name.partition(".")[0]).encode()
+        _say(f"{pipeline.write_file(content, arguments.dwpicker)} {arguments.dwpicker}", arguments)
+    _say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
+    return Exit.OK
+
+
 def _attach(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.attach import attach
 
@@ -294,6 +311,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_diff(commands)
     _add_view(commands)
     _add_picture(commands)
+    _add_flat_picker(commands)
     _add_batch(commands)
     _add_openjd(commands)
     _add_attach(commands)
@@ -310,6 +328,7 @@ def _add_process(commands: Any) -> None:
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
     parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
     parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
+    parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -341,6 +360,13 @@ def _add_view(commands: Any) -> None:
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
     parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+
+
+def _add_flat_picker(commands: Any) -> None:
+    parser = _command(commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls")
+    parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
 
 
 def _add_batch(commands: Any) -> None:

@@ -13,9 +13,11 @@ from pathlib import Path
 from usdrigui.errors import refuse
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
-from usdrigui.model import Layout, Rig
-from usdrigui.settings import Settings
-from usdrigui.usd.child import LayoutsResult, read_layouts_isolated
+from usdrigui.layout.trajectory import trajectories as find_trajectories
+from usdrigui.layout.transfer import of_another
+from usdrigui.model import Layout, Rig, Trajectories
+from usdrigui.settings import ReadSettings, Settings
+from usdrigui.usd.child import LayoutsResult, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +28,8 @@ class ExampleLayers:
     """Its anchors and groups are kept to the point."""
     previous: Path | None = None
     """Its anchors and groups are kept unless leaving them gains more than ``objective.keep_price``."""
+    like: Path | None = None
+    """The layout of another character, over that character, to be imitated; not together with `previous`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,16 +40,22 @@ class Examples:
     previous: Mapping[str, Layout] = field(default_factory=dict)
     edited: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Elements of `previous` that a stronger layer has corrected: they are fixed."""
+    like: tuple[tuple[Rig, Layout], ...] = ()
+    """Other characters with their layouts."""
 
 
 def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     """Read the layers, each in a process of its own.
 
-    Raises LAYOUT_MISSING and everything that reading a layer can raise.
+    Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and everything that
+    reading a layer or an asset can raise.
     """
+    if layers.previous and layers.like:
+        raise refuse("CONFIG_VALUE", "--like", "a layout is either this character's previous one or another's")
     fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
-    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {})
+    like = _characters(layers.like, settings) if layers.like else ()
+    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like)
 
 
 def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
@@ -63,14 +73,55 @@ def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
     return settings
 
 
-def precedent_of(examples: Examples, rig: Rig, settings: Settings) -> Precedent:
-    """What the examples ask of one character besides fixed anchors."""
+def precedent_of(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Precedent:
+    """What the examples ask of one character besides fixed anchors.
+
+    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when none of several
+    characters to imitate has the path of this one.
+    """
     precedent = NONE
+    if examples.like and settings.like.price > 0.0:
+        precedent = _imitating(examples, rig, trajectories, settings)
     if rig.root in examples.previous:
         precedent = of_previous(examples.previous[rig.root], rig, settings.objective.keep_price)
     if rig.root in examples.fixed:
         precedent = joined(Precedent(kept_groups(examples.fixed[rig.root], rig)), precedent)
     return precedent
+
+
+def _imitating(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Precedent:
+    by_root = {other.root: (other, layout) for other, layout in examples.like}
+    if rig.root not in by_root and len(by_root) > 1:
+        raise refuse("CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}")
+    other, layout = by_root.get(rig.root) or examples.like[0]
+    names = settings.like.names
+    _check_names(names, other, rig)
+    found = find_trajectories(other, settings.trajectories)
+    return of_another(layout, (other, found), (rig, trajectories), names, settings.like.price)
+
+
+def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
+    known = {control.name for control in other.controls}, {control.name for control in rig.controls} | {""}
+    for theirs, ours in names.items():
+        if theirs not in known[0] or ours not in known[1]:
+            whose, name = (other.root, theirs) if theirs not in known[0] else (rig.root, ours)
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', f"{whose} has no control {name!r}")
+
+
+def _characters(layer: Path, settings: Settings) -> tuple[tuple[Rig, Layout], ...]:
+    """The characters of a layer to imitate, read without what the configuration says of ours."""
+    limits = ReadSettings(
+        time_limit=settings.read.time_limit,
+        memory_limit=settings.read.memory_limit,
+        size_limit=settings.read.size_limit,
+    )
+    plain = Settings(read=limits)
+    found = read_layouts_isolated(layer, plain)
+    if not found.source:
+        raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
+    layouts = _by_root(found)
+    rigs = read_rigs_isolated(Path(found.source), plain).rigs
+    return tuple((rig, layouts[rig.root]) for rig in rigs if rig.root in layouts)
 
 
 def _known(layout: Layout, rig: Rig) -> Layout:

@@ -170,7 +170,7 @@ def posed(
             settings.candidates.occlusion,
             (cameras or {}).get(rig.root),
         )
-        context = Context(rig, found, symmetry, views, settings, precedent_of(examples, rig, settings))
+        context = Context(rig, found, symmetry, views, settings, precedent_of(examples, rig, found, settings))
         candidates = candidates_stage.candidates(context)
     with clock.stage("problem"):
         groups = groups_stage.find_groups(context, candidates)

@@ -245,6 +245,17 @@ class OutputSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class LikeSettings:
+    """Laying out a character like another one (`--like`)."""
+
+    names: Mapping[str, str] = field(default_factory=dict)
+    """Their control's name to ours, where the two differ; an empty name says that there is no counterpart."""
+    price: float = 1.0
+    """Cost, per copy, of an element far from the place that corresponds to theirs; nearer ones pay in
+    proportion to the distance."""
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """Everything that a run can be told."""
 
@@ -259,6 +270,7 @@ class Settings:
     controls: Mapping[str, ControlSettings] = field(default_factory=dict)
     poses: Mapping[str, PoseSettings] = field(default_factory=dict)
     joints: Mapping[str, JointSettings] = field(default_factory=dict)
+    like: LikeSettings = field(default_factory=LikeSettings)
 
 
 PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(

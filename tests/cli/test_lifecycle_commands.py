@@ -70,7 +70,7 @@ def corrected(folder, element, point):
     """A stronger layer that moves one anchor, as an artist would, and paints its handle."""
     over = Usd.Stage.CreateNew(str(folder / "corrections.usda"))
     over.GetRootLayer().subLayerPaths.append("./old.rigui.usda")
-    (prim,) = [prim for prim in over.TraverseAll() if prim.GetName() == element]
+    (prim,) = [scope.GetChild(element) for scope in over.TraverseAll() if scope.GetName() == "RigUI"]
     prim.GetAttribute("rigUI:anchor:pointIndex").Set(point)
     prim.SetDisplayName("corrected by hand")
     over.GetRootLayer().Save()
@@ -151,7 +151,7 @@ def test_a_correction_in_a_stronger_layer_survives(folder, capsys):
     layer.subLayerPaths[:] = ["./new.rigui.usda"]
     layer.Save()
     stage = Usd.Stage.Open(str(corrections))
-    (prim,) = [prim for prim in stage.TraverseAll() if prim.GetName() == "smile_L" and prim.HasAuthoredDisplayName()]
+    (prim,) = [scope.GetChild("smile_L") for scope in stage.TraverseAll() if scope.GetName() == "RigUI"]
     assert prim.GetDisplayName() == "corrected by hand"
     assert anchors(corrections)["smile_L"] == (point, False)
 

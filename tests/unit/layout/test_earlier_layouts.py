@@ -9,28 +9,14 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.difference import difference
-from usdrigui.layout.elements import layout as elements_of
 from usdrigui.layout.gain import gains_of_leaving
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
 from usdrigui.settings import Settings
-from usdrigui.solve import solve
 
 
 def lay_out(rig, settings=None, precedent=NONE):
-    """As `chain.lay_out`, heeding a precedent."""
-    from usdrigui.layout.candidates import candidates
-    from usdrigui.layout.groups import find_groups
-    from usdrigui.layout.problem import layout_problem
-
-    settings = settings or Settings()
-    context = replace(chain.context_of(rig, settings), precedent=precedent)
-    chosen = candidates(context)
-    groups = find_groups(context, chosen)
-    problem, choices = layout_problem(context, chosen, groups)
-    assignment = solve(problem, replace(settings.solve, gap=1e-9, threads=1))
-    made = elements_of(context, chosen, groups, problem, choices, assignment)
-    return chain.Line(context, chosen, groups, problem, choices, assignment, made)
+    return chain.lay_out(rig, settings, precedent=precedent)
 
 
 def anchors(layout):

@@ -1,0 +1,191 @@
+"""From one character's layout to another's: where the same place is on another face (paper section 1,
+re-targeting).
+
+The two faces need not share topology, size, pose or place in the world.  What they share is controls, by
+name: the region that each of them moves is a landmark, and the landmarks carry one face onto the other, by a
+similarity that outvotes those that disagree and then by a smooth warp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import RBFInterpolator
+
+from usdrigui.layout.precedent import Place, Precedent, kept_groups
+from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
+
+REACH = 4.0
+"""Handle widths from the corresponding place at which the whole price is due."""
+
+_LEAST_FOR_SIMILARITY = 4
+_LEAST_FOR_WARP = 8
+_ROUNDS = 20
+_OUTLIER = 4.0
+"""Landmarks further off than this many times the median do not shape the warp."""
+_SMOOTHING = 1e-3
+"""Of the warp; small, as landmarks are averages over whole regions."""
+_FLAT = 1e-3
+"""Least share of the largest spread that landmarks have in their second direction: fewer lie on a line."""
+
+
+@dataclass(frozen=True)
+class _Similarity:
+    """p -> scale * rotation @ p + offset."""
+
+    scale: float
+    rotation: Floats
+    offset: Floats
+
+    def __call__(self, points: Floats) -> Floats:
+        return np.asarray(self.scale * points @ self.rotation.T + self.offset, dtype=np.float64)
+
+
+def of_another(
+    layout: Layout,
+    theirs: tuple[Rig, Trajectories],
+    ours: tuple[Rig, Trajectories],
+    names: Mapping[str, str],
+    price: float,
+) -> Precedent:
+    """The precedent that another character's layout sets for ours.
+
+    Parameters: `layout` of `theirs`; `names` maps their control names to ours where these differ.  Controls
+    without a counterpart are free.  Elements that share controls there share them here.
+    """
+    renamed = _renamed(layout, names)
+    places = carried([element.anchor.position for element in layout.elements], theirs, ours, names)
+    index = {control.name: number for number, control in enumerate(ours[0].controls)}
+    found: dict[int, Place] = {}
+    for element, position in zip(renamed.elements, places, strict=True):
+        for member in element.members:
+            if member.control in index and index[member.control] not in found:
+                found[index[member.control]] = Place(-1, position, element.anchor.beside)
+    return Precedent(kept_groups(renamed, ours[0]), found, price, REACH)
+
+
+def carried(
+    positions: list[Floats], theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> Floats:
+    """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root space."""
+    points = np.array(positions, dtype=np.float64).reshape(-1, 3)
+    source, target = _landmarks(theirs, ours, names)
+    if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
+        return _by_size(theirs, ours)(points)
+    similarity, weights = _robust(source, target)
+    aligned = similarity(points)
+    trusted = weights > 0.0
+    if trusted.sum() < _LEAST_FOR_WARP:
+        return aligned
+    return np.asarray(aligned + _warp(similarity(source[trusted]), target[trusted])(aligned), dtype=np.float64)
+
+
+# --- landmarks ---------------------------------------------------------------------------------------
+
+
+def _landmarks(
+    theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> tuple[Floats, Floats]:
+    """(k, 3) middles of the regions that the shared controls move, on their face and on ours."""
+    here = _middles(*ours)
+    there = _middles(*theirs).items()
+    kept = [(middle, here[names.get(name, name)]) for name, middle in there if names.get(name, name) in here]
+    return (
+        np.array([pair[0] for pair in kept]).reshape(-1, 3),
+        np.array([pair[1] for pair in kept]).reshape(-1, 3),
+    )
+
+
+def _middles(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
+    """By control name, the mean of what it moves, weighted by the square of the distance moved."""
+    return {rig.controls[motion.control].name: _middle(trajectories, motion) for motion in trajectories.motions}
+
+
+def _middle(trajectories: Trajectories, motion: Motion) -> Floats:
+    """(3,) of places, not of points: a face that is split at seams is the same face."""
+    first = trajectories.places[motion.points] == motion.points
+    weights = np.where(first, np.square(motion.arc_length), 0.0)
+    return np.asarray(weights @ trajectories.base[motion.points] / max(float(weights.sum()), 1e-300))
+
+
+def _spread(points: Floats) -> bool:
+    """Whether the points span more than a line."""
+    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(values[1] > _FLAT * values[0])
+
+
+# --- from one face to the other ----------------------------------------------------------------------
+
+
+def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
+    """The similarity on which most landmarks agree, and (k,) weights: 0 for those that do not."""
+    weights = np.ones(len(source))
+    similarity = _fitted(source, target, weights)
+    for _ in range(_ROUNDS):
+        off = np.linalg.norm(similarity(source) - target, axis=1)
+        scale = max(float(np.median(off)), 1e-9 * float(np.ptp(target)))
+        weights = 1.0 / (1.0 + np.square(off / scale))
+        similarity = _fitted(source, target, weights)
+    return similarity, np.where(off <= _OUTLIER * scale, weights, 0.0)
+
+
+def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
+    """Least squares, weighted, without reflection (Umeyama 1991)."""
+    share = weights / weights.sum()
+    from_middle, to_middle = share @ source, share @ target
+    one, other = source - from_middle, target - to_middle
+    left, values, right = np.linalg.svd(other.T @ (share[:, None] * one))
+    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
+    rotation = (left * sign) @ right
+    scale = float((values * sign).sum() / (share @ np.square(one).sum(axis=1)))
+    return _Similarity(scale, rotation, to_middle - scale * rotation @ from_middle)
+
+
+def _warp(source: Floats, target: Floats) -> RBFInterpolator:
+    """A smooth displacement field that takes aligned landmarks to where they belong."""
+    unit = float(np.ptp(source, axis=0).max())
+    _, first = np.unique(np.round(source / unit, 6), axis=0, return_index=True)
+    return RBFInterpolator(
+        source[first], (target - source)[first], kernel="linear", smoothing=_SMOOTHING * unit, degree=0
+    )
+
+
+def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:
+    """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on up."""
+    (rig, one), (other_rig, other) = theirs, ours
+    scale = other.face_size / one.face_size
+    rotation = _turn(rig.up, other_rig.up)
+    return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
+
+
+def _turn(start: Floats, end: Floats) -> Floats:
+    """(3, 3) the least rotation from one unit vector to another."""
+    axis, cosine = np.cross(start, end), float(start @ end)
+    if cosine < -1.0 + 1e-9:
+        side = np.eye(3)[int(np.argmin(np.abs(start)))]
+        normal = np.cross(start, side)
+        normal /= np.linalg.norm(normal)
+        return np.asarray(2.0 * np.outer(normal, normal) - np.eye(3))
+    cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + cosine))
+
+
+def _face_middle(trajectories: Trajectories) -> Floats:
+    moved = np.zeros(len(trajectories.base), dtype=bool)
+    for motion in trajectories.motions:
+        moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
+    points = trajectories.base[moved]
+    return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))
+
+
+def _renamed(layout: Layout, names: Mapping[str, str]) -> Layout:
+    """The layout with our names for their controls, and for elements called after them."""
+    return replace(layout, elements=tuple(_renamed_element(element, names) for element in layout.elements))
+
+
+def _renamed_element(element: Element, names: Mapping[str, str]) -> Element:
+    members = tuple(replace(member, control=names.get(member.control, member.control)) for member in element.members)
+    own = element.name == "_".join(member.control for member in element.members)
+    return replace(element, members=members, name="_".join(m.control for m in members) if own else element.name)
