@@ -1,0 +1,100 @@
+"""`usdrigui picker`: flat pickers with every element at its place."""
+
+import itertools
+import json
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+import skinned_stages
+
+from usdrigui import pipeline
+from usdrigui.cli import main
+from usdrigui.clients import picker
+from usdrigui.settings import Settings
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(scope="module")
+def layer(tmp_path_factory):
+    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
+    assert main(["process", str(character), "--quiet"]) == 0
+    return character.with_name("char.rigui.usda")
+
+
+@pytest.fixture(scope="module")
+def characters(layer):
+    return pipeline.load_layer(layer, Settings()).characters
+
+
+def test_writes_both_and_says_so(layer, tmp_path, capsys):
+    svg, dwpicker = tmp_path / "out.svg", tmp_path / "out.json"
+    assert main(["picker", str(layer), "--svg", str(svg), "--dwpicker", str(dwpicker)]) == 0
+    assert svg.is_file()
+    assert dwpicker.is_file()
+    assert capsys.readouterr().out.splitlines()[-1].startswith("usdrigui: picker of")
+    before = svg.read_bytes()
+    assert main(["picker", str(layer), "--svg", str(svg)]) == 0
+    assert svg.read_bytes() == before
+    assert main(["picker", str(layer)]) == 2
+
+
+def test_every_element_and_track_is_in_the_picture(characters):
+    made = picker.picker(characters)
+    root = ElementTree.fromstring(picker.to_svg(made))
+    groups = {group.get("id"): group for group in root.iter(f"{SVG}g")}
+    (_, layout) = characters[0]
+    assert set(groups) == {element.name for element in layout.elements}
+    for element in layout.elements:
+        group = groups[element.name]
+        controls = [member.control for member in element.members]
+        assert json.loads(group.get("data-controls")) == controls
+        assert [each.get("data-control") for each in group.iter(f"{SVG}polyline")] == controls
+        assert group.get("data-anchor") == f"{element.anchor.mesh}#{element.anchor.point}"
+    for spot in made.spots:
+        points = np.vstack([spot.handle, *spot.tracks])
+        assert (points >= 0.0).all()
+        assert (points <= made.size).all()
+
+
+def test_places_are_those_of_the_view(characters):
+    """Distances across the view, in handle widths; the character's left is on the right; up is up."""
+    rig, layout = characters[0]
+    made = {spot.element.name: spot for spot in picker.picker(characters).spots}
+    across = np.cross(rig.up, layout.view)
+    face = [element for element in layout.elements if not element.anchor.beside]
+    for one, other in itertools.pairwise(face):
+        apart = (other.anchor.position - one.anchor.position) / layout.handle_width
+        flat = (made[other.name].handle - made[one.name].handle) / picker._HANDLE
+        np.testing.assert_allclose(flat, [apart @ across, -(apart @ rig.up)], atol=1e-3)
+
+
+def test_a_dwpicker_file_has_a_button_for_every_element(characters):
+    document = json.loads(picker.to_dwpicker(picker.picker(characters), "char"))
+    _, layout = characters[0]
+    buttons = [shape for shape in document["shapes"] if shape["action.targets"]]
+    assert [shape["action.targets"] for shape in buttons] == [
+        [member.control for member in element.members] for element in layout.elements
+    ]
+    assert document["general"]["name"] == "char"
+    keys = set(document["shapes"][0])
+    assert all(set(shape) == keys for shape in document["shapes"])
+    assert document["shapes"][0]["background"]
+    assert not any(shape["background"] for shape in buttons)
+
+
+def test_characters_stand_side_by_side(characters):
+    one, two = picker.picker(characters), picker.picker([*characters, *characters])
+    np.testing.assert_allclose(two.size, one.size * [2, 1])
+    shift = two.spots[len(one.spots)].handle - one.spots[0].handle
+    np.testing.assert_allclose(shift, [one.size[0], 0.0], atol=1e-9)
+
+
+def test_names_are_escaped(characters):
+    from dataclasses import replace
+
+    rig, layout = characters[0]
+    odd = replace(layout.elements[0], name='a"<b>&', label="<&>")
+    svg = picker.to_svg(picker.picker([(rig, replace(layout, elements=(odd, *layout.elements[1:])))]))
+    assert next(ElementTree.fromstring(svg).iter(f"{SVG}g")).get("id") == 'a"<b>&'
