@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
 import sys
 import threading
 import time
+import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
+from mutations import package
 from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
@@ -243,14 +246,14 @@ def test_the_child_ends_with_a_parent_that_was_killed(tmp_path):
     )
     try:
         reader = eventually(lambda: children_of(parent.pid)).pop()
-        eventually(lambda: Path(f"/proc/{reader}/wchan").read_text() and _waits_for_pipe(reader))
+        eventually(lambda: _is_bound(reader))
     finally:
         parent.kill()
         parent.wait()
     assert gone(reader)
 
 
-def _waits_for_pipe(process):
+def _is_bound(process):
     """Whether the reader has USD loaded, hence is bound to its parent."""
     return b"_usd" in Path(f"/proc/{process}/maps").read_bytes()
 
@@ -413,7 +416,7 @@ def test_a_change_while_usd_reads_is_noticed(tmp_path):
     path.write_text("#usda 1.0\n(\n    subLayers = [@./pipe.usda@, @./geo.usda@]\n)\n")
 
     def meddle():
-        with (tmp_path / "pipe.usda").open("w") as pipe:
+        with contextlib.suppress(BrokenPipeError), (tmp_path / "pipe.usda").open("w") as pipe:
             path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
             pipe.write("#usda 1.0\n")
 
@@ -422,3 +425,14 @@ def test_a_change_while_usd_reads_is_noticed(tmp_path):
     error = refused(path, Limits(seconds=20))
     thread.join()
     assert (error.issue.code, error.exit_code) == ("SOURCE_CHANGED", Exit.FILE)
+
+
+def test_a_damaged_package_that_is_only_referenced(tmp_path):
+    content = head(tmp_path / "head.usda").read_bytes()
+    path = tmp_path / "char.usda"
+    path.write_text("#usda 1.0\n(\n    subLayers = [@./pack.usdz@]\n)\n")
+    pack = tmp_path / "pack.usdz"
+    pack.write_bytes(package("head.usda", content))
+    assert [Path(each.path).name for each in read_rigs_isolated(path, Settings()).sources] == ["char.usda", "pack.usdz"]
+    pack.write_bytes(package("head.usda", content, zlib.crc32(content) ^ 1))
+    assert refused(path).issue.code == "FILE_CORRUPT"

@@ -117,13 +117,19 @@ def _kept_stages() -> Iterator[Any]:
 
 
 def _sources(path: Path, stages: Iterable[Any]) -> tuple[SourceFile, ...]:
-    """Every file behind the layers of the stages: the asset first, the others by path."""
+    """Every file behind the layers of the stages: the asset first, the others by path; packages are checked."""
     from pxr import Ar
+
+    from usdrigui.usd.stage import check_archive
 
     used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
     files = {Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each for each in used}
     others = sorted({os.path.realpath(each) for each in files} - {os.path.realpath(path)})
-    return (hashed(path), *(hashed(each) for each in others if os.path.isfile(each)))  # noqa: PTH113
+    found = (hashed(path), *(hashed(each) for each in others if os.path.isfile(each)))  # noqa: PTH113
+    for each in found[1:]:
+        if each.path.lower().endswith(".usdz"):
+            check_archive(Path(each.path))
+    return found
 
 
 def _cameras(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:

@@ -89,11 +89,11 @@ def _check_file(path: Path) -> None:
     if not extension or not Sdf.FileFormat.FindByExtension(extension):
         raise refuse("FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}")
     if path.suffix.lower() == ".usdz":
-        _check_archive(path)
+        check_archive(path)
 
 
-def _check_archive(path: Path) -> None:
-    """USD itself ignores the checksums of a usdz."""
+def check_archive(path: Path) -> None:
+    """Refuse (FILE_CORRUPT) a usdz whose checksums are wrong, which USD itself ignores; nothing is extracted."""
     try:
         with zipfile.ZipFile(path) as archive:
             damaged = archive.testzip()
