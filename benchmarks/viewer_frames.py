@@ -2,13 +2,15 @@
 
     python benchmarks/viewer_frames.py char.rigui.html [--control NAME] [--seconds 5] [--size 1280x800]
 
-Also prints where the time of a frame goes, as the page measures it.
+Also prints where the time of a frame goes, as the page measures it, and the processor time per frame of
+all of the browser's processes, which other work on the machine does not change (Linux only).
 """
 
 from __future__ import annotations
 
 import argparse
 import math
+import os
 import time
 from pathlib import Path
 
@@ -16,8 +18,7 @@ from playwright.sync_api import sync_playwright
 
 FLAGS = (
     "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
+    "--disable-gpu",
     "--enable-unsafe-swiftshader",
     "--disable-quic",
     "--no-first-run",
@@ -82,17 +83,37 @@ def measure(page, arguments):
     page.mouse.move(x + 5, y + 5)
     page.wait_for_timeout(300)
     page.evaluate(TIMED)
+    spent_before = processor_seconds()
     before, began = page.evaluate("usdrigui.app.view.drawn"), time.perf_counter()
     while (now := time.perf_counter() - began) < arguments.seconds:
         share = 0.5 - 0.5 * math.cos(3.0 * now)
         page.mouse.move(x + share * (to_x - x), y + share * (to_y - y))
     frames = page.evaluate("usdrigui.app.view.drawn") - before
+    processor = processor_seconds() - spent_before
     spent = page.evaluate(SPENT)
     fineness = page.evaluate("usdrigui.app.view.fineness")
     page.mouse.up()
     print(f"{frames / now:.1f} frames per second, drawn at {fineness:.2f} of the resolution")
+    print(f"{1000 * processor / max(1, frames):.0f} ms of processor time per frame, on {os.cpu_count()} processors")
     for name, (count, mean) in spent.items():
         print(f"  {name:16} {mean:7.2f} ms  x {count}")
+
+
+def processor_seconds() -> float:
+    """Processor time so far of all processes that come from this one, without its own."""
+    parents, ticks = {}, {}
+    for entry in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            name, _, rest = entry.read_text().rpartition(")")
+        except OSError:
+            continue
+        fields = rest.split()
+        process = int(name.split()[0])
+        parents[process], ticks[process] = int(fields[1]), int(fields[11]) + int(fields[12])
+    ours = {os.getpid()}
+    for _ in range(8):
+        ours |= {process for process, parent in parents.items() if parent in ours}
+    return sum(ticks[process] for process in ours - {os.getpid()} if process in ticks) / os.sysconf("SC_CLK_TCK")
 
 
 if __name__ == "__main__":

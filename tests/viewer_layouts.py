@@ -75,6 +75,8 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
 
 def member_at(rig, base, control, point, shift):
     values = knots(rig, control)
+    if len(rig.controls[control].drive.joints):
+        values = np.linspace(values[0], values[-1], 17)
     points, offsets = sweep(rig, base, control, values)
     track = np.tile(base.points[point] + shift, (len(values), 1))
     row = np.flatnonzero(points == point)

@@ -28,8 +28,10 @@ export class OrbitCamera {
   frame(points, width, height, room = 0, margin = 1.12) {
     if (!points.length) return;
     const spans = [this.right, this.above, this.towards].map((axis) => {
-      const along = points.map((point) => dot(point, axis));
-      return [Math.min(...along), Math.max(...along)];
+      return points.reduce(
+        ([low, top], point) => [Math.min(low, dot(point, axis)), Math.max(top, dot(point, axis))],
+        [Infinity, -Infinity],
+      );
     });
     this.target = [this.right, this.above, this.towards].reduce(
       (sum, axis, i) => plus(sum, scaled(axis, 0.5 * (spans[i][0] + spans[i][1]))),

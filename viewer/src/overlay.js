@@ -59,7 +59,7 @@ export class Overlay {
       const kept = hides ? null : before?.tracks[m];
       return this.screenTrack(element.members[m], track, project, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
     });
-    const hidden = hides?.(handle) ?? before?.hidden ?? false;
+    const hidden = hides ? hides(handle) && mostlyCovered(tracks) : (before?.hidden ?? false);
     return { element, handle, tracks, width, hidden, origin: project(element.origin) };
   }
 
@@ -261,12 +261,16 @@ export class Overlay {
     const rows = this.drawn.filter(({ element, handle }) => element.beside && handle[2] > 0);
     pen.font = '11px system-ui, sans-serif';
     pen.textAlign = 'left';
-    for (const { element, handle, tracks } of rows) {
-      const x = Math.max(handle[0], ...tracks.flatMap((track) => track.map(({ at }) => at[0]))) + 9;
+    const extents = rows.map(({ handle, tracks }) => {
+      const xs = [handle[0], ...tracks.flatMap((track) => track.map(({ at }) => at[0]))];
+      return { left: Math.min(...xs) - 7, right: Math.max(...xs) + 9 };
+    });
+    for (const [i, { element, handle, tracks }] of rows.entries()) {
+      const x = extents[i].right;
       const y = element.axes.length > 1 ? handle[1] : tracks[0][0].at[1];
-      const next = rows.reduce((least, other) => {
-        const level = Math.abs(other.handle[1] - y) < 12 && other.handle[0] > x;
-        return level ? Math.min(least, other.handle[0] - 14) : least;
+      const next = rows.reduce((least, other, k) => {
+        const level = Math.abs(other.handle[1] - y) < 12 && extents[k].left > x;
+        return level ? Math.min(least, extents[k].left) : least;
       }, this.column.left + this.column.width - 4);
       const marked = session.hover === element || session.selection.has(element.index);
       pen.globalAlpha = (marked ? 1 : 0.75) * this.strength(element, false);
@@ -380,6 +384,12 @@ const FAMILIES = { global: 'Whole face', hidden: 'Inside', composite: 'Expressio
 
 /** The heading of a family of elements beside the face. */
 export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
+
+/** A handle behind a fold of the skin whose track can be seen is still within reach. */
+function mostlyCovered(tracks) {
+  const corners = tracks.flat();
+  return corners.filter(({ covered }) => covered).length > 0.6 * corners.length;
+}
 
 function shortened(pen, text, width) {
   if (pen.measureText(text).width <= width) return text;

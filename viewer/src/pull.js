@@ -19,15 +19,17 @@ export class Pull {
   to(target) {
     const { session } = this;
     const targets = [target, ...session.pins.map((pin) => pin.at)].flat();
-    const found = fitPull({
+    const fit = (groups) => fitPull({
       model: this,
       start: this.start,
       now: session.values,
       targets,
-      groups: session.groups(),
+      groups,
       towards: this.towards,
       locality: session.options.locality,
     });
+    const local = fit(session.groups(false));
+    const found = local.size ? local : fit(session.groups(true));
     session.affected = this.changes(found);
     session.set(found);
   }

@@ -22,6 +22,8 @@ export const DEFAULT_OPTIONS = {
   skinDrag: true,
 };
 
+const WIDE = new Set(['global', 'composite']);
+
 export class Session {
   constructor(character) {
     this.character = character;
@@ -233,14 +235,18 @@ export class Session {
     this.emit('options');
   }
 
-  /** Controls that change together, without the locked ones. */
-  groups() {
+  /**
+   * Controls that may change in a pull of the skin, those that change together in one list: not the locked
+   * ones, and without `wide` none of the whole face's, nor any that repeats what others do together.
+   */
+  groups(wide) {
     const groups = [];
     for (let index = 0; index < this.controls.length; index++) {
       const twin = this.options.symmetric ? this.twins[index] : -1;
       if (twin >= 0 && twin < index) continue;
       const group = twin > index ? [index, twin] : [index];
-      if (!group.some((control) => this.locks.has(control))) groups.push(group);
+      if (group.some((control) => this.locks.has(control))) continue;
+      if (wide || !WIDE.has(this.elements.byControl.get(index)?.family)) groups.push(group);
     }
     return groups;
   }

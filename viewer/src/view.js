@@ -1,6 +1,6 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
-import { OrbitCamera } from './camera.js';
+import { OrbitCamera, dot } from './camera.js';
 import { Gestures } from './gestures.js';
 import { COLOURS, Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
@@ -102,19 +102,54 @@ export class View {
     this.home();
   }
 
-  /** Look at the face from the layout's view, all elements in the picture. */
+  /** Look at the face from the layout's view: all elements in the picture, or in several columns the whole head. */
   home(azimuth = 0, elevation = 0) {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
-    const labelled = this.session.elements.list.some((element) => element.beside && !this.session.hidden.has(element.index));
-    this.camera.frame(this.framed(), column.width, column.height, labelled ? LABEL_ROOM : 0);
+    const shown = this.shownElements();
+    const labelled = this.controlsColumn !== null && shown.some((element) => element.beside);
+    this.camera.frame(this.framed(shown), column.width, column.height, labelled ? LABEL_ROOM : 0);
     this.changed('camera');
   }
 
-  framed() {
-    const shown = this.session.elements.list.filter((element) => !this.session.hidden.has(element.index));
-    const points = shown.flatMap((element) => element.tracks.flat());
-    return points.length ? points : everyPoint(this.session.deformer.points, this.stage.triangles);
+  shownElements() {
+    return this.session.elements.list.filter((element) => !this.session.hidden.has(element.index));
+  }
+
+  /** Points to be in the picture. */
+  framed(shown) {
+    const on = shown.filter((element) => !element.beside).flatMap((element) => element.tracks.flat());
+    const beside = shown.filter((element) => element.beside).flatMap((element) => element.tracks.flat());
+    const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
+    if (!on.length) return beside.length ? [...beside, ...skin] : skin;
+    const around = this.columns.length > 1 ? this.surroundings(on, skin) : on;
+    return this.controlsColumn ? [...around, ...beside] : around;
+  }
+
+  /** The skin around some points, as far as half of their height. */
+  surroundings(points, skin) {
+    const { right, above } = this.camera;
+    const spans = [right, above].map((axis) => {
+      const along = points.map((point) => dot(point, axis));
+      return [Math.min(...along), Math.max(...along)];
+    });
+    const reach = 0.5 * (spans[1][1] - spans[1][0]);
+    const near = (point) => [right, above].every((axis, i) => {
+      const at = dot(point, axis);
+      return at > spans[i][0] - reach && at < spans[i][1] + reach;
+    });
+    return [...points, ...skin.filter(near)];
+  }
+
+  /** Look more closely, from the same side: at the selected elements, else at those on the face. */
+  frameClosely() {
+    const { session } = this;
+    const onFace = this.shownElements().filter((element) => !element.beside);
+    const chosen = session.selection.size ? session.selectedElements : onFace;
+    const column = this.columns[0];
+    const points = chosen.flatMap((element) => element.tracks.flat());
+    this.camera.frame(points, column.width, column.height, 0, session.selection.size ? 3 : 1.2);
+    this.changed('camera');
   }
 
   locate(event) {
