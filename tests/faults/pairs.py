@@ -10,6 +10,7 @@ import json
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 
@@ -32,12 +33,15 @@ def run_pairs(count: int, folder: Path) -> dict[str, object]:
         while any(process.poll() is None for process in pair):
             if target.exists():
                 torn |= target.read_bytes() not in (whole, older)
+            time.sleep(0.002)
         ends = [(process.communicate(), process.returncode) for process in pair]
         said |= {out.split(":")[1].split()[0] for (out, _), code in ends if not code}
         if torn or any(code for _, code in ends) or target.read_bytes() != whole:
             faults.append(f"pair {number}: {'torn' if torn else ends}")
         if len(list(folder.iterdir())) != 2:
             faults.append(f"pair {number}: files left")
+        if number % 10 == 9:
+            print(f"{number + 1} pairs: {len(faults)} faults", file=sys.stderr, flush=True)
     return {"pairs": count, "said": sorted(said), "faults": faults}
 
 

@@ -83,6 +83,8 @@ def run(content: bytes, form: str, folder: Path) -> End:
         faults.append("a traceback")
     if seconds > SECONDS + 2 and code == "SOURCE_TIME_LIMIT":
         faults.append(f"{seconds:.1f} s")
+    if code == "SOURCE_READER_LOST":
+        faults.append(f"the reader was lost: {json.loads(out)['issues'][0]['message']}")
     if source.read_bytes() != content:
         faults.append("the source was changed")
     left = {each.name for each in folder.iterdir()} - {source.name}
