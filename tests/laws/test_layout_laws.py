@@ -77,6 +77,28 @@ def test_a_mirrored_character_gets_the_mirrored_layout(plain):
     assert same or image
 
 
+def puffing():
+    """The face with a control that puffs both cheeks: symmetric, and nothing of it on the plane."""
+    points, quads = makers.mask()
+    puff = sum(makers.bump(points, (x, -0.1), (x, 0.0, 1.0), 0.2, 0.1) for x in (-0.45, 0.45))
+    return makers.rig(points, quads, makers.face_shapes(points) | {"puff": puff})
+
+
+@pytest.mark.parametrize("matrix", [np.eye(3), MIRROR, 100.0 * ROTATION], ids=["plain", "mirrored", "turned"])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_symmetric_element_off_the_plane_takes_the_left_of_its_two_places(matrix, seed):
+    rig = puffing()
+    order = np.random.default_rng(seed).permutation(len(rig.meshes[0].points))
+    line = chain.lay_out(makers.moved(makers.shuffled(rig, order), matrix))
+    puff = chain.by_name(line)["puff"]
+    assert puff.side == "left"
+    # Its place as seen from the character: the same point, or in the mirror that point's image.
+    back = np.linalg.inv(matrix) @ puff.anchor.position
+    assert abs(back[0]) > 0.3
+    plain = chain.by_name(chain.lay_out(rig))["puff"].anchor.position
+    assert back == pytest.approx(plain * ([-1.0, 1.0, 1.0] if matrix is MIRROR else [1.0, 1.0, 1.0]), abs=1e-5)
+
+
 def test_two_runs_give_the_same_bytes(plain):
     again = chain.lay_out(makers.face())
     assert repr(again.layout.elements) == repr(plain.layout.elements)

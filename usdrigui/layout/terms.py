@@ -24,6 +24,12 @@ from usdrigui.model import Floats, Indices, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.surface import mesh_triangles, point_areas
 
+_MIDDLE = 1e-3
+"""In handle widths: nearer to the mirror plane is on it."""
+_TIE = 1e-5
+"""What the character's right costs a symmetric element that stands off the plane: enough to decide between
+two mirror images, nothing beside any other cost."""
+
 
 @dataclass(frozen=True, eq=False)
 class Context:
@@ -102,9 +108,11 @@ def occlusion(context: Context, motion: Motion, points: Indices) -> Floats:
 def off_plane(context: Context, points: Indices) -> Floats:
     """An element symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
     deformations): the price times the distance in handle widths.  `layout_problem` counts from the
-    nearest candidate, so that an element with none on the plane is not driven beside the face."""
-    apart = np.abs(plane_distance(context.trajectories.base[points], context.symmetry))
-    return np.asarray(context.settings.symmetry.plane_price * apart / context.handle_width)
+    nearest candidate, so that an element with none on the plane is not driven beside the face; of two mirror
+    images it then takes the one on the character's left."""
+    apart = plane_distance(context.trajectories.base[points], context.symmetry)
+    price = context.settings.symmetry.plane_price * np.abs(apart) / context.handle_width
+    return np.asarray(price + np.where(apart < -_MIDDLE * context.handle_width, _TIE, 0.0))
 
 
 def _base_knot(motion: Motion) -> int:
