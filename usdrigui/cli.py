@@ -221,15 +221,18 @@ def _diff(arguments: argparse.Namespace) -> Exit:
 
 def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
+    from usdrigui.pose import evaluate
     from usdrigui.view import page, serve
 
     loaded = pipeline.load_layer(arguments.layer, _settings(arguments))
+    for rig, layout in loaded.characters:
+        evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
     html = page.page_html(loaded.characters, title=Path(arguments.layer).name)
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html)
         _say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
-    serve.serve(html, open_browser=not arguments.no_browser)
+    serve.serve(html, open_browser=not arguments.no_browser, announce=lambda address: print(address, flush=True))
     return Exit.OK
 
 
@@ -344,7 +347,9 @@ def _add_inspect(commands: Any) -> None:
 
 
 def _add_check(commands: Any) -> None:
-    parser = _command(commands, "check", _check, "say whether a layout layer still fits its rig, and how good it is")
+    parser = _command(
+        commands, "check", _check, "say whether a layout still fits its rig, or whether an asset is sound"
+    )
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
     _add_settings(parser)
 
