@@ -202,7 +202,7 @@ class ObjectiveSettings:
     beside_price: float = 0.3
     """Cost of sending a control beside the face, per copy; 0 or less than 0 is allowed."""
     beside_allowed: bool = True
-    keep_price: float = 0.1
+    keep_price: float = 0.2
     """With an earlier layout (`--previous`): cost of moving an element away from where it was, per copy, and of
     sending it beside the face or back. What gains less stays; 0 lays out afresh."""
     terms: tuple[str, ...] = ()

@@ -175,3 +175,31 @@ def test_diff_tells_what_moved_by_how_much_and_fails_when_strict(folder, capsys)
 def test_diff_of_a_layer_without_layout_is_refused(folder, capsys):
     told = run(capsys, "diff", folder / "old.rigui.usda", folder / "char.usda", expected=1)
     assert told["issues"][0]["code"] == "LAYOUT_MISSING"
+
+
+def test_another_characters_layout_is_imitated(folder, capsys):
+    new = folder / "new.rigui.usda"
+    run(capsys, "process", folder / "char.usda", "--like", folder / "old.rigui.usda", "-o", new)
+    assert anchors(new) == anchors(folder / "old.rigui.usda")
+
+
+@pytest.mark.parametrize(
+    ("configuration", "options", "code"),
+    [
+        ('[like.names]\nnobody = "chin"\n', (), "CONFIG_UNKNOWN_CONTROL"),
+        ('[like.names]\nchin = "nobody"\n', (), "CONFIG_UNKNOWN_CONTROL"),
+        ("", ("--previous", "old.rigui.usda"), "CONFIG_VALUE"),
+    ],
+)
+def test_what_cannot_be_imitated_is_refused(folder, capsys, configuration, options, code, monkeypatch):
+    monkeypatch.chdir(folder)
+    (folder / "char.rigui.toml").write_text(configuration)
+    told = run(capsys, "process", "char.usda", "--like", "old.rigui.usda", *options, expected=2)
+    assert told["issues"][0]["code"] == code
+    assert not (folder / "char.rigui.usda").exists()
+
+
+def test_a_layer_that_does_not_name_its_character_cannot_be_imitated(folder, capsys):
+    run(capsys, "process", folder / "char.usda", "--bare", "-o", folder / "bare.rigui.usda")
+    told = run(capsys, "process", folder / "char.usda", "--like", folder / "bare.rigui.usda", expected=1)
+    assert told["issues"][0]["code"] == "SOURCE_MISSING"

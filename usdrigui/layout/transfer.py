@@ -20,8 +20,10 @@ from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
 REACH = 4.0
 """Handle widths from the corresponding place at which the whole price is due."""
 
-_LEAST_FOR_SIMILARITY = 4
-_LEAST_FOR_WARP = 8
+_LEAST_FOR_SIMILARITY = 8
+_LEAST_FOR_WARP = 16
+_POWERS = (2.0, 12.0)
+"""Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to the peak."""
 _ROUNDS = 20
 _OUTLIER = 4.0
 """Landmarks further off than this many times the median do not shape the warp."""
@@ -88,26 +90,30 @@ def carried(
 def _landmarks(
     theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
 ) -> tuple[Floats, Floats]:
-    """(k, 3) middles of the regions that the shared controls move, on their face and on ours."""
-    here = _middles(*ours)
-    there = _middles(*theirs).items()
-    kept = [(middle, here[names.get(name, name)]) for name, middle in there if names.get(name, name) in here]
+    """(k, 3) landmarks of the shared controls, on their face and on ours."""
+    here, there = _marks(*ours), _marks(*theirs)
+    kept = [(marks, here[names.get(name, name)]) for name, marks in there.items() if names.get(name, name) in here]
     return (
         np.array([pair[0] for pair in kept]).reshape(-1, 3),
         np.array([pair[1] for pair in kept]).reshape(-1, 3),
     )
 
 
-def _middles(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
-    """By control name, the mean of what it moves, weighted by the square of the distance moved."""
-    return {rig.controls[motion.control].name: _middle(trajectories, motion) for motion in trajectories.motions}
+def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
+    """By control name, (2, 3) the middle of what it moves and the middle of what it moves most."""
+    return {
+        rig.controls[motion.control].name: np.stack([_middle(trajectories, motion, power) for power in _POWERS])
+        for motion in trajectories.motions
+    }
 
 
-def _middle(trajectories: Trajectories, motion: Motion) -> Floats:
-    """(3,) of places, not of points: a face that is split at seams is the same face."""
+def _middle(trajectories: Trajectories, motion: Motion, power: float) -> Floats:
+    """(3,) mean of the places (a face that is split at seams is the same face), weighted by the distance moved."""
     first = trajectories.places[motion.points] == motion.points
-    weights = np.where(first, np.square(motion.arc_length), 0.0)
-    return np.asarray(weights @ trajectories.base[motion.points] / max(float(weights.sum()), 1e-300))
+    weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
+    if not weights.any():
+        weights = np.ones(len(weights))
+    return np.asarray(weights @ trajectories.base[motion.points] / weights.sum())
 
 
 def _spread(points: Floats) -> bool:
@@ -125,7 +131,7 @@ def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
     similarity = _fitted(source, target, weights)
     for _ in range(_ROUNDS):
         off = np.linalg.norm(similarity(source) - target, axis=1)
-        scale = max(float(np.median(off)), 1e-9 * float(np.ptp(target)))
+        scale = max(float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max()))
         weights = 1.0 / (1.0 + np.square(off / scale))
         similarity = _fitted(source, target, weights)
     return similarity, np.where(off <= _OUTLIER * scale, weights, 0.0)
@@ -145,7 +151,7 @@ def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
 
 def _warp(source: Floats, target: Floats) -> RBFInterpolator:
     """A smooth displacement field that takes aligned landmarks to where they belong."""
-    unit = float(np.ptp(source, axis=0).max())
+    unit = float(np.linalg.norm(source - source.mean(axis=0), axis=1).max())
     _, first = np.unique(np.round(source / unit, 6), axis=0, return_index=True)
     return RBFInterpolator(
         source[first], (target - source)[first], kernel="linear", smoothing=_SMOOTHING * unit, degree=0
