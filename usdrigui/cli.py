@@ -347,9 +347,7 @@ def _add_inspect(commands: Any) -> None:
 
 
 def _add_check(commands: Any) -> None:
-    parser = _command(
-        commands, "check", _check, "say whether a layout still fits its rig, or whether an asset is sound"
-    )
+    parser = _command(commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
     _add_settings(parser)
 

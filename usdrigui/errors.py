@@ -248,6 +248,16 @@ _CODES: dict[str, Code] = {
         "An in-between has no weight, or one that another shape has; it is ignored.",
         "Give it a weight of its own other than 0 and 1.",
     ),
+    "TOKEN_ORDER": Code(
+        "info",
+        "A mesh and its SkelAnimation list the same blend shapes in another order.",
+        "Nothing for USD, which goes by name; use one order for applications that go by index.",
+    ),
+    "WEIGHTS_BEYOND_LIMITS": Code(
+        "warning",
+        "An animation has weights outside the limits that it states itself.",
+        "Widen the limits, or correct the animation.",
+    ),
     "RANGE_INVALID": Code(
         "warning", "An authored range is not a pair of ascending numbers; it is ignored.", "Correct it."
     ),

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from usdrigui.errors import Issue, refuse
+from usdrigui.errors import Issue, RigUIError, refuse
 from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, with_fixed
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
 from usdrigui.layout import candidates as candidates_stage
@@ -36,7 +36,7 @@ from usdrigui.layout.terms import Context
 from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
-from usdrigui.usd.child import ReadResult, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.child import ReadResult, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.source import SourceFile, check_unchanged
 
 if TYPE_CHECKING:
@@ -87,11 +87,13 @@ class LayerReview:
     characters: tuple[tuple[str, review_stage.Review], ...]
     """By SkelRoot."""
     seconds: tuple[tuple[str, float], ...]
+    faults: tuple[Issue, ...] = ()
+    """Of a source asset, which has no layout: everything that is wrong with its blend shapes."""
 
     @property
     def issues(self) -> tuple[Issue, ...]:
         """All findings."""
-        return tuple(found for _, review in self.characters for found in review.issues)
+        return (*self.faults, *(found for _, review in self.characters for found in review.issues))
 
 
 def process(
@@ -202,7 +204,10 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
     """
     clock = _Clock(progress)
     with clock.stage("read"):
-        loaded = load_layer(layer, settings)
+        try:
+            loaded = load_layer(layer, settings)
+        except RigUIError as error:
+            return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     reviews = []
     for rig, layout in loaded.characters:
         ready = posed(rig, settings, clock, loaded.cameras)
@@ -223,6 +228,21 @@ def differences(
     )
     found = tuple(difference_stage.difference(old[root], new[root]) for root in new if root in old)
     return found, tuple(sorted(old.keys() ^ new.keys()))
+
+
+def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:
+    """What is wrong with a source asset; raises the refusal of its layout again if it is no source asset."""
+    if refusal.issue.code != "LAYOUT_MISSING":
+        raise refusal
+    found = read_faults_isolated(asset, settings)
+    if not found.characters:
+        raise refusal
+    try:
+        issues = tuple(each for rig in read_rigs_isolated(asset, settings).rigs for each in rig.issues)
+    except RigUIError as error:
+        issues = (error.issue,)
+    known = {(each.code, each.path) for each in found.issues}
+    return (*found.issues, *(each for each in issues if (each.code, each.path) not in known))
 
 
 def default_output(asset: Path) -> Path:

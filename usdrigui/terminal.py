@@ -130,7 +130,8 @@ class Screen:
         counts = {
             severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
         }
-        state = "fits its rig" if not counts["error"] else "does not fit its rig"
+        fits = ("fits its rig", "does not fit its rig") if found.characters else ("is sound", "has faults")
+        state = fits[bool(counts["error"])]
         told = f"{counts['error']} errors, {counts['warning']} warnings"
         self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
 

@@ -156,6 +156,14 @@ EDITS: Mapping[str, tuple[tuple[str, str], ...]] = {
             _WEIGHTS + " (limits = { dictionary hard = { float[] minimum = [1, 0]; float[] maximum = [0, 1] } })",
         ),
     ),
+    "TOKEN_ORDER": (('token[] blendShapes = ["smile", "frown"]', 'token[] blendShapes = ["frown", "smile"]'),),
+    "WEIGHTS_BEYOND_LIMITS": (
+        (
+            _WEIGHTS,
+            "float[] blendShapeWeights = [0, 2]"
+            " (limits = { dictionary hard = { float[] minimum = [0, 0]; float[] maximum = [1, 1] } })",
+        ),
+    ),
     "POSES_MISMATCH": (
         ('upAxis = "Y"', 'upAxis = "Y"\n    customLayerData = { string[] framemapping = ["rest", "smirk", "grin"] }'),
         (_WEIGHTS, "float[] blendShapeWeights.timeSamples = { 0: [0, 0], 1: [1, 0] }"),

@@ -84,6 +84,19 @@ def test_a_moved_point_is_told(layer, capsys):
     assert "LAYOUT_ANCHOR_MOVED" in codes(layer, capsys)
 
 
-def test_a_layer_without_layout_is_refused(layer, capsys):
-    assert main(["check", str(layer.with_name("char.usda"))]) == 1
+def test_a_layer_without_layout_or_character_is_refused(tmp_path, capsys):
+    Sdf.Layer.CreateNew(str(tmp_path / "empty.usda")).Save()
+    assert main(["check", str(tmp_path / "empty.usda")]) == 1
     assert "LAYOUT_MISSING" in capsys.readouterr().err
+
+
+def test_a_source_asset_is_checked_for_all_its_faults(layer, capsys):
+    source = layer.with_name("char.usda")
+    assert not codes(source, capsys) & {"TARGET_INVALID", "INBETWEEN_INVALID", "OFFSETS_LENGTH"}
+    stage = Usd.Stage.Open(str(source))
+    first, second = [prim for prim in stage.Traverse() if prim.GetTypeName() == "BlendShape"][:2]
+    offsets = first.GetAttribute("offsets")
+    offsets.Set(offsets.Get()[1:])
+    stage.RemovePrim(second.GetPath())
+    stage.GetRootLayer().Save()
+    assert {"OFFSETS_LENGTH", "TARGET_INVALID"} <= codes(source, capsys, expected_exit=1)

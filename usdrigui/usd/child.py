@@ -27,7 +27,7 @@ from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.source import SourceFile, admit, check_unchanged
 
-Task = Literal["rigs", "layouts"]
+Task = Literal["rigs", "layouts", "faults"]
 
 _KEPT_TEXT = 1 << 16
 """Bytes kept of what the child prints: USD can complain without end."""
@@ -79,6 +79,15 @@ class LayoutsResult(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class FaultsResult(Record):
+    """What is wrong with an asset's blend shapes and animation, all of it."""
+
+    issues: tuple[Issue, ...]
+    characters: int
+    """SkelRoots on the stage."""
+
+
+@dataclass(frozen=True, eq=False)
 class Request:
     """What the child is asked; JSON on its standard input."""
 
@@ -96,6 +105,7 @@ class Answer:
 
     rigs: ReadResult | None = None
     layouts: LayoutsResult | None = None
+    faults: FaultsResult | None = None
     refusal: Issue | None = None
     exit_code: int = 0
 
@@ -126,6 +136,16 @@ def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None 
     limits = limits or Limits.of(settings)
     admit(path, limits.size)
     result = _answer("layouts", path, settings, limits).layouts
+    if result is None:
+        raise _garbled(path)
+    return result
+
+
+def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> FaultsResult:
+    """As `usdrigui.usd.faults.stage_faults`, in a child; raises as `read_rigs_isolated` where nothing can be read."""
+    limits = limits or Limits.of(settings)
+    admit(path, limits.size)
+    result = _answer("faults", path, settings, limits).faults
     if result is None:
         raise _garbled(path)
     return result

@@ -19,7 +19,7 @@ from typing import Any, NoReturn
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
-from usdrigui.usd.child import Answer, LayoutsResult, Limits, ReadResult, Request
+from usdrigui.usd.child import Answer, FaultsResult, LayoutsResult, Limits, ReadResult, Request
 from usdrigui.usd.source import SourceFile, hashed
 
 _GRACE = 1.0
@@ -48,6 +48,8 @@ def answer(request: Request) -> Answer:
     try:
         if request.task == "layouts":
             return Answer(layouts=_layouts(path))
+        if request.task == "faults":
+            return Answer(faults=_faults(path))
         return Answer(rigs=_rigs(path, request.settings))
     except RigUIError as error:
         return _refusal(_starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error)
@@ -104,6 +106,17 @@ def _layouts(path: Path) -> LayoutsResult:
         layouts = read_layout(path)
         edited = edited_elements(next(iter(stages.GetAllStages())))
         return LayoutsResult(layouts, source_of(path), edited, _sources(path, stages.GetAllStages()))
+
+
+def _faults(path: Path) -> FaultsResult:
+    from pxr import UsdSkel
+
+    from usdrigui.usd.faults import stage_faults
+    from usdrigui.usd.stage import open_stage
+
+    stage = open_stage(path)
+    roots = sum(prim.IsA(UsdSkel.Root) for prim in stage.Traverse())
+    return FaultsResult(stage_faults(stage), roots)
 
 
 @contextlib.contextmanager
@@ -205,6 +218,7 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
 
 def _load() -> None:
     """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
+    import usdrigui.usd.faults
     import usdrigui.usd.layer
     import usdrigui.usd.read_layout
     import usdrigui.usd.rig  # noqa: F401

@@ -1,0 +1,49 @@
+"""Our rules in NVIDIA's asset validator: the real engine and its real fixer on crafted faults."""
+
+import pytest
+import skel_stages
+from pxr import Sdf, Usd, UsdSkel, Vt
+
+validator = pytest.importorskip("omni.asset_validator", reason="usd-validation-nvidia is not installed")
+
+from usdrigui.clients import asset_validator  # noqa: E402
+
+RULES = (asset_validator.BlendShapeChecker, asset_validator.RigUILayoutChecker)
+
+
+def issues(stage):
+    engine = validator.ValidationEngine(init_rules=False)
+    for rule in RULES:
+        engine.enable_rule(rule)
+    return list(engine.validate(stage).issues())
+
+
+@pytest.fixture
+def stage(tmp_path):
+    return Usd.Stage.Open(str(skel_stages.head(tmp_path / "char.usda")))
+
+
+def test_rules_are_registered(stage):
+    registered = validator.CategoryRuleRegistry()
+    assert all(registered.get_category(rule) == asset_validator.CATEGORY for rule in RULES)
+    assert issues(stage) == []
+
+
+def test_a_fault_that_cannot_be_repaired_is_told(stage):
+    shape = UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
+    shape.GetOffsetsAttr().Set(Vt.Vec3fArray(3))
+    (found,) = issues(stage)
+    assert "OFFSETS_LENGTH" in found.message
+    assert not found.suggestions
+
+
+def test_a_dangling_target_is_told_and_repaired(stage):
+    stage.RemovePrim("/Char/Face/s_smile")
+    (found,) = issues(stage)
+    assert "TARGET_INVALID" in found.message
+    results = validator.IssueFixer(stage).fix([found])
+    assert [result.status.name for result in results] == ["SUCCESS"]
+    assert issues(stage) == []
+    api = UsdSkel.BindingAPI(stage.GetPrimAtPath("/Char/Face"))
+    assert list(api.GetBlendShapesAttr().Get()) == ["frown"]
+    assert api.GetBlendShapeTargetsRel().GetTargets() == [Sdf.Path("/Char/Face/s_frown")]

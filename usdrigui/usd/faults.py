@@ -1,0 +1,233 @@
+"""Faults of blend shapes and layouts on a stage, one by one: for validators, which must see all of them.
+
+The reader stops at the first array that cannot be right; here every prim is looked at, by the same checks
+and with the same codes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
+
+from usdrigui.errors import Issue, RigUIError, issue
+from usdrigui.usd.arrays import check_range, integers, value_at, vectors
+from usdrigui.usd.mesh import topology_hash
+from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.skeleton import repeated
+
+
+def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
+    """Everything that is wrong with the blend shapes of a stage and with the layouts on it."""
+    found: list[Issue] = []
+    for prim in stage.Traverse(Usd.TraverseInstanceProxies()):
+        if prim.IsA(UsdGeom.Mesh):
+            found += mesh_faults(prim)
+        elif prim.IsA(UsdSkel.Animation):
+            found += animation_faults(prim)
+    return (*found, *layout_faults(stage))
+
+
+def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
+    """TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of each shape of a mesh."""
+    tokens, targets = pairs_of(prim)
+    if not tokens and not targets:
+        return ()
+    path = str(prim.GetPath())
+    if len(tokens) != len(targets):
+        counts = f"{len(tokens)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
+        return (issue("TARGETS_LENGTH", path, counts),)
+    points = value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default())
+    found = repeated(tokens, path, "skel:blendShapes")
+    for token, target in zip(tokens, targets, strict=True):
+        shape = prim.GetStage().GetPrimAtPath(target)
+        if not is_shape(shape):
+            found.append(issue("TARGET_INVALID", str(target), f"is the target of {token!r} of {path}"))
+        else:
+            found += _shape_faults(shape, len(points) if points is not None else 0)
+    return (*found, *_order_faults(prim, tokens))
+
+
+def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
+    """ANIMATION_LENGTH, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a SkelAnimation."""
+    animation, path = UsdSkel.Animation(prim), str(prim.GetPath())
+    attribute, tokens = animation.GetBlendShapeWeightsAttr(), animation.GetBlendShapesAttr().Get() or ()
+    limits = _limits(attribute, len(tokens))
+    codes = [Usd.TimeCode.Default(), *map(Usd.TimeCode, attribute.GetTimeSamples())]
+    found: dict[tuple[str, str], Issue] = {}
+    for code in codes:
+        values = attribute.Get(code)
+        if values is None or not len(values):
+            continue
+        for each in _weight_faults(np.asarray(values, dtype=np.float64), list(map(str, tokens)), limits, path, code):
+            found.setdefault((each.code, each.message.partition(" at ")[0]), each)
+    return tuple(found.values())
+
+
+def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
+    """LAYOUT_MESH_GONE and LAYOUT_TOPOLOGY of every element, or why the layouts cannot be read; none without layout."""
+    try:
+        layouts = read_layout(stage)
+    except RigUIError as error:
+        return () if error.issue.code == "LAYOUT_MISSING" else (error.issue,)
+    found, hashes = [], {}
+    for layout in layouts:
+        for element in layout.elements:
+            anchor = element.anchor
+            if anchor.mesh not in hashes:
+                hashes[anchor.mesh] = _topology(stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None)
+            if not hashes[anchor.mesh]:
+                found.append(issue("LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}"))
+            elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
+                found.append(issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces"))
+    return tuple(found)
+
+
+# --- the pairs of names and targets, and how to repair them ------------------------------------------
+
+
+def pairs_of(prim: Usd.Prim) -> tuple[list[str], list[Sdf.Path]]:
+    """Names and targets of the blend shapes of a mesh."""
+    api = UsdSkel.BindingAPI(prim)
+    return [str(token) for token in api.GetBlendShapesAttr().Get() or ()], api.GetBlendShapeTargetsRel().GetTargets()
+
+
+def is_shape(prim: Usd.Prim) -> bool:
+    """Whether a target is one that UsdSkel would use."""
+    return bool(prim) and prim.IsActive() and prim.IsA(UsdSkel.BlendShape)
+
+
+def can_repair(prim: Usd.Prim) -> bool:
+    """Whether `repair` knows what was meant: there is one target for each name."""
+    tokens, targets = pairs_of(prim)
+    return len(tokens) == len(targets) and not prim.IsInstanceProxy()
+
+
+def repair(prim: Usd.Prim) -> None:
+    """Drop the pairs that UsdSkel ignores and put the rest into the animation's order; nothing moves otherwise.
+
+    Authors skel:blendShapes and skel:blendShapeTargets in the stage's edit target.
+    """
+    tokens, targets = pairs_of(prim)
+    # Of a name that stands twice UsdSkel takes the last.
+    kept = dict(zip(tokens, targets, strict=True))
+    kept = {token: target for token, target in kept.items() if is_shape(prim.GetStage().GetPrimAtPath(target))}
+    place = {token: index for index, token in enumerate(_animated(prim))}
+    order = sorted(kept, key=lambda token: place.get(token, len(place)))
+    api = UsdSkel.BindingAPI(prim)
+    api.GetBlendShapesAttr().Set(order)
+    api.GetBlendShapeTargetsRel().SetTargets([kept[token] for token in order])
+
+
+# --- one shape ---------------------------------------------------------------------------------------
+
+
+def _shape_faults(shape: Usd.Prim, points: int) -> Iterator[Issue]:
+    """What is wrong with one BlendShape of a mesh of so many points."""
+    path = str(shape.GetPath())
+    faults: list[Issue] = []
+    with _collecting(faults):
+        indices = integers(shape.GetAttribute("pointIndices").Get(), path, "pointIndices")
+        check_range(indices, points, path, "pointIndices")
+        expected = len(indices) or points
+        arrays = [("offsets", shape.GetAttribute("offsets").Get()), *_inbetween_arrays(shape, faults)]
+        for name, values in arrays:
+            with _collecting(faults):
+                offsets = vectors(values, path, name)
+                if len(offsets) not in (0, expected):
+                    faults.append(issue("OFFSETS_LENGTH", path, f"{len(offsets)} {name} for {expected}"))
+    yield from faults
+
+
+def _inbetween_arrays(shape: Usd.Prim, faults: list[Issue]) -> list[tuple[str, Any]]:
+    """Name and offsets of the in-betweens; what is wrong with their weights goes to `faults`."""
+    taken, arrays = {0.0, 1.0}, []
+    for each in UsdSkel.BlendShape(shape).GetInbetweens():
+        weight, name = each.GetWeight(), each.GetAttr().GetName()
+        if weight is None or not np.isfinite(weight) or any(abs(weight - other) < 1e-6 for other in taken):
+            faults.append(issue("INBETWEEN_INVALID", str(shape.GetPath()), f"{name} has weight {weight}"))
+            continue
+        taken.add(float(weight))
+        arrays.append((name, each.GetOffsets()))
+    return arrays
+
+
+@contextlib.contextmanager
+def _collecting(found: list[Issue]) -> Iterator[None]:
+    """Keep what the checks of the reader refuse."""
+    try:
+        yield
+    except RigUIError as error:
+        found.append(error.issue)
+
+
+# --- order and ranges --------------------------------------------------------------------------------
+
+
+def _animated(prim: Usd.Prim) -> list[str]:
+    """The blend shapes that the animation of a mesh's Skeleton lists; none without."""
+    skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
+    source = UsdSkel.BindingAPI(skeleton.GetPrim()).GetInheritedAnimationSource() if skeleton else None
+    animation = UsdSkel.Animation(source) if source else None
+    return [str(token) for token in animation.GetBlendShapesAttr().Get() or ()] if animation else []
+
+
+def _order_faults(prim: Usd.Prim, tokens: list[str]) -> Iterator[Issue]:
+    """UsdSkel maps by name; exporters and engines that map by index need the same order."""
+    animated = _animated(prim)
+    if sorted(animated) == sorted(tokens) and animated != tokens:
+        first = next(a for a, b in zip(tokens, animated, strict=True) if a != b)
+        yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first to stand elsewhere is {first!r}")
+
+
+def _limits(attribute: Usd.Attribute, count: int) -> np.ndarray[Any, Any] | None:
+    """(count, 2) hard limits of the weights, else soft ones; None where there are none, or not as many."""
+    try:
+        limits = attribute.GetMetadata("limits")
+    except (Tf.ErrorException, RuntimeError):
+        return None
+    limits = getattr(limits, "value", limits)
+    for kind in ("hard", "soft"):
+        entry = limits.get(kind) if isinstance(limits, Mapping) else None
+        if isinstance(entry, Mapping) and {"minimum", "maximum"} <= set(entry):
+            try:
+                ends = [np.broadcast_to(np.asarray(entry[end], float), count) for end in ("minimum", "maximum")]
+            except (TypeError, ValueError):
+                return None
+            return np.stack(ends, axis=1)
+    return None
+
+
+def _weight_faults(
+    values: np.ndarray[Any, Any], tokens: list[str], limits: np.ndarray[Any, Any] | None, path: str, code: Usd.TimeCode
+) -> Iterator[Issue]:
+    when = "" if code.IsDefault() else f" at time {code.GetValue():g}"
+    if len(values) != len(tokens):
+        yield issue("ANIMATION_LENGTH", path, f"{len(tokens)} blendShapes but {len(values)} blendShapeWeights{when}")
+        return
+    bad = ~np.isfinite(values)
+    for index in np.flatnonzero(bad)[:1]:
+        yield issue("NOT_FINITE", path, f"the weight of {tokens[index]!r}{when}")
+    if limits is not None:
+        slack = 1e-5 * np.maximum(1.0, np.abs(limits).max(axis=1))
+        beyond = (values < limits[:, 0] - slack) | (values > limits[:, 1] + slack)
+        for index in np.flatnonzero(beyond & ~bad):
+            low, high = limits[index]
+            what = f"{tokens[index]!r} has weights outside {low:g} to {high:g}, {values[index]:g}"
+            yield issue("WEIGHTS_BEYOND_LIMITS", path, f"{what}{when}" if when else f"{what} at the default time")
+
+
+def _topology(prim: Usd.Prim | None) -> str:
+    """Hash of a mesh as it is; empty for anything else."""
+    if not prim or not prim.IsActive() or not prim.IsA(UsdGeom.Mesh):
+        return ""
+    mesh, path, time = UsdGeom.Mesh(prim), str(prim.GetPath()), Usd.TimeCode.Default()
+    points = value_at(mesh.GetPointsAttr(), time)
+    counts, indices = (
+        integers(value_at(attribute, time), path, attribute.GetName())
+        for attribute in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr())
+    )
+    return topology_hash(len(points) if points is not None else 0, counts, indices)

@@ -1,0 +1,25 @@
+"""Our checks as validators of USD itself (UsdValidation, USD 26.5 and later).
+
+plugInfo.json beside this file describes a plug-in, `usdrigui.usd.validation.tasks`, that USD imports when
+its validators are asked for.  With `plugin_path()` in ``PXR_PLUGINPATH_NAME`` every application that runs
+validators finds them; `register` makes them known to this process.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+NAME = "usdrigui.usd.validation.tasks"
+"""Name of the plug-in; a validator's name is this, a colon, and BlendShapes, ShapeWeights or Layouts."""
+
+
+def plugin_path() -> Path:
+    """The folder for ``PXR_PLUGINPATH_NAME``; loads no USD."""
+    return Path(__file__).parent
+
+
+def register() -> None:
+    """Make the validators known to the USD of this process."""
+    from pxr import Plug
+
+    Plug.Registry().RegisterPlugins(str(plugin_path()))

@@ -1,0 +1,66 @@
+"""What USD imports when it loads our plug-in: registers the validators and their one fixer."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pxr import Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
+
+from usdrigui.errors import Issue
+from usdrigui.usd import faults
+from usdrigui.usd.validation import NAME
+
+_KINDS = {
+    "error": UsdValidation.ValidationErrorType.Error,
+    "warning": UsdValidation.ValidationErrorType.Warn,
+    "info": UsdValidation.ValidationErrorType.Info,
+}
+_REPAIRABLE = ("TARGET_INVALID", "TOKEN_REPEATED", "TOKEN_ORDER")
+
+
+def _blend_shapes(prim: Usd.Prim, *_: Any) -> list[Any]:
+    found = faults.mesh_faults(prim) if prim.IsA(UsdGeom.Mesh) else ()
+    return [_as_error(each, prim.GetStage(), prim.GetPath()) for each in found]
+
+
+def _shape_weights(prim: Usd.Prim, *_: Any) -> list[Any]:
+    found = faults.animation_faults(prim) if prim.IsA(UsdSkel.Animation) else ()
+    return [_as_error(each, prim.GetStage(), prim.GetPath()) for each in found]
+
+
+def _layouts(stage: Usd.Stage, *_: Any) -> list[Any]:
+    root = stage.GetPseudoRoot().GetPath()
+    return [_as_error(each, stage, root) for each in faults.layout_faults(stage)]
+
+
+def _as_error(found: Issue, stage: Usd.Stage, owner: Sdf.Path) -> Any:
+    """One finding, at the prim that was looked at and, where it is another, at the prim that it is about."""
+    sites = [UsdValidation.ValidationErrorSite(stage, owner)]
+    if found.path.startswith("/") and found.path != str(owner) and stage.GetPrimAtPath(found.path):
+        sites.append(UsdValidation.ValidationErrorSite(stage, Sdf.Path(found.path)))
+    message = f"{found.path}: {found.message}; {found.repair}"
+    return UsdValidation.ValidationError(found.code, _KINDS[found.severity], sites, message)
+
+
+def _can_repair(error: Any, *_: Any) -> bool:
+    prim = error.GetSites()[0].GetPrim()
+    return bool(error.GetName() in _REPAIRABLE and prim and faults.can_repair(prim))
+
+
+def _repair(error: Any, target: Any, *_: Any) -> bool:
+    prim = error.GetSites()[0].GetPrim()
+    with Usd.EditContext(prim.GetStage(), target):
+        faults.repair(prim)
+    return True
+
+
+_REGISTRY = UsdValidation.ValidationRegistry()
+_FIXER = UsdValidation.ValidationFixer(
+    name="PairNamesAndTargets",
+    description="Drop the pairs of name and target that UsdSkel ignores, and use the animation's order.",
+    fixerImplFn=_repair,
+    canApplyFn=_can_repair,
+)
+_REGISTRY.RegisterPluginPrimValidator(f"{NAME}:BlendShapes", _blend_shapes, fixers=[_FIXER])
+_REGISTRY.RegisterPluginPrimValidator(f"{NAME}:ShapeWeights", _shape_weights)
+_REGISTRY.RegisterPluginStageValidator(f"{NAME}:Layouts", _layouts)
