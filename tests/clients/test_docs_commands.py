@@ -1,0 +1,46 @@
+"""Every command in docs/ that is marked to be run, run: each page in a folder of its own, its blocks in order."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import skinned_stages
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
+PAGES = ("getting-started.md", "many-assets.md", "pickers.md", "publish.md")
+
+
+def blocks(page):
+    return [(match["needs"], match["text"]) for match in BLOCK.finditer((DOCS / page).read_text(encoding="utf-8"))]
+
+
+def test_every_page_with_commands_to_run_is_listed():
+    marked = {path.name for path in DOCS.glob("*.md") if "<!-- run" in path.read_text(encoding="utf-8")}
+    assert marked == set(PAGES)
+    assert all(len(blocks(page)) == (DOCS / page).read_text(encoding="utf-8").count("<!-- run") for page in PAGES), (
+        "a mark must stand right above its block"
+    )
+
+
+@pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
+@pytest.mark.parametrize("page", PAGES)
+def test_the_commands_of_a_page(page, tmp_path):
+    skinned_stages.character(tmp_path / "char.usda")
+    for name in ("one", "two"):
+        (tmp_path / "assets" / name).mkdir(parents=True)
+        shutil.copy(tmp_path / "char.usda", tmp_path / "assets" / name)
+    programs = Path(sys.executable).parent
+    environment = {**os.environ, "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}"}
+    for needs, text in blocks(page):
+        if needs is not None and not (programs / needs).exists():
+            continue
+        command = ["bash", "-euo", "pipefail", "-c", text]
+        done = subprocess.run(
+            command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300, check=False
+        )
+        assert done.returncode == 0, f"{text}\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}"
