@@ -129,7 +129,7 @@ def process(
         output="" if dry_run else str(target),
         outcome=outcome,
         characters=tuple(laid),
-        issues=tuple(found for rig in source.rigs for found in rig.issues),
+        issues=tuple(found for character in laid for found in character.issues),
         seconds=clock.seconds,
         settings=_plain(asdict(settings)),
         sources=tuple(_source_row(each, asset) for each in source.sources),
@@ -141,9 +141,9 @@ def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -
     clock = _Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-    characters = [_facts(posed(rig, settings, clock, source.cameras)) for rig in source.rigs]
-    issues = tuple(found for rig in source.rigs for found in rig.issues)
-    return Inspection(str(asset), tuple(characters), issues, clock.seconds)
+    found = [posed(rig, settings, clock, source.cameras) for rig in source.rigs]
+    issues = tuple(each for ready in found for each in _issues(ready))
+    return Inspection(str(asset), tuple(map(_facts, found)), issues, clock.seconds)
 
 
 def posed(
@@ -308,8 +308,13 @@ def _character(
         assignment=assignment,
         rows=rows_of(rig, layout, peaks, _twin_names(ready)),
         notes=tuple(note for note in _notes(ready) if note.control in laid),
+        issues=_issues(ready),
         difference=changes,
     )
+
+
+def _issues(ready: Posed) -> tuple[Issue, ...]:
+    return (*ready.context.rig.issues, *ready.context.trajectories.issues)
 
 
 def _notes(ready: Posed) -> tuple[LeftOff, ...]:
@@ -345,6 +350,8 @@ def _facts(ready: Posed) -> CharacterFacts:
     said: dict[str, list[str]] = {}
     for note in (*rig.left_off, *_notes(ready)):
         said.setdefault(note.control, []).append(note.reason)
+    for found in trajectories.issues:
+        said.setdefault(found.path, []).append(found.message)
     rows = []
     for index, control in enumerate(rig.controls):
         chosen, motion = sets.get(index), motions.get(index)

@@ -48,6 +48,8 @@ class CharacterReport:
     assignment: Assignment
     rows: tuple[ControlRow, ...]
     """One per control of the source, in its order; the left-off ones last."""
+    issues: tuple[Issue, ...]
+    """Findings about the rig and its controls."""
     notes: tuple[LeftOff, ...] = ()
     """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
