@@ -23,6 +23,8 @@ from usdrigui.view.shading import look
 _HANDLE = 22.0
 """Diameter of a handle, in picture units."""
 _MARGIN = 40.0
+_LETTER = 8.0
+"""Width that is kept free for a letter of a name."""
 _DWPICKER = [0, 12, 0]
 """Version of the dwpicker file format that is written; later ones read it and bring it up to date."""
 
@@ -54,7 +56,7 @@ def picker(characters: Sequence[tuple[Rig, Layout]]) -> Picker:
     outlines, spots, left, height = [], [], 0.0, 0.0
     for rig, layout in characters:
         flat = _flat(rig, layout)
-        points = np.concatenate([flat[0], *(np.vstack([spot.handle, *spot.tracks]) for spot in flat[1])])
+        points = np.concatenate([flat[0], *(_drawn(spot) for spot in flat[1])])
         low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
         shift = np.array([left, 0.0]) - low
         outlines.append(flat[0] + shift)
@@ -115,6 +117,18 @@ def _flat(rig: Rig, layout: Layout) -> tuple[Floats, list[Spot]]:
     return _hull(np.concatenate([near, around])), spots
 
 
+def _drawn(spot: Spot) -> Floats:
+    """(k, 2) points around everything drawn of an element."""
+    label = _label_place(spot) + np.array([_LETTER * len(spot.element.label), 0.0])
+    return np.vstack([spot.handle, *spot.tracks, *([label] if spot.element.anchor.beside else [])])
+
+
+def _label_place(spot: Spot) -> Floats:
+    """(2,) where the name of an element beside the face begins: above all of it."""
+    around = np.vstack([spot.handle - 0.5 * _HANDLE, *spot.tracks])
+    return np.asarray(around.min(axis=0) - [0.0, 6.0])
+
+
 def _hull(points: Floats) -> Floats:
     """(k, 2) convex outline; the points themselves where they span no area."""
     try:
@@ -147,8 +161,8 @@ def _group(spot: Spot) -> list[str]:
         )
     lines.append(_handle(spot))
     if anchor.beside:
-        x, y = spot.handle
-        lines.append(f'<text x="{x + _HANDLE:.2f}" y="{y + 5.0:.2f}" font-size="14">{escape(element.label)}</text>')
+        x, y = _label_place(spot)
+        lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{escape(element.label)}</text>')
     return [*lines, "</g>"]
 
 
