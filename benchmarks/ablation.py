@@ -1,0 +1,294 @@
+"""What each part of the objective and each reduction is good for: one table and one picture grid per rig.
+
+    python benchmarks/ablation.py [ASSET ...] [--rows WORD...] [--seconds 60] [--folder DIR]
+
+Up to three assets; without one the sample character.  The rows follow the figures of Kim & Singh 2021:
+random, peak only, overlap only, centroid of influence and full (figure 6); lambda 1, 0.85, 0.4 (figure 9);
+100, 20, 5, 0.5 % of the candidates (figure 10); 1, 2, 4, 6 clusters (figure 11).
+
+All rows choose among the candidates of the full problem, and every cost is the default objective's, except
+that handles nearer than a handle's width cost no more than their overlap: ``nearest`` (handle widths) tells
+of them.  ``bound`` is proven for the default objective, once, by the full row, and ``above`` the cost's
+share over it.  ``visible`` is the share of (anchor, view) pairs in which the view shows the anchor; ``kept``
+the mean of every control's arc length at its anchor over its peak; ``beside`` the number of elements that
+left the face.  Seconds are of choosing alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from usdrigui.layout.elements import layout
+from usdrigui.layout.problem import layout_problem
+from usdrigui.model import Assignment, Candidates, Floats, Indices, Layout, LayoutProblem, Variable
+from usdrigui.overlap import total_cost
+from usdrigui.pipeline import Posed, posed
+from usdrigui.settings import SolveSettings, load
+from usdrigui.solve import solve
+from usdrigui.usd.child import read_rigs_isolated
+from usdrigui.view.picture import contact_sheet, render
+
+SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
+MOST = 3
+WIDTH = 1800
+CELL = (760, 640)
+
+Rule = Callable[[Posed, SolveSettings], Indices]
+"""Chooses one label per variable of the full problem."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One layout and its figures."""
+
+    figure: str
+    name: str
+    layout: Layout
+    cost: float
+    bound: float
+    seconds: float
+    nearest: float
+    visible: float
+    kept: float
+    beside: int
+
+
+def main() -> None:
+    arguments = _arguments()
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    for asset in arguments.assets:
+        settings = load({"solve": {"time_limit": arguments.seconds}})
+        ready = posed(read_rigs_isolated(asset, settings).rigs[0], settings)
+        rows = ablation(ready, arguments.rows)
+        print(table(asset.stem, rows), flush=True)
+        target = arguments.folder / f"ablation_{asset.stem}.png"
+        picture(ready, rows).save(target)
+        print(target)
+
+
+def _arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("assets", nargs="*", type=Path, default=[SAMPLE], help=f"at most {MOST}")
+    parser.add_argument("--rows", nargs="*", default=[], help="only rows whose figure or name holds one of these words")
+    parser.add_argument("--seconds", type=float, default=60.0, help="limit of every solve")
+    parser.add_argument("--folder", type=Path, default=Path(), help="where the pictures go")
+    arguments = parser.parse_args()
+    if len(arguments.assets) > MOST:
+        parser.error(f"at most {MOST} assets, got {len(arguments.assets)}")
+    return arguments
+
+
+def ablation(ready: Posed, words: list[str] | None = None) -> list[Row]:
+    """The rows of one character, in the order of the figures; the full row is always made, for its bound."""
+    limits = ready.context.settings.solve
+    start = time.perf_counter()
+    full = solve(ready.problem, limits)
+    rows = [_row(ready, "6", "full", full.labels, full.bound, time.perf_counter() - start)]
+    for figure, name, rule in RULES:
+        if words and not any(word in f"figure {figure}: {name}" for word in words):
+            continue
+        start = time.perf_counter()
+        labels = rule(ready, limits)
+        rows.append(_row(ready, figure, name, labels, full.bound, time.perf_counter() - start))
+    return sorted(rows, key=lambda row: int(row.figure))
+
+
+# --- the rules ---------------------------------------------------------------------------------------
+
+
+def at_random(ready: Posed, limits: SolveSettings) -> Indices:
+    """Any candidate of each element (figure 6a)."""
+    rng = np.random.default_rng(limits.seed)
+    return np.array([rng.integers(len(each.cost)) if len(each.cost) else -1 for each in ready.problem.variables])
+
+
+def at_centroid(ready: Posed, _: SolveSettings) -> Indices:
+    """The candidate nearest to the middle of what the element's controls move, arc length times area as weight."""
+    context = ready.context
+    motions = {each.control: each for each in context.trajectories.motions}
+    labels = []
+    for choice in ready.choices:
+        moving = [motions[control] for control in choice.controls[0]]
+        points = np.concatenate([each.points for each in moving])
+        weight = np.concatenate([each.arc_length * context.areas[each.points] for each in moving])
+        middle = np.average(context.trajectories.base[points], axis=0, weights=weight + 1e-30)
+        apart = np.linalg.norm(context.trajectories.base[choice.anchors[:, 0]] - middle, axis=1)
+        labels.append(int(apart.argmin()) if len(apart) else -1)
+    return np.array(labels)
+
+
+def by_displacement(ready: Posed, _: SolveSettings) -> Indices:
+    """The peak of each element, whatever stands there already (figure 6b)."""
+    return np.array([_least(cost) for cost in displacement_costs(ready)])
+
+
+def by_overlap(ready: Posed, limits: SolveSettings) -> Indices:
+    """As far apart as the candidates allow: no displacement, no occlusion, no price of the plane (figure 6c)."""
+    return solve(_on_face(bare_problem(ready, 0.0)), limits).labels
+
+
+def by_weight(weight: float) -> Rule:
+    """The default objective with another lambda (figure 9)."""
+
+    def rule(ready: Posed, limits: SolveSettings) -> Indices:
+        return solve(_with_settings(ready, ready.candidates, weight, 1.0), limits).labels
+
+    return rule
+
+
+def by_paper(share: float, clusters: int) -> Rule:
+    """The paper's reductions: a share of the candidates, clusters in sequence (figures 10 and 11)."""
+
+    def rule(ready: Posed, limits: SolveSettings) -> Indices:
+        return solve(ready.problem, replace(limits, method="paper", sample=share, clusters=clusters)).labels
+
+    return rule
+
+
+RULES: tuple[tuple[str, str, Rule], ...] = (
+    ("6", "random", at_random),
+    ("6", "peak only", by_displacement),
+    ("6", "overlap only", by_overlap),
+    ("6", "centroid of influence", at_centroid),
+    *(("9", f"lambda {weight:g}", by_weight(weight)) for weight in (1.0, 0.85, 0.4)),
+    *(("10", f"{100 * share:g} % of the candidates", by_paper(share, 1)) for share in (1.0, 0.2, 0.05, 0.005)),
+    *(
+        ("11", f"{clusters} clusters" if clusters > 1 else "1 cluster", by_paper(1.0, clusters))
+        for clusters in (1, 2, 4, 6)
+    ),
+)
+
+
+def displacement_costs(ready: Posed) -> list[Floats]:
+    """(R,) per variable: minus the displacement of each candidate of the full problem, all copies."""
+    return [each.cost for each in bare_problem(ready, 1.0).variables]
+
+
+def bare_problem(ready: Posed, weight: float) -> LayoutProblem:
+    """The full problem's candidates under displacement and overlap alone, weighed by lambda."""
+    free = tuple(replace(each, cost=np.zeros(len(each.cost))) for each in ready.candidates.sets)
+    return _with_settings(ready, replace(ready.candidates, sets=free), weight, 0.0)
+
+
+def _with_settings(ready: Posed, candidates: Candidates, weight: float, plane: float) -> LayoutProblem:
+    """The problem under other settings, its labels those of the full one; `plane` scales the plane's price."""
+    settings = ready.context.settings
+    changed = replace(
+        settings,
+        objective=replace(settings.objective, displacement_weight=weight),
+        symmetry=replace(settings.symmetry, plane_price=plane * settings.symmetry.plane_price),
+    )
+    other, _ = layout_problem(replace(ready.context, settings=changed), candidates, ready.groups)
+    same = tuple(map(_same_labels, ready.problem.variables, other.variables))
+    return replace(other, variables=same, extra=ready.problem.extra)
+
+
+def _same_labels(full: Variable, other: Variable) -> Variable:
+    """The costs of `other` at the candidates of `full`: which are kept depends on handles, not on weights."""
+    if not np.array_equal(full.points, other.points):
+        raise ValueError(f"{full.name} has other candidates under other weights")
+    return replace(full, cost=other.cost, beside=other.beside)
+
+
+def _on_face(problem: LayoutProblem) -> LayoutProblem:
+    """The board at the price of any overlap: without displacement to lose everything would leave."""
+    price = problem.overlap.maximum * len(problem.variables)
+    return replace(problem, variables=tuple(replace(each, beside=price) for each in problem.variables))
+
+
+def _least(cost: Floats) -> int:
+    return int(cost.argmin()) if len(cost) else -1
+
+
+# --- the figures -------------------------------------------------------------------------------------
+
+
+def _row(ready: Posed, figure: str, name: str, labels: Indices, bound: float, seconds: float) -> Row:
+    soft = replace(ready.problem, separation=0.0)
+    cost = total_cost(soft, labels)
+    chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name)
+    made = layout(
+        ready.context, ready.candidates, ready.groups, ready.problem, ready.choices, chosen, ready.base_values
+    )
+    points = anchors_of(ready, labels)
+    return Row(
+        figure=figure,
+        name=name,
+        layout=made,
+        cost=cost,
+        bound=bound,
+        seconds=seconds,
+        nearest=nearest_handles(ready.context.trajectories.base[points]) / ready.context.handle_width,
+        visible=float(ready.context.views.visible[:, points].mean()) if len(points) else 1.0,
+        kept=displacement_kept(ready, labels),
+        beside=int((labels < 0).sum()),
+    )
+
+
+def anchors_of(ready: Posed, labels: Indices) -> Indices:
+    """(elements on the face,) anchor points, all copies."""
+    chosen = [c.anchors[label] for c, label in zip(ready.choices, labels, strict=True) if label >= 0]
+    return np.concatenate([np.zeros(0, dtype=np.int64), *chosen])
+
+
+def nearest_handles(positions: Floats) -> float:
+    """Least distance between any two of (n, 3) positions; inf for fewer than two."""
+    apart = np.linalg.norm(positions[:, None] - positions[None], axis=2)
+    return float(apart[np.triu_indices(len(positions), 1)].min(initial=np.inf))
+
+
+def displacement_kept(ready: Posed, labels: Indices) -> float:
+    """Mean over the controls on the face of the arc length at the anchor over the control's peak."""
+    motions = {each.control: each for each in ready.context.trajectories.motions}
+    shares = [
+        motions[control].arc_length[np.searchsorted(motions[control].points, choice.sources[label, copy])]
+        / motions[control].arc_length.max()
+        for choice, label in zip(ready.choices, labels, strict=True)
+        if label >= 0
+        for copy, controls in enumerate(choice.controls)
+        for control in controls
+    ]
+    return float(np.mean(shares)) if shares else 0.0
+
+
+# --- output ------------------------------------------------------------------------------------------
+
+
+def table(name: str, rows: list[Row]) -> str:
+    """The rows as text."""
+    head = f"{name:>6} {'':28} {'cost':>10} {'bound':>10} {'above':>7} {'seconds':>8} {'nearest':>8} {'visible':>8}"
+    lines = [f"{head} {'kept':>7} {'beside':>6}"]
+    for row in rows:
+        above = (row.cost - row.bound) / max(abs(row.bound), 1e-12)
+        lines.append(
+            f"fig {row.figure:>2} {row.name:28} {row.cost:10.4f} {row.bound:10.4f} {above:7.1%} {row.seconds:8.2f}"
+            f" {row.nearest:8.2f} {row.visible:8.1%} {row.kept:7.1%} {row.beside:6d}"
+        )
+    return "\n".join(lines)
+
+
+def picture(ready: Posed, rows: list[Row]) -> Image.Image:
+    """One strip of fronts per figure, below each other."""
+    strips = []
+    for figure in dict.fromkeys(row.figure for row in rows):
+        mine = [row for row in rows if row.figure == figure]
+        fronts = [render(ready.context.rig, row.layout, views=("front",), size=CELL, title=row.name) for row in mine]
+        titles = [f"figure {figure}: {row.name}, cost {row.cost:.2f}, {row.seconds:.1f} s" for row in mine]
+        strips.append(contact_sheet(fronts, titles, columns=len(mine), width=WIDTH))
+    page = Image.new("RGB", (WIDTH, sum(strip.height for strip in strips)))
+    top = 0
+    for strip in strips:
+        page.paste(strip, (0, top))
+        top += strip.height
+    return page
+
+
+if __name__ == "__main__":
+    main()
