@@ -76,6 +76,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
             stop=interruption.requested,
             examples=examples,
         )
+        arguments.layer_state = f"{result.outcome} {result.output}".rstrip()
         written = _extras(result, arguments)
     if arguments.json:
         sys.stdout.write(report.to_json(result))
@@ -280,6 +281,8 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     from usdrigui.view import sheet
 
     loaded = pipeline.load_layer(arguments.layer, _settings(arguments))
+    if arguments.output.suffix not in (".png", ".gif"):
+        raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(loaded.characters, frames=arguments.frames)
     else:
@@ -437,7 +440,7 @@ def _add_settings(parser: Any) -> None:
     group.add_argument("--time", type=float, metavar="CODE", help="base pose: the animation at this time code")
     group.add_argument("--gap", type=float, metavar="SHARE", help="relative gap at which to stop")
     group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
-    group.add_argument("--threads", type=int, metavar="N", help="0 takes all processors; the result is the same")
+    group.add_argument("--threads", type=int, metavar="N", help="accepted; the solver runs one thread")
     group.add_argument("--time-limit", type=float, metavar="SECONDS", help="stop solving with the best layout so far")
     group.add_argument("--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use")
 
@@ -482,7 +485,10 @@ def _configuration(arguments: argparse.Namespace) -> Path | None:
     if given is not None:
         return given
     asset: Path | None = getattr(arguments, "asset", None)
+    layer: Path | None = getattr(arguments, "layer", None)
     beside = asset.with_suffix(".rigui.toml") if asset is not None else None
+    if asset is None and layer is not None:
+        beside = layer.with_suffix(".toml")  # char.rigui.usda → char.rigui.toml
     return beside if beside is not None and beside.is_file() else None
 
 
@@ -587,7 +593,9 @@ def _refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     where = f" {found.path}:" if found.path else ""
     print(visible(f"usdrigui: {found.code}{where} {found.message}"), file=sys.stderr)
     print(f"  repair: {found.repair}", file=sys.stderr)
-    print(visible(f"usdrigui: refused {asset}; nothing was written"), file=sys.stderr)
+    done = getattr(arguments, "layer_state", "")
+    kept = f"the layout itself is {done}" if done else "nothing was written"
+    print(visible(f"usdrigui: refused {asset}; {kept}"), file=sys.stderr)
 
 
 def _bug(error: Exception, arguments: argparse.Namespace) -> int:

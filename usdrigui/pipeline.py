@@ -13,9 +13,9 @@ import os
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -36,11 +36,15 @@ from usdrigui.layout.terms import Context
 from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, LayoutProblem, LeftOff, Rig
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
+from usdrigui.settings import document as settings_document
 from usdrigui.usd.child import ReadResult, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.source import SourceFile, check_unchanged
 
 if TYPE_CHECKING:
     from usdrigui.solve.watch import Progress
+
+
+_USD_SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,7 +135,7 @@ def process(
         characters=tuple(laid),
         issues=tuple(found for character in laid for found in character.issues),
         seconds=clock.seconds,
-        settings=_plain(asdict(settings)),
+        settings=settings_document(settings),
         sources=tuple(_source_row(each, asset) for each in source.sources),
     )
 
@@ -251,10 +255,15 @@ def default_output(asset: Path) -> Path:
 
 
 def write_file(content: bytes, target: Path) -> str:
-    """Write a file all or nothing; returns ``written`` or ``unchanged``."""
+    """Write a report, picture or page all or nothing; returns ``written`` or ``unchanged``.
+
+    Raises FILE_TARGET for the name of a USD file, so that no slip of the hand replaces a character.
+    """
     from usdrigui.usd.safe_write import commit
 
-    target.parent.mkdir(parents=True, exist_ok=True)
+    if target.suffix in _USD_SUFFIXES:
+        raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+    _make_folder(target)
     return commit(content, target)
 
 
@@ -393,6 +402,9 @@ def _group_lines(ready: Posed) -> tuple[str, ...]:
         f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)} ({group.reason})"
         for group in ready.groups
         if len(group.controls) > 1
+    ) + tuple(
+        f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one element"
+        for found in groups_stage.suggested_groups(ready.context, ready.candidates)
     )
 
 
@@ -409,26 +421,38 @@ def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, 
     from usdrigui.usd import layer
 
     own = os.path.realpath(target)
-    if not settings.output.bare and any(own == each.path for each in source.sources):
+    if any(own == each.path for each in source.sources) and not settings.output.bare:
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
-    target.parent.mkdir(parents=True, exist_ok=True)
+    _check_replaceable(target, settings)
+    _make_folder(target)
     pairs = [(character.rig, character.layout) for character in laid]
     unchanged = functools.partial(check_unchanged, source.sources)
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata, guard=unchanged)
 
 
+def _check_replaceable(target: Path, settings: Settings) -> None:
+    """What stands at the target must be a layout layer: nobody's own work is replaced by a slip of the hand."""
+    if not target.is_file() or not target.stat().st_size:
+        return
+    try:
+        read_layouts_isolated(target, settings)
+    except RigUIError as error:
+        if error.issue.code == "LAYOUT_MISSING" or error.issue.code.startswith("FILE_NOT"):
+            raise refuse("FILE_TARGET", str(target), "exists and is no layout layer") from error
+
+
+def _make_folder(target: Path) -> None:
+    from usdrigui.usd.safe_write import file_error
+
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise file_error(target, error) from error
+
+
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:
     folder = os.path.realpath(asset.parent)
     return SourceRow(os.path.relpath(source.path, folder).replace(os.sep, "/"), source.sha256)
-
-
-def _plain(value: Any) -> Any:
-    """Settings as JSON-ready values."""
-    if isinstance(value, dict) or hasattr(value, "items"):
-        return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return value
 
 
 @dataclass

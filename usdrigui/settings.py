@@ -173,7 +173,7 @@ class GroupSettings:
     jaccard_min: float = 0.85
     """Paper: epsilon."""
     groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """``[groups.named]``: element name to control names, in order."""
+    """``[groups.groups]``: element name to control names, in order."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,7 +219,7 @@ class SolveSettings:
     gap: float = 1e-4
     """Relative gap at which a solution is called optimal."""
     threads: int = 0
-    """0 takes the number of processors; the result does not depend on it."""
+    """Accepted for scripts that set it; the solver runs one thread, and the result does not depend on it."""
     work_limit: int = 60_000_000
     """Search nodes and pair evaluations after which the solver stops with what it has; reproducible."""
     time_limit: float = 0.0
@@ -299,6 +299,47 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
 )
 
 
+_BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
+    {
+        "read.joint_min_degrees": (0.0, 360.0),
+        "trajectories.tolerance": (1e-9, 1.0),
+        "trajectories.max_samples": (2, 1025),
+        "trajectories.tiny": (0.0, 1.0),
+        "symmetry.tolerance": (0.0, 1.0),
+        "symmetry.twin_similarity": (0.0, 1.0),
+        "symmetry.plane_price": (0.0, 1e6),
+        "candidates.prune_at": (0.0, 1e6),
+        "candidates.peak_share": (0.0, 1.0),
+        "candidates.occlusion_price": (0.0, 1e6),
+        "candidates.global_coverage": (0.0, 1.0),
+        "candidates.hidden_share": (0.0, 1.0),
+        "candidates.near_radius": (1e-6, 1e6),
+        "groups.opposed_cosine": (-2.0, 1.0),
+        "groups.fan_size": (1, 16),
+        "groups.jaccard_min": (0.0, 1.0),
+        "objective.displacement_weight": (0.0, 1.0),
+        "objective.relative_displacement": (0.0, 1.0),
+        "objective.overlap_max": (0.0, 1e6),
+        "objective.overlap_radius": (1e-6, 1e6),
+        "objective.overlap_sharpness": (1e-6, 1e6),
+        "objective.overlap_reach": (0.0, 1e6),
+        "objective.samples": (2, 64),
+        "objective.handle_size": (1e-4, 1.0),
+        "objective.keep_price": (0.0, 1e6),
+        "solve.gap": (0.0, 1.0),
+        "solve.threads": (0, 1024),
+        "solve.work_limit": (0, 2**62),
+        "solve.time_limit": (0.0, 1e9),
+        "solve.memory_limit": (1, 2**40),
+        "solve.clusters": (1, 4096),
+        "solve.sample": (1e-6, 1.0),
+        "solve.seed": (0, 2**62),
+        "output.min_track": (0.0, 1e6),
+    }
+)
+"""Least and largest value of each number; what lies outside has no meaning and would only fail later."""
+
+
 def load(
     *sources: Mapping[str, Any], preset: str = "default", environment: Mapping[str, str] | None = None
 ) -> Settings:
@@ -311,7 +352,13 @@ def load(
     settings = Settings()
     for source in (PRESETS[preset], _from_environment(environment or {}), *sources):
         settings = _merged(settings, source, "")
+    _check_bounds(settings)
     return settings
+
+
+def document(settings: Settings) -> dict[str, Any]:
+    """The settings as plain JSON-ready values, for the report."""
+    return {each.name: _plain(getattr(settings, each.name)) for each in fields(settings)}
 
 
 def read_toml(path: Path) -> dict[str, Any]:
@@ -333,6 +380,24 @@ def environment_settings() -> dict[str, str]:
         for name, value in sorted(os.environ.items())
         if name.startswith("USDRIGUI_") and name.split("_")[1] in parts
     }
+
+
+def _check_bounds(settings: Settings) -> None:
+    for key, (least, largest) in _BOUNDS.items():
+        part, _, name = key.partition(".")
+        value = getattr(getattr(settings, part), name)
+        if not least <= value <= largest:
+            raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
+
+
+def _plain(value: Any) -> Any:
+    if is_dataclass(value):
+        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
 
 
 def _from_environment(environment: Mapping[str, str]) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 _LOG_WIDTH = 160
 """Columns where the output is not a terminal."""
 
+_PAUSE = 5.0
+"""Seconds between two lines about one long stage, where the output is not a terminal."""
 _WRAPPED = ("why", "flags", "element", "twin", "nearest", "where", "before", "now")
 """Columns that give way when the line is too long."""
 
@@ -51,6 +54,7 @@ class Screen:
     def __init__(self, *, quiet: bool = False, machine: bool = False) -> None:
         self._quiet = quiet
         self._silent = machine
+        self._told = time.monotonic()
         self._out = _Console(markup=False, highlight=False, width=None if sys.stdout.isatty() else _LOG_WIDTH)
         self._side = _Console(stderr=True, markup=False, highlight=False)
 
@@ -155,8 +159,16 @@ class Screen:
     def _live(self, status: Status, event: Event) -> None:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
 
+    def _now_and_then(self, event: Event) -> None:
+        """In a log, a long search says how far it is every few seconds."""
+        if event.detail and time.monotonic() - self._told > _PAUSE:
+            self._told = time.monotonic()
+            self._side.print(f"{event.stage:<14} {event.detail}", soft_wrap=True)
+
     def _plain(self, event: Event) -> None:
-        if event.seconds is not None:
+        if event.seconds is None:
+            self._now_and_then(event)
+        else:
             detail = f" {event.detail}" if event.detail else ""
             self._side.print(f"{event.stage:<14} {event.seconds:6.2f} s{detail}", soft_wrap=True)
 

@@ -72,6 +72,7 @@ def loosened(context: Context, found: CandidateSet) -> CandidateSet:
     if context.said[motion.control].anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _LOOSE * float(motion.arc_length[seen].max()))]
+    points = kept_near(context, context.rig.controls[motion.control].name, context.said[motion.control], points)
     return replace(found, points=points, sources=points, cost=linear_cost(context, motion, points))
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from usdrigui.layout.board import Board, beside_elements
 from usdrigui.layout.fans import fan_order
 from usdrigui.layout.names import common_label
-from usdrigui.layout.problem import Choice
+from usdrigui.layout.problem import Choice, own_mirror_image
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.terms import Context
 from usdrigui.layout.tracks import arc_lengths, gains, paths
@@ -122,7 +122,7 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
                 members=members,
                 opposed=opposed,
                 anchor=anchor_at(context, point),
-                side=_side(context, point),
+                side=_side(context, group, point),
                 mirror=names[1 - copy] if len(names) == 2 else "",
                 family="",
                 reason=group.reason,
@@ -176,9 +176,12 @@ def anchor_at(context: Context, point: int) -> Anchor:
     return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, base, normal, False)
 
 
-def _side(context: Context, point: int) -> Side:
+def _side(context: Context, group: Group, point: int) -> Side:
+    """The side that an element works on: one that is its own mirror image is of the middle wherever it stands."""
     if not context.symmetry.normal.any():
         return "none"
+    if own_mirror_image(context, group):
+        return "middle"
     apart = float(plane_distance(context.trajectories.base[point], context.symmetry))
     if abs(apart) <= _ON_PLANE * context.trajectories.face_size:
         return "middle"

@@ -59,10 +59,18 @@ def moves(motion: Motion, name: str, said: ControlSettings, point: int) -> bool:
     raise refuse("FIXED_IMPOSSIBLE", f'controls."{name}".anchor', f"{name} does not move the point {said.anchor}")
 
 
+def _said(context: Context, control: int) -> tuple[str, str, float]:
+    """What the configuration says of a control's place, apart from a fixed anchor."""
+    said = context.said[control]
+    return said.place, said.near, said.within
+
+
 def stands_alone(context: Context, control: int) -> bool:
     """Whether a control of a pair has a place that is not the mirror image of its twin's, so that the two
     cannot be one decision: a fixed anchor, or an earlier place that somebody moved on one side only."""
     twin = int(context.symmetry.twins[control])
+    if twin >= 0 and _said(context, control) != _said(context, twin):
+        return True
     if context.said[control].anchor:
         return not _fixed_in_mirror(context, control, twin)
     precedent = context.precedent

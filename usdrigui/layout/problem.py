@@ -145,7 +145,7 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(reach > 0.0, linear - weight * reach, np.inf))
         cost += worst
-    if _symmetric(context, group):
+    if own_mirror_image(context, group):
         away = off_plane(context, choice.anchors[:, 0])
         cost += away - away.min(initial=np.inf) if len(away) else away
     return choice, cost
@@ -169,7 +169,7 @@ def _unit(context: Context, motion: Motion) -> float:
     return float(context.trajectories.typical_length ** (1.0 - share) * own**share)
 
 
-def _symmetric(context: Context, group: Group) -> bool:
+def own_mirror_image(context: Context, group: Group) -> bool:
     """Whether the element is its own mirror image."""
     if not context.symmetry.normal.any() or context.settings.symmetry.double_middle:
         return False

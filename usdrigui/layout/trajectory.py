@@ -112,11 +112,18 @@ def _arc_lengths(offsets: Singles) -> Floats:
     return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
 
 
+def _apart(rig: Rig, motion: Floats) -> Floats:
+    """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not shown."""
+    shown = np.repeat([mesh.visible for mesh in rig.meshes], [len(mesh.points) for mesh in rig.meshes])
+    scale = float(np.abs(motion).max(initial=0.0)) or 1.0
+    return np.column_stack([motion, np.where(shown, scale, 0.0)])
+
+
 def _assembled(
     rig: Rig, base: Floats, motions: tuple[Motion, ...], left_off: tuple[LeftOff, ...], settings: TrajectorySettings
 ) -> Trajectories:
     corners = mesh_triangles(rig.meshes)
-    places = weld(base, total_motion(motions, len(base)).astype(np.float64))
+    places = weld(base, _apart(rig, total_motion(motions, len(base)).astype(np.float64)))
     local = _local(motions, point_areas(base, corners, places))
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)

@@ -108,7 +108,8 @@ def relative_asset_path(source: Path, target: Path) -> str:
 
     Raises SOURCE_UNREFERABLE for names that USD cannot refer to.
     """
-    path = os.path.relpath(source.resolve(), target.parent.resolve()).replace(os.sep, "/")
+    here = source.parent.resolve() / source.name  # a link keeps its name: what it refers to lies beside it
+    path = os.path.relpath(here, target.parent.resolve()).replace(os.sep, "/")
     if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
         raise refuse("SOURCE_UNREFERABLE", str(source), "its name has a meaning of its own in USD")
     return path if path.startswith("../") else f"./{path}"

@@ -131,18 +131,18 @@ def _pitch(boxes: Floats, rows: Floats) -> float:
 
 
 def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[tuple[str, float, float]]:
-    """Text and place of the first element of each family in each column."""
+    """Text and place of the first element of each family in each column: midway to the row above it."""
     found: list[tuple[str, float, float]] = []
     for column in _columns(shown, boxes, rows, pitch):
-        family = ""
+        family, above = "", -np.inf
         for index in sorted(column, key=lambda each: float(rows[each])):
             if shown[index][0].family not in ("", family):
                 family = shown[index][0].family
-                left, top = (
-                    float(boxes[column, 0].min()) - 4.0,
-                    min(float(rows[index]) - pitch, float(boxes[index, 1]) - 8.0),
-                )
-                found.append((_FAMILIES.get(family, family), left, top))
+                top = float(boxes[index, 1])
+                line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
+                place = (float(boxes[column, 0].min()) - 4.0, top - min(line, 0.5 * pitch + 4.0))
+                found.append((_FAMILIES.get(family, family), *place))
+            above = float(boxes[index, 3])
     return found
 
 

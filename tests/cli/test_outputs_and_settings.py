@@ -1,0 +1,108 @@
+"""What a run may replace, and what a configuration may say: end to end."""
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+import skinned_stages
+from pxr import Usd
+
+from usdrigui.cli import main
+
+ROOT = Path(__file__).resolve().parents[2]
+QUICK = ("--quiet", "--set", "solve.work_limit=20000")
+
+
+@pytest.fixture
+def sample(tmp_path):
+    folder = tmp_path / "asset"
+    folder.mkdir()
+    for name in ("char.usda", "char_geometry.usda"):
+        shutil.copy(ROOT / "sample_assets" / name, folder / name)
+    return folder / "char.usda"
+
+
+@pytest.fixture
+def character(tmp_path):
+    return skinned_stages.character(tmp_path / "char.usda")
+
+
+def test_the_configuration_of_the_readme_is_heeded_end_to_end(sample, tmp_path):
+    block = re.search(r"```toml\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL).group(1)
+    block = block.replace("helper_sculpt", "tongueOut")
+    sample.with_suffix(".rigui.toml").write_text(block, encoding="utf-8")
+    report = tmp_path / "out.json"
+    assert main(["process", str(sample), "--report", str(report), *QUICK]) == 0
+    document = json.loads(report.read_text())
+    assert document["settings"]["controls"]["jawOpen"]["maximum"] == 1.2
+    rows = {row["control"]: row for row in document["characters"][0]["controls"]}
+    assert rows["tongueOut"]["place"] == "left off"
+    assert rows["tongueOut"]["reason"]
+
+
+def test_a_pose_file_is_heeded(character, tmp_path):
+    name = json.loads(_json(["inspect", str(character), "--json"]))["characters"][0]["controls"][0]["control"]
+    pose = tmp_path / "pose.toml"
+    pose.write_text(f'"{name}" = 0.5\n')
+    assert main(["process", str(character), "--pose", str(pose), *QUICK]) == 0
+
+
+def test_a_file_of_the_character_is_not_replaced(sample, capsys):
+    geometry = sample.with_name("char_geometry.usda")
+    before = geometry.read_bytes()
+    assert main(["process", str(sample), "--bare", "-o", str(geometry), *QUICK]) == 3
+    assert "FILE_TARGET" in capsys.readouterr().err
+    assert geometry.read_bytes() == before
+
+
+@pytest.mark.parametrize("option", ["--report", "--preview"])
+def test_reports_and_pictures_never_replace_a_usd_file(character, option, capsys):
+    before = character.read_bytes()
+    assert main(["process", str(character), "-o", str(character.with_name("l.usda")), option, str(character)]) == 3
+    assert character.read_bytes() == before
+    assert "the layout itself is written" in capsys.readouterr().err
+
+
+def test_a_folder_that_is_a_file_is_a_file_error(character, capsys):
+    assert main(["process", str(character), "-o", str(character / "x.usda"), *QUICK]) == 3
+    assert "BUG" not in capsys.readouterr().err
+
+
+def test_a_linked_asset_is_referred_to_by_its_link(sample, tmp_path):
+    store = tmp_path / "store"
+    store.mkdir()
+    sample.rename(store / "blob.usda")
+    sample.symlink_to(store / "blob.usda")
+    assert main(["process", str(sample), *QUICK]) == 0
+    layer = sample.with_name("char.rigui.usda")
+    assert "@./char.usda@" in layer.read_text()
+    assert Usd.Stage.Open(str(layer)).GetPrimAtPath("/Char/Geometry/Head")
+
+
+@pytest.mark.parametrize(
+    "setting",
+    [
+        "objective.samples=0",
+        "objective.handle_size=0",
+        "objective.displacement_weight=1.5",
+        "objective.overlap_max=-1",
+        "objective.overlap_radius=0",
+        "solve.gap=-1",
+        "candidates.peak_share=5",
+        "trajectories.max_samples=0",
+    ],
+)
+def test_numbers_without_meaning_are_usage_errors(character, setting, capsys):
+    assert main(["process", str(character), "--set", setting]) == 2
+    assert f"CONFIG_VALUE {setting.partition('=')[0]}" in capsys.readouterr().err
+
+
+def _json(arguments):
+    import contextlib
+    import io
+
+    with contextlib.redirect_stdout(io.StringIO()) as out:
+        assert main(arguments) == 0
+    return out.getvalue()
