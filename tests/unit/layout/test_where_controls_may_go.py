@@ -267,3 +267,25 @@ def test_a_fixed_anchor_is_the_only_candidate():
     for anchor in ("/Root/mesh", "/Root/mesh#x", "/Root/mesh#99999", "/other#1"):
         with pytest.raises(RigUIError):
             chosen(makers.face(), controls={"chin": {"anchor": anchor}})
+
+
+def test_a_copy_of_the_face_that_is_not_shown_hides_nothing():
+    shapes = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
+    shown = makers.mesh(POINTS, QUADS, shapes)
+    unseen = makers.mesh(POINTS, QUADS, shapes, path="/Root/proxy", visible=False)
+    alone = chain.posed(makers.rig_of_meshes([shown], list(SHAPES)))
+    doubled = chain.posed(makers.rig_of_meshes([unseen, shown], list(SHAPES)))
+    assert [each.hidden for each in doubled.candidates.sets] == [each.hidden for each in alone.candidates.sets]
+    for with_copy, without in zip(doubled.candidates.sets, alone.candidates.sets, strict=True):
+        assert (with_copy.points - len(POINTS)).tolist() == without.points.tolist()
+
+
+def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
+    names = [name for name in SHAPES if name.endswith(("_R", "Right"))]
+    one = next(name for name in names if name.replace("_R", "_L").replace("Right", "Left") in SHAPES)
+    other = one.replace("_R", "_L").replace("Right", "Left")
+    line = chain.posed(rig_with(), chain.settings(controls={one: {"place": "beside"}}))
+    controls = [control.name for control in line.context.rig.controls]
+    beside = {controls[c]: group.beside for group in line.groups for c in (*group.controls, *group.mirror)}
+    assert beside[one]
+    assert not beside[other]
