@@ -40,8 +40,6 @@ class ControlSettings:
     """Radius for `near`, as a share of the face size; 0 takes the default."""
     anchor: str = ""
     """``MESH_PATH#POINT``: fixed anchor of a partial layout."""
-    glyph: str = ""
-    """Path of a curve or mesh prim that replaces the drawn shape."""
     adapt: Literal["", "deform", "static"] = ""
 
 
