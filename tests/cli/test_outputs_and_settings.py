@@ -57,6 +57,15 @@ def test_a_file_of_the_character_is_not_replaced(sample, capsys):
     assert geometry.read_bytes() == before
 
 
+def test_a_layer_of_somebody_else_is_not_replaced(character, capsys):
+    mine = character.with_name("mine.usda")
+    mine.write_text('#usda 1.0\ndef Xform "work" {}\n')
+    before = mine.read_bytes()
+    assert main(["process", str(character), "-o", str(mine), *QUICK]) == 3
+    assert "FILE_TARGET" in capsys.readouterr().err
+    assert mine.read_bytes() == before
+
+
 @pytest.mark.parametrize("option", ["--report", "--preview"])
 def test_reports_and_pictures_never_replace_a_usd_file(character, option, capsys):
     before = character.read_bytes()

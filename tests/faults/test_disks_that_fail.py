@@ -40,7 +40,7 @@ def laid_out(tmp_path, character, monkeypatch):
     copy = tmp_path / source.name
     copy.write_bytes(source.read_bytes())
     target = tmp_path / "char.rigui.usda"
-    target.write_bytes(b"#usda 1.0\n# the old layer\n")
+    target.write_bytes(b'#usda 1.0\nover "Char" { def Scope "RigUI" (prepend apiSchemas = ["RigUILayoutAPI"]) {} }\n')
     there = replace(found, sources=(hashed(copy),))
     monkeypatch.setattr(pipeline, "read_rigs_isolated", lambda *_: there)
     return copy, target
