@@ -33,6 +33,18 @@ def character(tmp_path_factory):
     return source, read_rigs_isolated(source, Settings()), source.with_name("char.rigui.usda").read_bytes()
 
 
+OLD = b"""#usda 1.0
+over "Char"
+{
+    def Scope "RigUI" (
+        prepend apiSchemas = ["RigUILayoutAPI"]
+    )
+    {
+    }
+}
+"""
+
+
 @pytest.fixture
 def laid_out(tmp_path, character, monkeypatch):
     """A character and an older layer of it; it is read already, for all this is about writing."""
@@ -40,7 +52,7 @@ def laid_out(tmp_path, character, monkeypatch):
     copy = tmp_path / source.name
     copy.write_bytes(source.read_bytes())
     target = tmp_path / "char.rigui.usda"
-    target.write_bytes(b'#usda 1.0\nover "Char" { def Scope "RigUI" (prepend apiSchemas = ["RigUILayoutAPI"]) {} }\n')
+    target.write_bytes(OLD)
     there = replace(found, sources=(hashed(copy),))
     monkeypatch.setattr(pipeline, "read_rigs_isolated", lambda *_: there)
     return copy, target
