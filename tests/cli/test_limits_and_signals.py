@@ -93,7 +93,7 @@ def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     assert process.returncode == 4
     assert "INTERRUPTED" in err
     assert err.splitlines()[-1].endswith("nothing was written")
-    assert not Path(f"/proc/{reader}").exists()
+    until(lambda: not Path(f"/proc/{reader}").exists())
     assert untouched(hanging)
 
 

@@ -20,10 +20,6 @@ SLACK = 1e-6
 
 def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
     """Best layout by toulbar2.  Raises SOLVE_EXTRA without the package, SOLVE_MEMORY for too large a problem."""
-    try:
-        import pytoulbar2
-    except ImportError as error:
-        raise refuse("SOLVE_EXTRA", "solve.method", "pytoulbar2 is not installed") from error
     labels = all_labels(problem)
     blocks = singles(labels)
     pool = block_pool(labels, blocks)
@@ -31,6 +27,10 @@ def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
     need = 8 * (entries.sum() ** 2 - np.square(entries).sum()) * 3 / 2**20
     if need > watch.settings.memory_limit:
         raise refuse("SOLVE_MEMORY", "solve.memory_limit", f"the tables would need about {need:.0f} MiB")
+    try:
+        import pytoulbar2
+    except ImportError as error:
+        raise refuse("SOLVE_EXTRA", "solve.method", "pytoulbar2 is not installed") from error
     forbidden = forbidden_price(problem, labels)
     incumbent = Incumbent(problem, labels, forbidden, watch)
     incumbent.construct()
