@@ -16,7 +16,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any, Literal
@@ -189,19 +189,39 @@ class _End:
 def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _End:
     """Start the child, wait for its end, and be sure that it is gone whatever happens here."""
     deadline = time.monotonic() + seconds
+    process, late = None, False
     try:
-        process = _started(letter, mailbox)
-    except (OSError, TypeError) as error:
-        raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
-    printed = _Printed(process)
-    late = False
-    try:
+        with _signals_later():
+            try:
+                process = _started(letter, mailbox)
+            except (OSError, TypeError) as error:
+                raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
+            printed = _Printed(process)
         late = not printed.ended(deadline - time.monotonic())
     finally:
-        _kill(process)
-        code, peak = _reaped(process)
-        printed.close()
+        if process is not None:
+            _kill(process)
+            code, peak = _reaped(process)
+            printed.close()
     return _End(code, late, peak, printed.text)
+
+
+@contextlib.contextmanager
+def _signals_later() -> Iterator[None]:
+    """A signal between the start of the child and its being watched would leave it behind: it comes after."""
+    came: list[int] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    numbers = (signal.SIGINT, signal.SIGTERM)
+    before = [signal.signal(number, lambda at, _: came.append(at)) for number in numbers]
+    try:
+        yield
+    finally:
+        for number, handler in zip(numbers, before, strict=True):
+            signal.signal(number, handler)
+    for late in came:
+        signal.raise_signal(late)
 
 
 def _started(letter: IO[bytes], mailbox: IO[bytes]) -> subprocess.Popen[bytes]:
