@@ -335,6 +335,10 @@ class Trajectories(Record):
     issues: tuple[Issue, ...] = ()
     """Tiny and duplicate controls: kept, but worth knowing."""
 
+    def motion_of(self, control: int) -> Motion:
+        """The motion of a control, which must move something."""
+        return next(each for each in self.motions if each.control == control)
+
 
 @dataclass(frozen=True, eq=False)
 class Symmetry(Record):

@@ -13,6 +13,7 @@ from viewer_layouts import peak_layout
 from usdrigui.deform import deform
 from usdrigui.pose import direct
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.pose.reach import longest_paths
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
 from usdrigui.view.page import page_html
@@ -71,7 +72,7 @@ def test_a_pull_equals_the_library(browser, rigs, tmp_path):
     viewer.page.evaluate("([point, target]) => usdrigui.pull(point, target)", [point, target.tolist()])
     found = list(viewer.values().values())
     start = np.array([control.default for control in rig.controls])
-    grip = direct.grab(rig, start, [point], peaks=direct.longest_paths(rig))
+    grip = direct.grab(rig, start, [point], peaks=longest_paths(rig))
     expected = direct.solve(grip, target[None]).values
     assert np.abs(np.array(found) - expected).max() < 2e-3
     assert np.abs(expected).max() > 0.1

@@ -171,7 +171,7 @@ def _directions(group: Group, frame: Floats) -> list[Floats]:
 def _member(context: Context, control: int, place: Floats, direction: Floats, alone: bool) -> Member:
     """A straight track through `place`, where the control stands at its base value, as long as the board's
     sliders; to one side only where the control goes to one side only."""
-    motion = next(each for each in context.trajectories.motions if each.control == control)
+    motion = context.trajectories.motion_of(control)
     subject = context.rig.controls[control]
     values = np.unique([subject.minimum, subject.default, subject.maximum])
     length = _TRACK * context.handle_width * (1.0 if alone else 0.5)

@@ -160,7 +160,7 @@ def _ordered(
 
 def _member(context: Context, control: int, point: int, source: int) -> Member:
     """The control's own trajectory at the source, drawn from the anchor, enlarged where it is too short."""
-    motion = next(each for each in context.trajectories.motions if each.control == control)
+    motion = context.trajectories.motion_of(control)
     one = np.array([source])
     length = arc_lengths(motion, one)
     gain = float(gains(length, context.settings.output.min_track * context.handle_width)[0])

@@ -219,7 +219,7 @@ def _geometry(context: Context, choice: Choice) -> tuple[Floats, Floats]:
 
 def drawn_track(context: Context, control: int, anchors: Indices, sources: Indices) -> Floats:
     """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is too short."""
-    motion = next(each for each in context.trajectories.motions if each.control == control)
+    motion = context.trajectories.motion_of(control)
     least = context.settings.output.min_track * context.handle_width
     factor = gains(arc_lengths(motion, sources), least)
     offsets = resampled(paths(motion, sources), context.settings.objective.samples)

@@ -263,7 +263,7 @@ def _kept(context: Context, choice: Choice, label: int) -> float:
     shares = []
     for copy, controls in enumerate(choice.controls):
         for control in controls:
-            motion = next(each for each in context.trajectories.motions if each.control == control)
+            motion = context.trajectories.motion_of(control)
             row = int(np.searchsorted(motion.points, choice.sources[label, copy]))
             shares.append(float(motion.arc_length[row] / motion.arc_length.max()))
     return min(shares)

@@ -8,7 +8,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.layout.facing import front, three_quarter
-from usdrigui.model import Flags, Floats, Indices, Record, Rig, Symmetry, Trajectories
+from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
 from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
 from usdrigui.surface import mesh_triangles
 
@@ -113,11 +113,6 @@ def screen(views: Views) -> Floats:
         upright = -views.ahead * np.sign(views.up @ toward)
     upright = upright / np.linalg.norm(upright)
     return np.stack([np.cross(upright, toward), upright])
-
-
-def visible_points(views: Views, points: Indices) -> Flags:
-    """(p,) which of `points` at least one view sees."""
-    return np.asarray(views.visible[:, points].any(axis=0))
 
 
 def _directions(view: str, ahead: Floats, up: Floats, camera: Floats | None) -> Floats:

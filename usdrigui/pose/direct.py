@@ -38,7 +38,6 @@ from usdrigui.model import Flags, Floats, Indices, Layout, Record, Rig
 from usdrigui.pose.evaluate import checked_values
 from usdrigui.pose.fit import Lines, fit, lines
 from usdrigui.pose.reach import ends, paths_around, values_along
-from usdrigui.pose.reach import longest_paths as longest_paths
 from usdrigui.pose.subset import subset
 
 _CORRECTIONS = 2
