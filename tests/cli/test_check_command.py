@@ -1,26 +1,10 @@
 """`usdrigui check`: silent on a good layout, names each fault of a spoiled one by its code."""
 
 import json
-import shutil
 
-import pytest
-import skinned_stages
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
-
-
-@pytest.fixture(scope="module")
-def laid_out(tmp_path_factory):
-    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
-    assert main(["process", str(character), "--quiet"]) == 0
-    return character.parent
-
-
-@pytest.fixture
-def layer(laid_out, tmp_path):
-    shutil.copytree(laid_out, tmp_path / "asset")
-    return tmp_path / "asset" / "char.rigui.usda"
 
 
 def codes(layer, capsys, expected_exit=0, *options):

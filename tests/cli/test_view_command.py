@@ -1,28 +1,12 @@
 """`usdrigui view`: a page from a layer; what is wrong is said before anything opens."""
 
-import shutil
 import threading
 import urllib.request
 
-import pytest
-import skinned_stages
 from pxr import Usd, UsdGeom
 
 from usdrigui.cli import main
 from usdrigui.view import serve
-
-
-@pytest.fixture(scope="module")
-def laid_out(tmp_path_factory):
-    character = skinned_stages.character(tmp_path_factory.mktemp("view") / "char.usda")
-    assert main(["process", str(character), "--quiet"]) == 0
-    return character.parent
-
-
-@pytest.fixture
-def layer(laid_out, tmp_path):
-    shutil.copytree(laid_out, tmp_path / "asset")
-    return tmp_path / "asset" / "char.rigui.usda"
 
 
 def test_writes_one_page(layer, tmp_path):
