@@ -1,0 +1,73 @@
+"""The command line: the only place that prints or chooses an exit code.
+
+`main` parses, calls one function per command and turns every outcome into one closing verdict line.
+Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+
+from usdrigui import __version__
+from usdrigui.cli.attaching import add_attach, add_detach
+from usdrigui.cli.laying_out import add_inspect, add_process
+from usdrigui.cli.many import add_batch, add_openjd
+from usdrigui.cli.outcomes import broken, prepare_streams, refused
+from usdrigui.cli.reviewing import add_check, add_diff
+from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
+from usdrigui.errors import Exit, RigUIError, refuse
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns its exit code (see `usdrigui.errors.Exit`)."""
+    arguments = _parser().parse_args(argv)
+    prepare_streams(machine=getattr(arguments, "json", False))
+    try:
+        return int(arguments.run(arguments))
+    except RigUIError as error:
+        refused(error, arguments)
+        return int(error.exit_code)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return int(Exit.FILE)
+    except KeyboardInterrupt:
+        stopped = refuse("INTERRUPTED", "", "stopped by the user before there was a result")
+        refused(stopped, arguments)
+        return int(stopped.exit_code)
+    except Exception as error:
+        return broken(error, arguments)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="usdrigui",
+        description="Automatic in-situ rig UI layouts for USD characters.",
+        epilog="Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a bug of ours.",
+    )
+    parser.add_argument("--version", action="version", version=f"usdrigui {__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    add_process(commands)
+    add_inspect(commands)
+    add_check(commands)
+    add_diff(commands)
+    add_view(commands)
+    add_picture(commands)
+    add_flat_picker(commands)
+    add_batch(commands)
+    add_openjd(commands)
+    add_attach(commands)
+    add_detach(commands)
+    schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
+    schema.set_defaults(run=_schema_path)
+    return parser
+
+
+def _schema_path(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.usd.schema import schema_path
+
+    del arguments
+    print(schema_path())
+    return Exit.OK

@@ -1,0 +1,48 @@
+"""`attach` and `detach`: a layout among the sublayers of the asset itself."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+from usdrigui.cli.options import command, settings_of
+from usdrigui.cli.outcomes import say
+from usdrigui.errors import Exit
+
+
+def add_attach(commands: Any) -> None:
+    """Add ``attach`` to the commands."""
+    parser = command(commands, "attach", _attach, "put a bare layout layer among the sublayers of the asset itself")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`")
+
+
+def add_detach(commands: Any) -> None:
+    """Add ``detach`` to the commands."""
+    parser = command(commands, "detach", _detach, "take a layout layer out of the asset's sublayers again")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone")
+
+
+def _attach(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.usd.attach import attach
+
+    state = attach(arguments.asset, arguments.layer, settings_of(arguments))
+    return _edited(state, "is among its sublayers", arguments)
+
+
+def _detach(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.usd.attach import detach
+
+    state = detach(arguments.asset, arguments.layer, settings_of(arguments))
+    return _edited(state, "is not among its sublayers", arguments)
+
+
+def _edited(state: str, what: str, arguments: argparse.Namespace) -> Exit:
+    if arguments.json:
+        told = {"asset": str(arguments.asset), "layer": str(arguments.layer), "outcome": state, "exit": 0}
+        print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
+    say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)
+    return Exit.OK

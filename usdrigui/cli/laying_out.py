@@ -1,0 +1,111 @@
+"""`process` and `inspect`: from a character to its layout layer."""
+
+from __future__ import annotations
+
+import argparse
+import functools
+import sys
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from usdrigui.cli.options import add_settings, command, settings_of
+from usdrigui.cli.outcomes import Interruption, screen_of, strict
+from usdrigui.errors import Exit
+
+if TYPE_CHECKING:
+    from usdrigui import report, terminal
+
+
+def add_process(commands: Any) -> None:
+    """Add ``process`` to the commands."""
+    parser = command(commands, "process", _process, "lay out a character and write the layer beside it")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
+    parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
+    parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
+    parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")
+    parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
+    parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
+    parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
+    parser.add_argument("--bare", action="store_true", help="leave CHAR out of the layer's sublayers")
+    parser.add_argument("--openjd", action="store_true", help="print progress as Open Job Description asks for it")
+    add_settings(parser)
+
+
+def add_inspect(commands: Any) -> None:
+    """Add ``inspect`` to the commands."""
+    parser = command(commands, "inspect", _inspect, "list the controls without solving")
+    parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    add_settings(parser)
+
+
+def _process(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+    from usdrigui.examples import ExampleLayers
+
+    settings = settings_of(arguments)
+    examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous, like=arguments.like)
+    screen = screen_of(arguments)
+    with Interruption() as interruption, _progress(screen, arguments) as shown:
+
+        def watch(event: pipeline.Event) -> None:
+            interruption.patient = event.can_stop
+            shown(event)
+
+        result = pipeline.process(
+            arguments.asset,
+            settings,
+            output=arguments.output,
+            dry_run=arguments.dry_run,
+            progress=watch,
+            stop=interruption.requested,
+            examples=examples,
+        )
+        arguments.layer_state = f"{result.outcome} {result.output}".rstrip()
+        written = _extras(result, arguments)
+    if arguments.json:
+        sys.stdout.write(report.to_json(result))
+    else:
+        screen.report(result, written)
+    return strict(result.issues, arguments)
+
+
+def _inspect(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import inspection, pipeline
+
+    settings = settings_of(arguments)
+    screen = screen_of(arguments)
+    with screen.progress() as shown:
+        found = pipeline.inspect(arguments.asset, settings, progress=shown)
+    if arguments.json:
+        sys.stdout.write(inspection.to_json(found))
+    else:
+        screen.inspection(found)
+    return strict(found.issues, arguments)
+
+
+def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> AbstractContextManager[terminal.Watch]:
+    if not arguments.openjd:
+        return screen.progress()
+    from usdrigui.clients import openjd
+
+    return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
+
+
+def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, ...]:
+    """Write the report and the picture that were asked for; one line for each."""
+    from usdrigui import pipeline, report
+
+    lines = []
+    if arguments.report is not None:
+        content = report.to_json(result).encode()
+        lines.append(f"{pipeline.write_file(content, arguments.report)} {arguments.report}")
+    if arguments.preview is not None:
+        from usdrigui.view import sheet
+
+        characters = [(each.rig, each.layout) for each in result.characters]
+        content = sheet.sheet_png(characters, labels=arguments.labels)
+        lines.append(f"{pipeline.write_file(content, arguments.preview)} {arguments.preview}")
+    return tuple(lines)

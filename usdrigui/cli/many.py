@@ -1,0 +1,111 @@
+"""`batch` and `openjd`: many characters, here or on a farm."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from usdrigui.cli.options import add_settings, command, passed_on, settings_digest
+from usdrigui.cli.outcomes import say, screen_of
+from usdrigui.errors import Exit
+
+if TYPE_CHECKING:
+    from usdrigui.clients.batch import jobs
+
+
+def add_batch(commands: Any) -> None:
+    """Add ``batch`` to the commands."""
+    parser = command(commands, "batch", _batch, "lay out many characters, each in a process of its own")
+    _add_assets(parser)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time")
+    parser.add_argument("--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead")
+    parser.add_argument("--timeout", type=float, default=0.0, metavar="SECONDS", help="end an asset that takes longer")
+    parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
+    parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
+    parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
+    add_settings(parser)
+
+
+def add_openjd(commands: Any) -> None:
+    """Add ``openjd`` to the commands."""
+    parser = command(commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)")
+    _add_assets(parser)
+    parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
+    add_settings(parser)
+
+
+def _add_assets(parser: Any) -> None:
+    parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
+    parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
+    parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
+
+
+def _batch(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients.batch import run, sheet
+
+    screen = screen_of(arguments)
+    jobs = _jobs(arguments)
+    address = arguments.dask
+    start = time.perf_counter()
+    with screen.batch_progress(len(jobs)) as shown:
+        rows = []
+        for row in run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs):
+            rows.append(row)
+            shown(row)
+    ordered = run.in_order(rows, jobs)
+    summary = run.Summary(ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs)
+    written = []
+    if arguments.sheet is not None:
+        written.append(f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet)} {arguments.sheet}")
+    if arguments.summary is not None:
+        written.append(f"{pipeline.write_file(run.to_json(summary).encode(), arguments.summary)} {arguments.summary}")
+    if arguments.json:
+        sys.stdout.write(run.to_json(summary))
+    else:
+        screen.batch(summary, written)
+    warned = arguments.strict and any(row.warnings for row in ordered)
+    return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)
+
+
+def _openjd(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients import openjd
+    from usdrigui.clients.batch import places
+
+    assets = places.find_assets(arguments.patterns)
+    pairs = [(asset, places.output_of(asset, assets, arguments.folder)) for asset in assets]
+    template = openjd.template(pairs, passed_on(arguments))
+    if arguments.output is None:
+        sys.stdout.write(template)
+        return Exit.OK
+    state = pipeline.write_file(template.encode(), arguments.output)
+    say(f"usdrigui: {state} {arguments.output}: {len(assets)} tasks", arguments)
+    return Exit.OK
+
+
+def _jobs(arguments: argparse.Namespace) -> list[jobs.Job]:
+    """One job per asset, each with the settings that its own configuration gives."""
+    from usdrigui.clients.batch import jobs, places
+
+    assets = places.find_assets(arguments.patterns)
+    threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
+    passed = (*passed_on(arguments), *threads)
+    found = []
+    for asset in assets:
+        output = places.output_of(asset, assets, arguments.folder)
+        picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
+        arguments.asset = asset
+        digest = settings_digest(arguments)
+        found.append(jobs.Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
+    del arguments.asset
+    return found
+
+
+def _threads_each(arguments: argparse.Namespace) -> int:
+    """Threads for each process, so that together they fill the machine; on a cluster one."""
+    return 1 if arguments.dask else max(1, (os.cpu_count() or 1) // max(1, arguments.jobs))

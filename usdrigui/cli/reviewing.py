@@ -1,0 +1,55 @@
+"""`check` and `diff`: what became of a layout, and how two differ."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from usdrigui.cli.options import add_settings, command, settings_of
+from usdrigui.cli.outcomes import screen_of, strict
+from usdrigui.errors import Exit
+
+
+def add_check(commands: Any) -> None:
+    """Add ``check`` to the commands."""
+    parser = command(commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
+    add_settings(parser)
+
+
+def add_diff(commands: Any) -> None:
+    """Add ``diff`` to the commands."""
+    parser = command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
+    parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
+    parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
+
+
+def _check(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+
+    screen = screen_of(arguments)
+    with screen.progress() as shown:
+        found = pipeline.check(arguments.layer, settings_of(arguments), progress=shown)
+    if arguments.json:
+        sys.stdout.write(report.review_json(found.layer, found.characters, found.issues))
+    else:
+        screen.review(found)
+    if any(each.severity == "error" for each in found.issues):
+        return Exit.REFUSED
+    return strict(found.issues, arguments)
+
+
+def _diff(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline, report
+    from usdrigui.settings import Settings
+
+    names = str(arguments.before), str(arguments.layer)
+    found, only_in_one = pipeline.differences(arguments.before, arguments.layer, Settings())
+    if arguments.json:
+        sys.stdout.write(report.difference_json(*names, found, only_in_one))
+    else:
+        screen_of(arguments).difference(*names, found, only_in_one)
+    differ = bool(only_in_one) or any(character.changes for character in found)
+    return Exit.REFUSED if arguments.strict and differ else Exit.OK

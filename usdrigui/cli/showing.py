@@ -1,0 +1,86 @@
+"""`view`, `picture` and `picker`: a layout for the eyes."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from usdrigui.cli.options import command, settings_of
+from usdrigui.cli.outcomes import say
+from usdrigui.errors import Exit, refuse
+
+
+def add_view(commands: Any) -> None:
+    """Add ``view`` to the commands."""
+    parser = command(commands, "view", _view, "pose the character in a browser by its layout")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
+    parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+
+
+def add_picture(commands: Any) -> None:
+    """Add ``picture`` to the commands."""
+    parser = command(commands, "picture", _picture, "draw a layout layer, or the character's animation under it")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="a .png, or a .gif that moves")
+    parser.add_argument("--labels", action="store_true", help="name the elements")
+    parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
+
+
+def add_flat_picker(commands: Any) -> None:
+    """Add ``picker`` to the commands."""
+    parser = command(commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
+    parser.add_argument("--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls")
+    parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
+
+
+def _view(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.pose import evaluate
+    from usdrigui.view import page, serve
+
+    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    for rig, layout in loaded.characters:
+        evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
+    html = page.page_html(loaded.characters, title=Path(arguments.layer).name)
+    if arguments.html:
+        state = pipeline.write_file(html.encode(), arguments.html)
+        say(f"usdrigui: {state} {arguments.html}", arguments)
+        return Exit.OK
+    serve.serve(html, open_browser=not arguments.no_browser, announce=lambda address: print(address, flush=True))
+    return Exit.OK
+
+
+def _picture(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.view import sheet
+
+    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    if arguments.output.suffix not in (".png", ".gif"):
+        raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
+    if arguments.output.suffix == ".gif":
+        content = sheet.film_gif(loaded.characters, frames=arguments.frames)
+    else:
+        content = sheet.sheet_png(loaded.characters, labels=arguments.labels)
+    state = pipeline.write_file(content, arguments.output)
+    say(f"usdrigui: {state} {arguments.output}", arguments)
+    return Exit.OK
+
+
+def _flat_picker(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+    from usdrigui.clients import picker
+
+    if arguments.svg is None and arguments.dwpicker is None:
+        raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
+    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    made = picker.picker(loaded.characters)
+    if arguments.svg is not None:
+        say(f"{pipeline.write_file(picker.to_svg(made).encode(), arguments.svg)} {arguments.svg}", arguments)
+    if arguments.dwpicker is not None:
+        content = picker.to_dwpicker(made, arguments.layer.name.partition(".")[0]).encode()
+        say(f"{pipeline.write_file(content, arguments.dwpicker)} {arguments.dwpicker}", arguments)
+    say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
+    return Exit.OK
