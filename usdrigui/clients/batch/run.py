@@ -10,7 +10,7 @@ import importlib
 import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -53,7 +53,9 @@ def run_local(jobs: Sequence[Job], workers: int) -> Iterator[Row]:
             yield future.result()
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
-        end_all()
+        while running := [each for each in futures if not each.done()]:
+            end_all()  # again and again: a job that was taken up just before may start its process just after
+            wait(running, timeout=0.05)
         pool.shutdown()
 
 
