@@ -116,10 +116,11 @@ def _variable(
     samples = np.stack([one, one * flip], axis=1) if mirrored else one[:, None]
     handles = samples[:, :, 0]
     copies = samples.shape[1]
-    cost = -settings.displacement_weight * copies * length[points] / typical
-    cost = cost + own_costs(samples, handles, overlap, width)
+    displacement = copies * length[points] / typical
+    cost = own_costs(samples, handles, overlap, width) - settings.displacement_weight * displacement
     free = np.isfinite(cost)
-    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), settings.beside_price * copies)
+    beside = settings.beside_price * copies
+    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), beside, displacement[free])
 
 
 def subdivided(rig: Rig) -> Rig:

@@ -29,7 +29,7 @@ def _element(generator: np.random.Generator, at: int, size: float, candidates: i
     samples = handles[:, :, None] + along[:, None] * generator.normal(0, 0.5, (count, copies, 1, 3))
     beside = float(generator.choice([np.inf, -0.2, 0.3]))
     cost = generator.uniform(-1, 0, count)
-    return Variable(f"v{at}", np.arange(count), cost, samples, handles, beside)
+    return Variable(f"v{at}", np.arange(count), cost, samples, handles, beside, -cost)
 
 
 def _explicit(generator: np.random.Generator, elements: tuple[Variable, ...]) -> tuple[ExtraPairs, ...]:
@@ -53,7 +53,7 @@ def crowd(seed: int, variables: int = 6, candidates: int = 40) -> LayoutProblem:
         handles[:, 0, :2] = generator.uniform(-2.5, 2.5, (candidates, 2))
         samples = handles[:, :, None] + np.linspace(0, 1, 5)[:, None] * generator.normal(0, 0.3, 3)
         cost = -np.exp(-np.square(handles[:, 0]).sum(axis=-1) / 8) * generator.uniform(0.8, 1.2)
-        elements.append(Variable(f"v{at}", np.arange(candidates), cost, samples, handles, 0.3))
+        elements.append(Variable(f"v{at}", np.arange(candidates), cost, samples, handles, 0.3, -cost))
     return LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), 1.0, 0.85)
 
 
@@ -69,6 +69,7 @@ def renumbered(problem: LayoutProblem, seed: int) -> LayoutProblem:
             cost=problem.variables[at].cost[labels[at]],
             samples=problem.variables[at].samples[labels[at]],
             handles=problem.variables[at].handles[labels[at]],
+            displacement=problem.variables[at].displacement[labels[at]],
         )
         for at in order
     )

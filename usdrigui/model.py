@@ -244,6 +244,22 @@ class Clip(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Glyph(Record):
+    """A curve or mesh that is drawn as an element's handle instead of the usual shape."""
+
+    name: str
+    """As the configuration names it."""
+    form: Literal["curve", "mesh"]
+    points: Floats
+    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a sphere of radius 1 about
+    the origin.  In `Element.glyph`: offsets from the handle's centre in the base pose; root space, scene units."""
+    counts: Indices
+    """(f,) points of each polyline or polygon."""
+    indices: Indices
+    """(sum of counts,) into `points`; polygons counter-clockwise from outside, polylines one after the other."""
+
+
+@dataclass(frozen=True, eq=False)
 class Rig(Record):
     """A character under one SkelRoot: everything the layout needs, and no USD object."""
 
@@ -263,6 +279,8 @@ class Rig(Record):
     left_off: tuple[LeftOff, ...]
     """Controls that the source has but the rig does not, and why."""
     issues: tuple[Issue, ...]
+    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
+    """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
 
     @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
@@ -457,6 +475,9 @@ class Variable(Record):
     """(R, copies, 3) where the handle rests."""
     beside: float
     """Linear cost of label -1; +inf when the element must stay on the face."""
+    displacement: Floats
+    """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective: part of `cost`
+    already; a weight for those who sample candidates."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -591,6 +612,8 @@ class Element(Record):
     reason: str
     """Why it stands beside the face or shares an element; else empty."""
     adapt: Literal["deform", "static"] = "deform"
+    glyph: Glyph | None = None
+    """Drawn as its handle; None for the usual shape."""
 
 
 @dataclass(frozen=True, eq=False)

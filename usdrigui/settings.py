@@ -41,6 +41,11 @@ class ControlSettings:
     anchor: str = ""
     """``MESH_PATH#POINT``: fixed anchor of a partial layout."""
     adapt: Literal["", "deform", "static"] = ""
+    glyph: str = ""
+    """Curve or mesh to draw as its handle: ``/PRIM`` of the asset, or ``FILE</PRIM>`` with a file named from the
+    asset's folder. The stage's up axis comes out of the face."""
+    glyph_size: float = 1.0
+    """Diameter of the glyph in handle widths; 0 makes it as long as the element's track."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,6 +231,9 @@ class SolveSettings:
     """MiB that the solver may plan to use."""
     clusters: int = 1
     """Paper: o. Only for the method ``paper``."""
+    linkage: Literal["single", "sum"] = "single"
+    """Distance of two clusters: ``single`` that of their nearest controls, ``sum`` the total over all pairs of
+    candidates, as the paper's formula reads. Only for ``paper``."""
     sample: float = 1.0
     """Share of the candidates kept by weighted random sampling (paper section 4.2). Only for ``paper``."""
     seed: int = 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import fields, replace
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +17,6 @@ from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, save_problem, solve
-from usdrigui.solve.paper import clusters, sample
 
 
 def best_or_none(problem: LayoutProblem, method: str) -> float | None:
@@ -85,27 +84,6 @@ def test_paper_counts_explicit_costs_across_clusters() -> None:
         except RigUIError:
             continue
         assert found.cost == pytest.approx(total_cost(problem, found.labels))
-
-
-def test_clusters_part_what_lies_apart() -> None:
-    problem = crowd(0, variables=6, candidates=10)
-    far = np.array([100.0, 0.0, 0.0])
-    moved = tuple(
-        replace(each, handles=each.handles + far * (at % 2), samples=each.samples + far * (at % 2))
-        for at, each in enumerate(problem.variables)
-    )
-    assert clusters(replace(problem, variables=moved), 2) == [[0, 2, 4], [1, 3, 5]]
-    assert clusters(problem, 1) == [[0, 1, 2, 3, 4, 5]]
-
-
-def test_sampling_prefers_large_displacements_and_keeps_one_each() -> None:
-    problem = crowd(0, variables=2, candidates=400)
-    kept = sample(problem, [0, 1], 0.1, np.random.default_rng(0))
-    assert sum(map(len, kept)) in (80, 81)
-    for variable, labels in zip(problem.variables, kept, strict=True):
-        assert variable.cost[labels].mean() < variable.cost.mean()
-    tiny = sample(problem, [0, 1], 1e-6, np.random.default_rng(0))
-    assert [len(each) for each in tiny].count(0) == 0
 
 
 # --- enumeration, toulbar2 ---------------------------------------------------------------------------

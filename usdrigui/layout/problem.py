@@ -97,7 +97,7 @@ def _variable(
     separation: float,
 ) -> tuple[Variable, Choice]:
     for choice_of in (sets, {c: loosened(context, sets[c]) for controls in _copies(group) for c in controls}):
-        choice, cost = _labels(context, choice_of, index, group)
+        choice, cost, displacement = _labels(context, choice_of, index, group)
         samples, handles = _geometry(context, choice)
         cost = cost + own_costs(samples, handles, overlap, separation)
         kept = np.isfinite(cost)
@@ -109,7 +109,13 @@ def _variable(
     stays = any(context.said[c].place in ("face", "proxy") or context.said[c].anchor for c in group.controls)
     beside = settings.beside_price * len(choice.controls) if settings.beside_allowed and not stays else np.inf
     variable = Variable(
-        group.name, choice.anchors[:, 0], cost[kept] + stay, samples[kept], handles[kept], beside + leave
+        group.name,
+        choice.anchors[:, 0],
+        cost[kept] + stay,
+        samples[kept],
+        handles[kept],
+        beside + leave,
+        displacement[kept],
     )
     return variable, choice
 
@@ -128,27 +134,29 @@ def _copies(group: Group) -> tuple[tuple[int, ...], ...]:
     return (group.controls, *group.images)
 
 
-def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: Group) -> tuple[Choice, Floats]:
-    """Candidates that all members and all copies share, and their costs without the overlap.
+def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: Group) -> tuple[Choice, Floats, Floats]:
+    """Candidates that all members and all copies share, their costs without the overlap, and displacements.
 
     Displacement and linear costs are those of the worst member (paper section 3.3), summed over copies.
     """
     first = sets[group.controls[0]]
     choice = _with_copies(context, group, index, first.points, first.sources)
     weight = context.settings.objective.displacement_weight
-    cost = np.zeros(len(choice.anchors))
+    cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
-        worst = np.full(len(cost), -np.inf)
+        worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
         for control in controls:
             motion = context.trajectories.motions[sets[control].motion]
             reach = _displacements(context, motion, choice.sources[:, copy]) / _unit(context, motion)
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(reach > 0.0, linear - weight * reach, np.inf))
+            least = np.minimum(least, reach)
         cost += worst
+        displacement += least
     if own_mirror_image(context, group):
         away = off_plane(context, choice.anchors[:, 0])
         cost += away - away.min(initial=np.inf) if len(away) else away
-    return choice, cost
+    return choice, cost, displacement
 
 
 def _displacements(context: Context, motion: Motion, sources: Indices) -> Floats:

@@ -2,12 +2,13 @@
 
 Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without this package:
 
-    version              () 1
+    version              () 2
     names                (variables,) text
     overlap              (5,) maximum, radius, sharpness, reach, weight
     separation, unit_cost, beside
                          (), (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs
+    displacement_K       (R,) displacement, contained in the linear costs
     samples_K            (R, copies, u, 3)
     handles_K            (R, copies, 3)
     extra                (pairs, 2) variables of each set of explicit pair costs
@@ -27,7 +28,7 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
 
-VERSION = 1
+VERSION = 2
 
 
 def save_problem(path: Path, problem: LayoutProblem) -> None:
@@ -65,7 +66,7 @@ def load_problem(path: Path) -> LayoutProblem:
 
 
 _OVERLAP = ("maximum", "radius", "sharpness", "reach", "weight")
-_PER_VARIABLE = ("points", "cost", "samples", "handles")
+_PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
 
 
 def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:

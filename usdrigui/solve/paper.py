@@ -9,130 +9,114 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Variable
+from usdrigui.model import Assignment, ExtraPairs, Flags, Floats, Indices, LayoutProblem, Variable
 from usdrigui.overlap import pair_costs
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.blocks import all_labels
+from usdrigui.solve.clusters import clusters
 from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.watch import Watch
 
-PER_VARIABLE = 200
-"""Candidates of a variable whose distances stand for all when clusters are compared."""
+_NO_WEIGHT = 1e-9
+"""Weight of candidates that do not move as their viewer sees them: kept when nothing else is left."""
 
 
 def solve_by_clusters(problem: LayoutProblem, watch: Watch) -> Assignment:
-    """Place cluster after cluster, the largest first, each over a sample of its candidates, former ones fixed."""
-    generator = np.random.default_rng(watch.settings.seed)
+    """Place cluster after cluster, the largest first, each over a sample of its candidates.
+
+    Elements placed before are fixed: what they cost a later cluster's candidates is part of those candidates'
+    linear cost.  All clusters share one allowance of work and time, by their numbers of elements.  Raises
+    SOLVE_INFEASIBLE when former elements leave one without a place.
+    """
+    settings = watch.settings
+    generator = np.random.default_rng(settings.seed)
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
-    for cluster in clusters(problem, watch.settings.clusters):
-        kept = sample(problem, cluster, watch.settings.sample, generator)
-        part, labels = _restricted(problem, cluster, kept, placed, chosen)
-        solution = solve_whole(part, Watch(watch.settings, stop=watch.stopped))
-        for variable, mine, label in zip(cluster, labels, solution.labels, strict=True):
-            chosen[variable] = mine[label] if label >= 0 else -1
+    for cluster in clusters(problem, settings.clusters, settings.linkage):
+        priced = [_beside_placed(problem, at, placed, chosen) for at in cluster]
+        kept = sample([each.displacement for each in priced], settings.sample, generator, _allowed(priced))
+        part = _restricted(problem, cluster, priced, kept)
+        mine = watch.part(len(cluster) / (len(problem.variables) - len(placed)))
+        solution = solve_whole(part, mine)
+        watch.spend(mine.work)
+        watch.note("cluster", elements=len(cluster), labels=sum(map(len, kept)), cost=solution.cost, work=mine.work)
+        for variable, labels, label in zip(cluster, kept, solution.labels, strict=True):
+            chosen[variable] = labels[label] if label >= 0 else -1
         placed += cluster
     everything = all_labels(problem)
     watch.found("paper", bound=float(everything.best.sum()))
-    watch.note("paper", clusters=watch.settings.clusters, sample=watch.settings.sample)
+    watch.note("paper", clusters=settings.clusters, sample=settings.sample, work=watch.work)
     return assignment(problem, everything, chosen, watch, "paper")
 
 
-def clusters(problem: LayoutProblem, count: int) -> list[list[int]]:
-    """Partition of the variables into `count` clusters, largest first: the two of least distance are merged
-    until so many are left, the distance being the sum over all pairs of their candidates (section 4.2).
+def sample(
+    displacements: list[Floats], share: float, generator: np.random.Generator, allowed: list[Flags]
+) -> list[Indices]:
+    """Labels kept of each variable of a cluster, ascending: a random share of all that are allowed, without
+    replacement, displacement as weight (section 4.2, vertex down-sampling); of each variable one at least.
 
-    Distances are estimated from evenly chosen candidates, scaled to their numbers.
+    `displacements` and `allowed` hold (R,) per variable.
     """
-    members = [[at] for at in range(len(problem.variables))]
-    distance = _summed_distances(problem)
-    np.fill_diagonal(distance, np.inf)
-    while len(members) > max(count, 1):
-        a, b = sorted(divmod(int(distance.argmin()), len(members)))
-        distance[a] += distance[b]
-        distance[:, a] = distance[a]
-        distance[a, a] = np.inf
-        distance = np.delete(np.delete(distance, b, axis=0), b, axis=1)
-        members[a] += members.pop(b)
-    return sorted((sorted(each) for each in members), key=lambda each: (-len(each), each))
-
-
-def _summed_distances(problem: LayoutProblem) -> Floats:
-    """(variables, variables) sums of the distances between all candidates' handles (of copy 0)."""
-    spots = [each.handles[:: max(1, -(-len(each.cost) // PER_VARIABLE)), 0] for each in problem.variables]
-    found = np.zeros((len(spots), len(spots)))
-    for a, one in enumerate(spots):
-        for b in range(a):
-            if len(one) and len(spots[b]):
-                apart = np.linalg.norm(one[:, None] - spots[b][None], axis=-1).mean()
-                found[a, b] = apart * len(problem.variables[a].cost) * len(problem.variables[b].cost)
-    return found + found.T
-
-
-def sample(problem: LayoutProblem, cluster: list[int], share: float, generator: np.random.Generator) -> list[Indices]:
-    """Labels kept of each variable of a cluster: a random share of all, displacement as weight, one each at least."""
-    counts = [len(problem.variables[at].cost) for at in cluster]
+    labels = [np.flatnonzero(each) for each in allowed]
     if share >= 1.0:
-        return [np.arange(count) for count in counts]
-    owner = np.repeat(np.arange(len(cluster)), counts)
-    label = np.concatenate([np.arange(count) for count in counts])
-    weight = np.concatenate([np.maximum(-problem.variables[at].cost, 0.0) for at in cluster]) + 1e-9
+        return labels
+    owner = np.repeat(np.arange(len(labels)), [len(each) for each in labels])
+    weight = np.concatenate([np.zeros(0), *(d[each] for d, each in zip(displacements, labels, strict=True))])
     # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and Spirakis 2006).
-    key = generator.exponential(size=len(owner)) / weight
+    key = generator.exponential(size=len(owner)) / np.maximum(weight, _NO_WEIGHT)
     kept = np.zeros(len(owner), dtype=bool)
     kept[np.argsort(key, kind="stable")[: int(np.ceil(share * len(owner)))]] = True
-    for at in range(len(cluster)):
+    for at in range(len(labels)):
         mine = np.flatnonzero(owner == at)
         if len(mine) and not kept[mine].any():
             kept[mine[key[mine].argmin()]] = True
-    return [label[(owner == at) & kept] for at in range(len(cluster))]
+    return [each[kept[owner == at]] for at, each in enumerate(labels)]
+
+
+def _allowed(variables: list[Variable]) -> list[Flags]:
+    return [np.isfinite(each.cost) for each in variables]
+
+
+def _beside_placed(problem: LayoutProblem, at: int, placed: list[int], chosen: Indices) -> Variable:
+    """A variable whose linear costs hold what the elements already placed cost it; +inf where they forbid."""
+    variable = problem.variables[at]
+    labels = np.arange(len(variable.cost))
+    cost = variable.cost.copy()
+    for other in placed:
+        if chosen[other] >= 0:
+            cost += pair_costs(problem, at, other, labels, np.full(len(labels), chosen[other]))
+    for extra in problem.extra:
+        ends = {extra.first: extra.first_labels, extra.second: extra.second_labels}
+        other = extra.second if extra.first == at else extra.first
+        if at in ends and other in placed:
+            hit = ends[other] == chosen[other]
+            cost[ends[at][hit]] += extra.costs[hit]
+    return replace(variable, cost=cost)
 
 
 def _restricted(
-    problem: LayoutProblem, cluster: list[int], kept: list[Indices], placed: list[int], chosen: Indices
-) -> tuple[LayoutProblem, list[Indices]]:
-    """The problem of one cluster over the labels kept, and those that the placed elements leave possible."""
-    variables, labels = [], []
-    for at, mine in zip(cluster, kept, strict=True):
-        cost = problem.variables[at].cost[mine] + _against(problem, at, mine, placed, chosen)
-        free = np.isfinite(cost)
-        labels.append(mine[free])
-        variables.append(_with_labels(problem.variables[at], mine[free], cost[free]))
+    problem: LayoutProblem, cluster: list[int], variables: list[Variable], labels: list[Indices]
+) -> LayoutProblem:
+    """The problem of one cluster over the labels kept."""
+    kept = tuple(_with_labels(each, mine) for each, mine in zip(variables, labels, strict=True))
     place = {variable: at for at, variable in enumerate(cluster)}
     extra = tuple(
-        found
+        _extra_between(each, place[each.first], place[each.second], labels)
         for each in problem.extra
         if each.first in place and each.second in place
-        for found in [_extra_between(each, place[each.first], place[each.second], labels)]
     )
-    return replace(problem, variables=tuple(variables), extra=extra), labels
+    return replace(problem, variables=kept, extra=extra)
 
 
-def _with_labels(variable: Variable, labels: Indices, cost: Floats) -> Variable:
+def _with_labels(variable: Variable, labels: Indices) -> Variable:
     return replace(
         variable,
         points=variable.points[labels],
-        cost=cost,
+        cost=variable.cost[labels],
         samples=variable.samples[labels],
         handles=variable.handles[labels],
+        displacement=variable.displacement[labels],
     )
-
-
-def _against(problem: LayoutProblem, variable: int, labels: Indices, placed: list[int], chosen: Indices) -> Floats:
-    """(q,) pair costs of a variable's labels against the elements already placed."""
-    cost = np.zeros(len(labels))
-    for other in placed:
-        if chosen[other] < 0:
-            continue
-        cost += pair_costs(problem, variable, other, labels, np.full(len(labels), chosen[other]))
-        for extra in problem.extra:
-            ends = {extra.first: extra.first_labels, extra.second: extra.second_labels}
-            if set(ends) == {variable, other}:
-                hit = ends[other] == chosen[other]
-                price = np.zeros(len(problem.variables[variable].cost))
-                price[ends[variable][hit]] = extra.costs[hit]
-                cost += price[labels]
-    return cost
 
 
 def _extra_between(extra: ExtraPairs, first: int, second: int, labels: list[Indices]) -> ExtraPairs:

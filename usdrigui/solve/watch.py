@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from usdrigui.model import Step
 from usdrigui.settings import SolveSettings
+
+_NO_TIME = 1e-9
+"""A time limit that has run out; 0 would mean none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +66,17 @@ class Watch:
         """Wall time until the limit; inf without one."""
         limit = self.settings.time_limit
         return limit - self.seconds if limit > 0 else np.inf
+
+    def part(self, share: float) -> Watch:
+        """A watch over a share of what is left of the limits, for one of several problems solved in sequence.
+
+        Its work must be counted here with `spend` when it is done: what it leaves goes to those that follow.
+        """
+        left = max(0, self.settings.work_limit - self.work)
+        limits = replace(self.settings, work_limit=int(share * left))
+        if self.settings.time_limit > 0:
+            limits = replace(limits, time_limit=max(share * self.seconds_left, _NO_TIME))
+        return Watch(limits, stop=self.stopped)
 
     def spend(self, work: int) -> None:
         """Count work done."""

@@ -1,0 +1,77 @@
+"""Which controls are laid out together: the paper's clusters (section 4.2, rig parameter clustering)."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from scipy.cluster.hierarchy import cut_tree, linkage
+from scipy.spatial.distance import cdist, squareform
+
+from usdrigui.model import Floats, LayoutProblem, Variable
+
+Linkage = Literal["single", "sum"]
+
+PER_VARIABLE = 200
+"""Candidates of a variable whose distances stand for all when clusters are compared."""
+
+
+def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> list[list[int]]:
+    """Partition of the variables into `count` clusters (fewer where there are fewer variables), largest first.
+
+    Starting from one cluster per variable, the two of least distance are merged until `count` are left.  The
+    distance of two controls is taken over all pairs of their candidates, from handle to handle (section 4.2
+    allows that for speed).  ``single`` merges by the nearest pair of controls, whose distance is the mean, so
+    that a control with few candidates is not near everything; ``sum`` merges by the sum over all pairs of
+    candidates of both clusters, as printed.  Variables without candidates on the face touch nothing and go
+    with the first cluster.
+    """
+    placed = [at for at, each in enumerate(problem.variables) if len(each.cost)]
+    homeless = [at for at, each in enumerate(problem.variables) if not len(each.cost)]
+    if not placed:
+        return [homeless] if homeless else []
+    variables = [problem.variables[at] for at in placed]
+    count = min(count, len(placed))
+    parts = _by_nearest(variables, count) if method == "single" else _by_sums(variables, count)
+    found = sorted((sorted(placed[at] for at in part) for part in parts), key=lambda each: (-len(each), each))
+    return [sorted(found[0] + homeless), *found[1:]]
+
+
+def _by_nearest(variables: list[Variable], count: int) -> list[list[int]]:
+    """Single linkage: the distance of clusters is that of their nearest members."""
+    if len(variables) == 1:
+        return [[0]]
+    tree = linkage(squareform(_mean_distances(variables), checks=False), method="single")
+    label = cut_tree(tree, n_clusters=count)[:, 0]
+    return [[int(at) for at in np.flatnonzero(label == each)] for each in range(count)]
+
+
+def _by_sums(variables: list[Variable], count: int) -> list[list[int]]:
+    """The printed formula: the distance of clusters is the sum over all pairs of their candidates."""
+    sizes = np.array([len(each.cost) for each in variables], dtype=np.float64)
+    distance = _mean_distances(variables) * np.outer(sizes, sizes)
+    np.fill_diagonal(distance, np.inf)
+    members = [[at] for at in range(len(variables))]
+    while len(members) > count:
+        a, b = sorted(divmod(int(distance.argmin()), len(members)))
+        distance[a] += distance[b]
+        distance[:, a] = distance[a]
+        distance[a, a] = np.inf
+        distance = np.delete(np.delete(distance, b, axis=0), b, axis=1)
+        members[a] += members.pop(b)
+    return members
+
+
+def _mean_distances(variables: list[Variable]) -> Floats:
+    """(variables, variables) mean distance between the candidates' handles, of the nearest two copies.
+
+    Estimated from evenly chosen candidates.
+    """
+    spots = [each.handles[:: -(-len(each.cost) // PER_VARIABLE)] for each in variables]
+    found = np.zeros((len(spots), len(spots)))
+    for a, one in enumerate(spots):
+        for b, other in enumerate(spots[:a]):
+            found[a, b] = min(
+                cdist(one[:, i], other[:, j]).mean() for i in range(one.shape[1]) for j in range(other.shape[1])
+            )
+    return found + found.T
