@@ -2,9 +2,11 @@
 
     python benchmarks/ablation.py [ASSET ...] [--rows WORD...] [--seconds 60] [--folder DIR]
 
-Up to three assets; without one the sample character.  The rows follow the figures of Kim & Singh 2021:
-random, peak only, overlap only, centroid of influence and full (figure 6); lambda 1, 0.85, 0.4 (figure 9);
-100, 20, 5, 0.5 % of the candidates (figure 10); 1, 2, 4, 6 clusters (figure 11).
+Up to three assets; without one the sample character.  Every row is printed as soon as it is there; the folder
+gets ``ablation_NAME.csv`` and ``ablation_NAME.md`` (rewritten row by row, so that a run cut short leaves what
+it has) and ``ablation_NAME.png``.  The rows follow the figures of Kim & Singh 2021: random, peak only, overlap
+only, centroid of influence and full (figure 6); lambda 1, 0.85, 0.4 (figure 9); 100, 20, 5, 0.5 % of the
+candidates (figure 10); 1, 2, 4, 6 clusters by single linkage, and two by the printed sum (figure 11).
 
 All rows choose among the candidates of the full problem, and every cost is the default objective's, except
 that handles nearer than a handle's width cost no more than their overlap: ``nearest`` (handle widths) tells
@@ -17,8 +19,10 @@ left the face.  Seconds are of choosing alone.
 from __future__ import annotations
 
 import argparse
+import csv
+import io
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -32,6 +36,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.pipeline import Posed, posed
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import solve
+from usdrigui.solve.clusters import Linkage
 from usdrigui.usd.child import read_rigs_isolated
 from usdrigui.view.picture import contact_sheet, render
 
@@ -64,13 +69,23 @@ def main() -> None:
     arguments = _arguments()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for asset in arguments.assets:
-        settings = load({"solve": {"time_limit": arguments.seconds}})
-        ready = posed(read_rigs_isolated(asset, settings).rigs[0], settings)
-        rows = ablation(ready, arguments.rows)
-        print(table(asset.stem, rows), flush=True)
-        target = arguments.folder / f"ablation_{asset.stem}.png"
-        picture(ready, rows).save(target)
-        print(target)
+        compare(asset, arguments.rows, arguments.seconds, arguments.folder)
+
+
+def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None:
+    """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and picture."""
+    settings = load({"solve": {"time_limit": seconds}})
+    ready = posed(read_rigs_isolated(asset, settings).rigs[0], settings)
+    print(head(asset.stem), flush=True)
+    rows: list[Row] = []
+    for row in ablation(ready, words):
+        print(line(row), flush=True)
+        rows = sorted([*rows, row], key=lambda each: ORDER.index((each.figure, each.name)))
+        (folder / f"ablation_{asset.stem}.csv").write_text(as_csv(rows), encoding="utf-8")
+        (folder / f"ablation_{asset.stem}.md").write_text(as_markdown(rows), encoding="utf-8")
+    target = folder / f"ablation_{asset.stem}.png"
+    picture(ready, rows).save(target)
+    print(target, flush=True)
 
 
 def _arguments() -> argparse.Namespace:
@@ -85,19 +100,18 @@ def _arguments() -> argparse.Namespace:
     return arguments
 
 
-def ablation(ready: Posed, words: list[str] | None = None) -> list[Row]:
-    """The rows of one character, in the order of the figures; the full row is always made, for its bound."""
+def ablation(ready: Posed, words: list[str] | None = None) -> Iterator[Row]:
+    """The rows of one character as they are made; the full row comes first and always, for its bound."""
     limits = ready.context.settings.solve
     start = time.perf_counter()
     full = solve(ready.problem, limits)
-    rows = [_row(ready, "6", "full", full.labels, full.bound, time.perf_counter() - start)]
+    yield _row(ready, *FULL, full.labels, full.bound, time.perf_counter() - start)
     for figure, name, rule in RULES:
         if words and not any(word in f"figure {figure}: {name}" for word in words):
             continue
         start = time.perf_counter()
         labels = rule(ready, limits)
-        rows.append(_row(ready, figure, name, labels, full.bound, time.perf_counter() - start))
-    return sorted(rows, key=lambda row: int(row.figure))
+        yield _row(ready, figure, name, labels, full.bound, time.perf_counter() - start)
 
 
 # --- the rules ---------------------------------------------------------------------------------------
@@ -143,11 +157,12 @@ def by_weight(weight: float) -> Rule:
     return rule
 
 
-def by_paper(share: float, clusters: int) -> Rule:
+def by_paper(share: float, clusters: int, linkage: Linkage = "single") -> Rule:
     """The paper's reductions: a share of the candidates, clusters in sequence (figures 10 and 11)."""
 
     def rule(ready: Posed, limits: SolveSettings) -> Indices:
-        return solve(ready.problem, replace(limits, method="paper", sample=share, clusters=clusters)).labels
+        reduced = replace(limits, method="paper", sample=share, clusters=clusters, linkage=linkage)
+        return solve(ready.problem, reduced).labels
 
     return rule
 
@@ -163,7 +178,11 @@ RULES: tuple[tuple[str, str, Rule], ...] = (
         ("11", f"{clusters} clusters" if clusters > 1 else "1 cluster", by_paper(1.0, clusters))
         for clusters in (1, 2, 4, 6)
     ),
+    ("11", "2 clusters by sums", by_paper(1.0, 2, "sum")),
 )
+FULL = ("6", "full")
+ORDER = [(figure, name) for figure, name, _ in RULES[:4]] + [FULL] + [(figure, name) for figure, name, _ in RULES[4:]]
+"""Figure and name of all rows as tables list them."""
 
 
 def displacement_costs(ready: Posed) -> list[Floats]:
@@ -261,17 +280,49 @@ def displacement_kept(ready: Posed, labels: Indices) -> float:
 # --- output ------------------------------------------------------------------------------------------
 
 
-def table(name: str, rows: list[Row]) -> str:
-    """The rows as text."""
-    head = f"{name:>6} {'':28} {'cost':>10} {'bound':>10} {'above':>7} {'seconds':>8} {'nearest':>8} {'visible':>8}"
-    lines = [f"{head} {'kept':>7} {'beside':>6}"]
-    for row in rows:
-        above = (row.cost - row.bound) / max(abs(row.bound), 1e-12)
-        lines.append(
-            f"fig {row.figure:>2} {row.name:28} {row.cost:10.4f} {row.bound:10.4f} {above:7.1%} {row.seconds:8.2f}"
-            f" {row.nearest:8.2f} {row.visible:8.1%} {row.kept:7.1%} {row.beside:6d}"
-        )
-    return "\n".join(lines)
+COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "kept", "beside")
+
+
+def cells(row: Row) -> tuple[str, ...]:
+    """The figures of a row, in the order of `COLUMNS`."""
+    above = (row.cost - row.bound) / max(abs(row.bound), 1e-12)
+    return (
+        f"{row.cost:.4f}",
+        f"{row.bound:.4f}",
+        f"{above:.2%}",
+        f"{row.seconds:.2f}",
+        f"{row.nearest:.2f}",
+        f"{row.visible:.1%}",
+        f"{row.kept:.1%}",
+        f"{row.beside}",
+    )
+
+
+def head(name: str) -> str:
+    """First line of the printed table."""
+    return f"{name:34}" + "".join(f" {each:>9}" for each in COLUMNS)
+
+
+def line(row: Row) -> str:
+    """One printed row."""
+    return f"fig {row.figure:>2} {row.name:27}" + "".join(f" {each:>9}" for each in cells(row))
+
+
+def as_csv(rows: list[Row]) -> str:
+    """The rows as comma-separated values."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("figure", "row", *COLUMNS))
+    writer.writerows((row.figure, row.name, *cells(row)) for row in rows)
+    return text.getvalue()
+
+
+def as_markdown(rows: list[Row]) -> str:
+    """The rows as a Markdown table."""
+    ruler = "|".join(["---:", "---", *["---:"] * len(COLUMNS)])
+    lines = [f"| figure | row | {' | '.join(COLUMNS)} |", f"|{ruler}|"]
+    lines += [f"| {row.figure} | {row.name} | {' | '.join(cells(row))} |" for row in rows]
+    return "\n".join(lines) + "\n"
 
 
 def picture(ready: Posed, rows: list[Row]) -> Image.Image:

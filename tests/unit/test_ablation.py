@@ -1,8 +1,11 @@
 """The comparison of layouts with parts of the objective left out: rows on a small face, and their figures."""
 
+import csv
 import importlib.util
+import io
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import makers
 import numpy as np
@@ -25,8 +28,12 @@ def ablation():
 
 
 @pytest.fixture(scope="module")
-def rows(ablation):
-    ready = posed(makers.face(17, 21), load({"solve": {"threads": 1}, "objective": {"handle_size": 0.1}}))
+def ready():
+    return posed(makers.face(17, 21), load({"objective": {"handle_size": 0.1}}))
+
+
+@pytest.fixture(scope="module")
+def rows(ablation, ready):
     found = ablation.ablation(ready, ["random", "peak only", "centroid", "lambda 0.85", "20 %"])
     return {row.name: row for row in found}
 
@@ -49,7 +56,42 @@ def test_the_default_weight_is_the_full_layout(rows):
     assert rows["lambda 0.85"].cost == pytest.approx(rows["full"].cost, rel=2e-4)
 
 
-def test_the_table_has_a_line_for_every_row(ablation, rows):
-    lines = ablation.table("face", list(rows.values())).splitlines()
-    assert len(lines) == 1 + len(rows)
-    assert all(name in line for name, line in zip(rows, lines[1:], strict=True))
+def test_rows_come_one_by_one(ablation, ready, monkeypatch):
+    """Nothing of the second row is worked out before it is asked for."""
+
+    def never(*_):
+        raise AssertionError("too early")
+
+    monkeypatch.setattr(ablation, "RULES", [("6", "random", never)])
+    coming = ablation.ablation(ready)
+    first = next(coming)
+    assert (first.figure, first.name) == ablation.FULL
+    with pytest.raises(AssertionError, match="too early"):
+        next(coming)
+
+
+def test_the_tables_have_a_line_for_every_row(ablation, rows):
+    made = list(rows.values())
+    for lines in (ablation.as_csv(made).splitlines()[1:], ablation.as_markdown(made).splitlines()[2:]):
+        assert len(lines) == len(made)
+        assert all(name in line for name, line in zip(rows, lines, strict=True))
+    assert {len(ablation.line(row)) for row in made} == {len(ablation.head("face"))}
+    first = next(csv.DictReader(io.StringIO(ablation.as_csv(made))))
+    assert float(first["cost"]) == pytest.approx(made[0].cost, abs=1e-4)
+
+
+def test_every_row_has_its_place_in_the_table(ablation):
+    assert len(set(ablation.ORDER)) == len(ablation.RULES) + 1
+    assert {figure for figure, _ in ablation.ORDER} == {"6", "9", "10", "11"}
+
+
+def test_one_command_leaves_table_and_picture(ablation, ready, tmp_path, capsys, monkeypatch):
+    found = SimpleNamespace(rigs=(ready.context.rig,))
+    monkeypatch.setattr(ablation, "read_rigs_isolated", lambda *_: found)
+    ablation.compare(Path("face.usda"), ["random", "peak"], 2.0, tmp_path)
+    assert sorted(each.name for each in tmp_path.iterdir()) == [f"ablation_face.{end}" for end in ("csv", "md", "png")]
+    table = csv.DictReader(io.StringIO((tmp_path / "ablation_face.csv").read_text()))
+    assert [row["row"] for row in table] == ["random", "peak only", "full"]
+    printed = capsys.readouterr().out.splitlines()
+    assert "full" in printed[1], "first come, first printed"
+    assert len(printed) == 5
