@@ -1,5 +1,8 @@
 """Faults crafted into blend shapes: found by our own checks and by UsdValidation, and repaired where that is safe."""
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 import skel_stages
@@ -111,6 +114,19 @@ def validators():
     found = registry.GetOrLoadValidatorsByName([f"{validation.NAME}:{kind}" for kind in kinds])
     assert len(found) == len(kinds)
     return usd_validation.ValidationContext(found)
+
+
+@pytest.mark.usefixtures("validators")
+def test_validators_can_be_registered_after_others_were_used():
+    late = (
+        "from pxr import UsdValidation\n"
+        "registry = UsdValidation.ValidationRegistry()\n"
+        "from usdrigui.usd import validation\n"
+        "validation.register(); validation.register()\n"
+        "names = [f'{validation.NAME}:{each}' for each in ('BlendShapes', 'ShapeWeights', 'Layouts')]\n"
+        "print(*[each.GetMetadata().doc != '' for each in registry.GetOrLoadValidatorsByName(names)])"
+    )
+    assert subprocess.check_output([sys.executable, "-c", late], text=True).split() == ["True"] * 3
 
 
 def test_a_sound_asset_is_silent(stage, validators):

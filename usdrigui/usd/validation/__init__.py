@@ -7,6 +7,7 @@ validators finds them; `register` makes them known to this process.
 
 from __future__ import annotations
 
+import importlib
 from pathlib import Path
 
 NAME = "usdrigui.usd.validation.tasks"
@@ -19,7 +20,10 @@ def plugin_path() -> Path:
 
 
 def register() -> None:
-    """Make the validators known to the USD of this process."""
-    from pxr import Plug
+    """Make the validators known to the USD of this process, even if it has looked for validators before."""
+    from pxr import Plug, UsdValidation
 
     Plug.Registry().RegisterPlugins(str(plugin_path()))
+    known = {each.name for each in UsdValidation.ValidationRegistry().GetAllValidatorMetadata()}
+    if f"{NAME}:Layouts" not in known:
+        importlib.import_module(NAME)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pxr import Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
+from pxr import Plug, Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
 
 from usdrigui.errors import Issue
 from usdrigui.usd import faults
@@ -54,13 +54,30 @@ def _repair(error: Any, target: Any, *_: Any) -> bool:
     return True
 
 
-_REGISTRY = UsdValidation.ValidationRegistry()
+def _register(kind: str, tasks: str, function: Any, **fixers: Any) -> None:
+    """One validator: as the plug-in that `plugInfo.json` describes, or else by its metadata alone.
+
+    A registry reads the metadata of plug-ins when it is made; what is known to it later must bring its own.
+    """
+    registry = UsdValidation.ValidationRegistry()
+    name = f"{NAME}:{kind}"
+    if name in {each.name for each in registry.GetAllValidatorMetadata()}:
+        getattr(registry, f"RegisterPlugin{tasks}Validator")(name, function, **fixers)
+        return
+    plugin = Plug.Registry().GetPluginWithName(NAME)
+    described = plugin.metadata["Validators"]
+    metadata = UsdValidation.ValidatorMetadata(
+        name=name, plugin=plugin, keywords=described["keywords"], doc=described[kind]["doc"]
+    )
+    getattr(registry, f"Register{tasks}Validator")(metadata, function, **fixers)
+
+
 _FIXER = UsdValidation.ValidationFixer(
     name="PairNamesAndTargets",
     description="Drop the pairs of name and target that UsdSkel ignores, and use the animation's order.",
     fixerImplFn=_repair,
     canApplyFn=_can_repair,
 )
-_REGISTRY.RegisterPluginPrimValidator(f"{NAME}:BlendShapes", _blend_shapes, fixers=[_FIXER])
-_REGISTRY.RegisterPluginPrimValidator(f"{NAME}:ShapeWeights", _shape_weights)
-_REGISTRY.RegisterPluginStageValidator(f"{NAME}:Layouts", _layouts)
+_register("BlendShapes", "Prim", _blend_shapes, fixers=[_FIXER])
+_register("ShapeWeights", "Prim", _shape_weights)
+_register("Layouts", "Stage", _layouts)
