@@ -282,6 +282,25 @@ _CODES: dict[str, Code] = {
     "UNITS_TYPE": Code(
         "warning", "metersPerUnit is not a double or not above zero.", "Author metersPerUnit as a positive double."
     ),
+    # --- glyphs ----------------------------------------------------------------------------------
+    "GLYPH_MISSING": Code(
+        "error",
+        "A glyph that the configuration names does not exist.",
+        "Correct the name: /PRIM for a prim of the asset, FILE</PRIM> for one of a file named from the asset's folder.",
+        Exit.USAGE,
+    ),
+    "GLYPH_TYPE": Code(
+        "error",
+        "A glyph is neither a Mesh nor BasisCurves.",
+        "Name a Mesh or BasisCurves, or convert the prim to one.",
+        Exit.USAGE,
+    ),
+    "GLYPH_EMPTY": Code(
+        "error",
+        "A glyph has no points, too many, or all of them at one place.",
+        "Give it a shape, of a thousand points at most.",
+        Exit.USAGE,
+    ),
     # --- settings --------------------------------------------------------------------------------
     "CONFIG_SYNTAX": Code("error", "The configuration is not valid TOML.", "Correct the line named.", Exit.USAGE),
     "CONFIG_UNKNOWN_KEY": Code(

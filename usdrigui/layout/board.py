@@ -13,6 +13,7 @@ from itertools import groupby
 
 import numpy as np
 
+from usdrigui.layout.glyphs import fitted_glyph
 from usdrigui.layout.names import common_label
 from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
@@ -126,21 +127,24 @@ def _element(
         place = place - frame[1] * _ROW * context.handle_width
     names = ["_".join(context.rig.controls[control].name for control in each.controls) for each in row]
     own = row.index(entry)
+    anchor, side = _anchor(context, carrier, place), _side(context, entry, own)
+    members = tuple(
+        _member(context, control, place, direction, len(entry.controls) == 1)
+        for control, direction in zip(entry.controls, _directions(entry.group, frame), strict=True)
+    )
     return Element(
         name=names[own],
         label=common_label([context.rig.controls[control].label for control in entry.controls]),
         kind=entry.group.kind,
-        members=tuple(
-            _member(context, control, place, direction, len(entry.controls) == 1)
-            for control, direction in zip(entry.controls, _directions(entry.group, frame), strict=True)
-        ),
+        members=members,
         opposed=entry.group.opposed,
-        anchor=_anchor(context, carrier, place),
-        side=_side(context, entry, own),
+        anchor=anchor,
+        side=side,
         mirror=names[1 - own] if len(row) == 2 else "",
         family=entry.family,
         reason=entry.reason,
         adapt=context.settings.output.adapt,
+        glyph=fitted_glyph(context, entry.controls, anchor, members, side == "right"),
     )
 
 

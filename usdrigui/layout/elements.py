@@ -6,6 +6,7 @@ import numpy as np
 
 from usdrigui.layout.board import Board, beside_elements
 from usdrigui.layout.fans import fan_order
+from usdrigui.layout.glyphs import fitted_glyph
 from usdrigui.layout.names import common_label
 from usdrigui.layout.problem import Choice, own_mirror_image
 from usdrigui.layout.symmetry import plane_distance
@@ -114,6 +115,8 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
         members, opposed = _ordered(
             group, tuple(_member(context, control, point, source) for control in controls), _normal(context, point)
         )
+        anchor, side = anchor_at(context, point), _side(context, group, point)
+        mirror = names[1 - copy] if len(names) == 2 else ""
         made.append(
             Element(
                 name=names[copy],
@@ -121,12 +124,13 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
                 kind=group.kind,
                 members=members,
                 opposed=opposed,
-                anchor=anchor_at(context, point),
-                side=_side(context, group, point),
-                mirror=names[1 - copy] if len(names) == 2 else "",
+                anchor=anchor,
+                side=side,
+                mirror=mirror,
                 family="",
                 reason=group.reason,
                 adapt=said.adapt or context.settings.output.adapt,
+                glyph=fitted_glyph(context, controls, anchor, members, bool(mirror) and side == "right"),
             )
         )
     return made

@@ -36,6 +36,8 @@ class PosedElement(Record):
     """(3,) where the handle would be if the element's own controls were at the base pose."""
     normal: Floats
     """(3,) unit; the direction in which the element faces."""
+    glyph: Floats
+    """(q, 3) points of the handle's glyph; none for the usual shape."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +148,11 @@ def _element(poser: Poser, index: int, whole: Posed, still: Posed, values: Float
         moves += _along(member.values, track, float(values[control])) - rests[-1]
     handle = rests[0] + moves if _detached(element) else whole.points[row]
     normal = element.anchor.normal @ np.linalg.pinv(carry).T
-    return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30))
+    glyph = np.zeros((0, 3))
+    if element.glyph is not None:
+        held = carry if _detached(element) else _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+        glyph = handle + element.glyph.points @ held
+    return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30), glyph)
 
 
 def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -> Posed:

@@ -66,6 +66,26 @@ class ReadResult(Record):
     """Every file that composed it, the asset first."""
 
 
+@dataclass(frozen=True, slots=True)
+class StandingPrim:
+    """One drawn prim of a layout that exists."""
+
+    root: str
+    """Of the character: its SkelRoot."""
+    path: str
+    element: str
+    """Name of the element."""
+    role: str
+    """``track``, ``area`` or ``handle``."""
+    controls: tuple[str, ...]
+    """RigUIControlAPI instances that a track shows; none for the only one."""
+    points: int
+    shapes: tuple[str, ...]
+    """``skel:blendShapes``."""
+    targets: tuple[str, ...]
+    """``skel:blendShapeTargets``."""
+
+
 @dataclass(frozen=True, eq=False)
 class LayoutsResult(Record):
     """What a layout layer holds."""
@@ -76,6 +96,7 @@ class LayoutsResult(Record):
     edited: Mapping[str, tuple[str, ...]]
     """By SkelRoot: names of the elements whose place or controls a stronger layer has changed."""
     sources: tuple[SourceFile, ...]
+    prims: tuple[StandingPrim, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

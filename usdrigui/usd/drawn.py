@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.model import Control, Element, Floats, Indices, Member, Record
+from usdrigui.model import Control, Element, Floats, Glyph, Indices, Member, Record
 from usdrigui.usd.carry import Carriage, Grip, Hold, PointShape
 
 _SIDE_SAMPLES = 7
@@ -39,6 +39,8 @@ class Drawn(Record):
     hold: Hold
     shapes: tuple[PointShape, ...]
     """Offsets (k, q, 3)."""
+    glyph: Glyph | None = None
+    """Of a handle that is not the usual ball: its polylines or polygons, instead of `faces`."""
 
 
 def drawn_parts(carriage: Carriage, element: Element, width: float) -> tuple[Drawn, ...]:
@@ -48,7 +50,7 @@ def drawn_parts(carriage: Carriage, element: Element, width: float) -> tuple[Dra
     """
     grip = carriage.grip(element)
     tracks = [_track(carriage, grip, member) for member in element.members]
-    handle = _follower(carriage, grip, width) if grip.deforms else _slider(carriage, grip, element, width)
+    handle = _follower(carriage, grip, element, width) if grip.deforms else _slider(carriage, grip, element, width)
     return (*tracks, *_area(carriage, grip, element), handle)
 
 
@@ -160,18 +162,27 @@ def _on_track(member: Member, value: float) -> Floats:
 # --- handles -----------------------------------------------------------------------------------------
 
 
-def _follower(carriage: Carriage, grip: Grip, width: float) -> Drawn:
+def _follower(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
     """The handle of an element on the skin: it has every shape and influence of the anchor."""
-    ball, faces = _ball()
-    points = grip.rest + 0.5 * width * ball @ grip.handle.inverse
-    shapes = tuple(_uniform(shape, len(ball)) for shape in grip.shapes)
+    around, faces = _form(element, width)
+    points = grip.rest + around @ grip.handle.inverse
+    shapes = tuple(_uniform(shape, len(around)) for shape in grip.shapes)
     base_points = (points + _blended(carriage, shapes)) @ grip.handle.base[:3] + grip.handle.base[3]
-    return Drawn("handle", (), np.zeros((len(ball), 0)), base_points, points, faces, grip.handle, shapes)
+    values = np.zeros((len(around), 0))
+    return Drawn("handle", (), values, base_points, points, faces, grip.handle, shapes, element.glyph)
+
+
+def _form(element: Element, width: float) -> tuple[Floats, Indices]:
+    """Points (q, 3) around a handle's centre in the base pose, and the faces of the usual ball."""
+    if element.glyph is not None:
+        return element.glyph.points, np.zeros((0, 3), dtype=np.int64)
+    ball, faces = _ball()
+    return 0.5 * width * ball, faces
 
 
 def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
     """The handle of an element that does not deform: its own controls' shapes take it along the tracks."""
-    ball, faces = _ball()
+    around, faces = _form(element, width)
     shapes: dict[int, PointShape] = {}
     for member in element.members:
         along = _along_track(carriage, grip, member)
@@ -179,10 +190,11 @@ def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> D
             shapes.setdefault(along.channel, along)
     now = _blended(carriage, tuple(shapes.values()))
     centre = grip.track.unposed(element.anchor.position[None])[0] - now
-    points = centre + 0.5 * width * ball @ grip.track.inverse
-    base_points = 0.5 * width * ball + element.anchor.position
-    spread = tuple(_uniform(shapes[channel], len(ball)) for channel in sorted(shapes))
-    return Drawn("handle", (), np.zeros((len(ball), 0)), base_points, points, faces, grip.track, spread)
+    points = centre + around @ grip.track.inverse
+    base_points = around + element.anchor.position
+    spread = tuple(_uniform(shapes[channel], len(around)) for channel in sorted(shapes))
+    values = np.zeros((len(around), 0))
+    return Drawn("handle", (), values, base_points, points, faces, grip.track, spread, element.glyph)
 
 
 def _along_track(carriage: Carriage, grip: Grip, member: Member) -> PointShape | None:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from pxr import Sdf, Vt
 
-from usdrigui.model import Element, Floats, Rig, Side
+from usdrigui.model import Element, Floats, Indices, Rig, Side
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Hold, PointShape
 from usdrigui.usd.drawn import Drawn
@@ -38,20 +39,20 @@ def author_part(
 
     `instances` gives the RigUIControlAPI instance of each control; `handle_width` is in scene units.
     """
-    is_curve = part.role == "track"
+    is_curve = part.role == "track" or (part.glyph is not None and part.glyph.form == "curve")
     api = schema.HANDLE if part.role == "handle" else schema.TRACK
     prim = author.prim(xform, name, "BasisCurves" if is_curve else "Mesh", (api, "SkelBindingAPI"))
     width = _TRACK_WIDTH * handle_width if is_curve else 0.0
     _author_points(prim, part, width)
     if is_curve:
-        _author_curve(prim, len(part.points), width)
+        _author_curves(prim, [len(part.points)] if part.glyph is None else part.glyph.counts, width)
     else:
         _author_faces(prim, part)
     author.put(prim, "primvars:displayColor", "color3f[]", [_COLOURS[element.side]], interpolation="constant")
     _author_binding(prim, rig, part.hold, len(part.points))
     _author_shapes(prim, rig, part.shapes)
     if part.role == "handle":
-        author.declare(prim, api, {"adapt": element.adapt})
+        _author_handle_api(prim, part, element)
     else:
         _author_track_api(prim, part, element, instances)
 
@@ -62,19 +63,30 @@ def _author_points(prim: Sdf.PrimSpec, part: Drawn, width: float) -> None:
     author.put(prim, "extent", "float3[]", [low, high])
 
 
-def _author_curve(prim: Sdf.PrimSpec, count: int, width: float) -> None:
+def _author_curves(prim: Sdf.PrimSpec, counts: Sequence[int] | Indices, width: float) -> None:
     author.put(prim, "type", "token", "linear", uniform=True)
-    author.put(prim, "curveVertexCounts", "int[]", [count])
+    author.put(prim, "curveVertexCounts", "int[]", counts)
     author.put(prim, "widths", "float[]", [width], interpolation="constant")
 
 
 def _author_faces(prim: Sdf.PrimSpec, part: Drawn) -> None:
-    author.put(prim, "faceVertexCounts", "int[]", np.full(len(part.faces), part.faces.shape[1]))
-    author.put(prim, "faceVertexIndices", "int[]", part.faces.ravel())
+    counts, indices = np.full(len(part.faces), part.faces.shape[1]), part.faces.ravel()
+    if part.glyph is not None:
+        counts, indices = part.glyph.counts, part.glyph.indices
+    author.put(prim, "faceVertexCounts", "int[]", counts)
+    author.put(prim, "faceVertexIndices", "int[]", indices)
     author.put(prim, "subdivisionScheme", "token", "none", uniform=True)
-    if part.role == "area":
+    if part.role == "area" or part.glyph is not None:
         author.put(prim, "doubleSided", "bool", True, uniform=True)
+    if part.role == "area":
         author.put(prim, "primvars:displayOpacity", "float[]", [_AREA_OPACITY], interpolation="constant")
+
+
+def _author_handle_api(prim: Sdf.PrimSpec, part: Drawn, element: Element) -> None:
+    said: dict[str, Any] = {"adapt": element.adapt}
+    if part.glyph is not None:
+        said |= {"glyph": part.glyph.name, "glyphOffsets": part.glyph.points}
+    author.declare(prim, schema.HANDLE, said)
 
 
 def _author_track_api(prim: Sdf.PrimSpec, part: Drawn, element: Element, instances: Mapping[str, str]) -> None:

@@ -93,7 +93,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
     with _kept_stages() as stages:
         rigs = read_rigs(path, settings)
-        stage = next(iter(stages.GetAllStages()))
+        stage = _stage_of(path, stages)
         cameras = _cameras(stage, rigs, settings.candidates.view)
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
         return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages()))
@@ -101,11 +101,13 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 def _layouts(path: Path) -> LayoutsResult:
     from usdrigui.usd.read_layout import edited_elements, read_layout, source_of
+    from usdrigui.usd.standing import standing_prims
 
     with _kept_stages() as stages:
         layouts = read_layout(path)
-        edited = edited_elements(next(iter(stages.GetAllStages())))
-        return LayoutsResult(layouts, source_of(path), edited, _sources(path, stages.GetAllStages()))
+        stage = next(iter(stages.GetAllStages()))
+        sources = _sources(path, stages.GetAllStages())
+        return LayoutsResult(layouts, source_of(path), edited_elements(stage), sources, standing_prims(stage))
 
 
 def _faults(path: Path) -> FaultsResult:
@@ -127,6 +129,12 @@ def _kept_stages() -> Iterator[Any]:
     cache = Usd.StageCache()
     with Usd.StageCacheContext(cache):
         yield cache
+
+
+def _stage_of(path: Path, stages: Any) -> Any:
+    """The stage of the asset itself, where others were opened beside it."""
+    own, found = os.path.realpath(path), stages.GetAllStages()
+    return next((each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own), found[0])
 
 
 def _sources(path: Path, stages: Iterable[Any]) -> tuple[SourceFile, ...]:
@@ -221,7 +229,8 @@ def _load() -> None:
     import usdrigui.usd.faults
     import usdrigui.usd.layer
     import usdrigui.usd.read_layout
-    import usdrigui.usd.rig  # noqa: F401
+    import usdrigui.usd.rig
+    import usdrigui.usd.standing  # noqa: F401
 
 
 def _own_memory() -> int:

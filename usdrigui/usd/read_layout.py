@@ -15,7 +15,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.errors import refuse
-from usdrigui.model import Anchor, Element, Floats, Layout, LeftOff, Member
+from usdrigui.model import Anchor, Element, Floats, Glyph, Indices, Layout, LeftOff, Member
 from usdrigui.usd import author, schema
 from usdrigui.usd.stage import open_stage
 
@@ -190,7 +190,7 @@ def _element(prim: Usd.Prim) -> Element:
         mirror=_element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
         family=str(get("family")),
         reason=str(get("reason")),
-        adapt=_adapt(prim),
+        **_handle(prim),
     )
 
 
@@ -265,11 +265,33 @@ def _anchor(prim: Usd.Prim) -> Anchor:
     )
 
 
-def _adapt(prim: Usd.Prim) -> Any:
+def _handle(prim: Usd.Prim) -> dict[str, Any]:
+    """What an element's handle says: whether it deforms, and its glyph."""
     for child in prim.GetAllChildren():
         if _has(child, schema.HANDLE):
-            return _value(child, schema.HANDLE, "adapt")
-    return author.properties(schema.HANDLE)["adapt"].fallback
+            return {"adapt": _value(child, schema.HANDLE, "adapt"), "glyph": _glyph(child)}
+    return {"adapt": author.properties(schema.HANDLE)["adapt"].fallback}
+
+
+def _glyph(handle: Usd.Prim) -> Glyph | None:
+    """The custom shape of a handle; None for the usual one."""
+    points = _floats(_value(handle, schema.HANDLE, "glyphOffsets")).reshape(-1, 3)
+    if not len(points):
+        return None
+    curve = handle.IsA(UsdGeom.BasisCurves)
+    counts = _indices(handle, "curveVertexCounts" if curve else "faceVertexCounts")
+    indices = np.arange(counts.sum()) if curve else _indices(handle, "faceVertexIndices")
+    least, most = indices.min(initial=0), indices.max(initial=-1)
+    if counts.min(initial=0) < 0 or counts.sum() != len(indices) or least < 0 or most >= len(points):
+        raise refuse("LAYOUT_INVALID", f"{handle.GetPath()}.rigUI:handle:glyphOffsets", "do not fit what is drawn")
+    name = str(_value(handle, schema.HANDLE, "glyph"))
+    return Glyph(name, "curve" if curve else "mesh", points, counts, indices)
+
+
+def _indices(prim: Usd.Prim, name: str) -> Indices:
+    attribute = prim.GetAttribute(name)
+    values = (attribute.Get() or ()) if attribute and attribute.GetTypeName() == Sdf.ValueTypeNames.IntArray else ()
+    return np.array(values, dtype=np.int64)
 
 
 def _drawn_width(scope: Usd.Prim) -> float:

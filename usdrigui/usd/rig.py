@@ -13,7 +13,7 @@ import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Channel, Clip, Control, Floats, Joint, LeftOff, Rig, RigMesh
+from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import Settings
 from usdrigui.usd.controls import (
     Draft,
@@ -26,6 +26,7 @@ from usdrigui.usd.controls import (
     unknown_joints,
     unknown_names,
 )
+from usdrigui.usd.glyphs import read_glyphs
 from usdrigui.usd.mesh import read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import metres_per_unit, read_ranges
@@ -56,8 +57,9 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
         if not roots:
             raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
         readings = [_guarded(root, settings) for root in roots]
+        glyphs = _guarded_glyphs(stage, path, settings)
     _check_names(readings, settings)
-    rigs = tuple(reading.rig for reading in readings if reading.rig.controls)
+    rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
     if not rigs:
         lost = [each for reading in readings for each in reading.rig.left_off]
         why = f"; left off: {lost[0].control} ({lost[0].reason})" if lost else ""
@@ -96,6 +98,13 @@ def _guarded(root: Usd.Prim, settings: Settings) -> _Reading:
         return _read(root, settings)
     except Tf.ErrorException as error:
         raise refuse("USD_ERROR", str(root.GetPath()), told(error)) from None
+
+
+def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[str, Glyph]:
+    try:
+        return read_glyphs(stage, path, settings)
+    except Tf.ErrorException as error:
+        raise refuse("USD_ERROR", str(path), told(error)) from None
 
 
 def _read(root: Usd.Prim, settings: Settings) -> _Reading:

@@ -51,6 +51,10 @@ class Mark(Record):
     handle_seen: bool
     fields: tuple[Floats, ...]
     """Closed outlines (k, 2) of what two neighbouring members span."""
+    outlines: tuple[Floats, ...] = ()
+    """Lines or faces (k, 3) of a custom handle, which then stands for the usual one."""
+    solid: bool = False
+    """True when the outlines are faces."""
 
 
 def colour_of(element: Element) -> Colour:
@@ -80,7 +84,17 @@ def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, h
         handle,
         bool(_seen(handle[None], depth, slack)[0]),
         fields,
+        _outlines(element, posed, camera),
+        element.glyph is not None and element.glyph.form == "mesh",
     )
+
+
+def _outlines(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+    """Lines, or faces from far to near, of a custom handle."""
+    if element.glyph is None:
+        return ()
+    parts = np.split(camera.project(posed.glyph)[element.glyph.indices], np.cumsum(element.glyph.counts)[:-1])
+    return tuple(sorted(parts, key=lambda part: float(part[:, 2].mean())))
 
 
 def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera) -> Image.Image:
@@ -90,7 +104,8 @@ def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera
     picture = _over(picture, _hidden(picture.size, ordered, radius), _FAINT)
     picture = _over(picture, _spans(picture.size, ordered), _FIELD)
     picture = _over(picture, _lines(picture.size, ordered, radius), 1.0)
-    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0)
+    enlarged = radius / max(0.5 * layout.handle_width * camera.scale, 1e-12)
+    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius, enlarged), 1.0)
 
 
 @cache
@@ -222,15 +237,31 @@ def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Im
     return layer
 
 
-def _knobs(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+def _knobs(size: tuple[int, int], marks: list[Mark], radius: float, enlarged: float) -> Image.Image:
     layer = _layer(size)
     for each in marks:
+        if each.outlines:
+            _glyph(ImageDraw.Draw(layer), each, enlarged)
+            continue
         ball = knob(each.form, each.colour, round(radius, 2))
         x, y = (round(float(value) * _FINE - ball.width / 2) for value in each.handle[:2])
         if -ball.width < x < layer.width and -ball.height < y < layer.height:
             box = (max(-x, 0), max(-y, 0), min(ball.width, layer.width - x), min(ball.height, layer.height - y))
             layer.alpha_composite(ball.crop(box), (max(x, 0), max(y, 0)))
     return layer
+
+
+def _glyph(pen: ImageDraw.ImageDraw, drawn: Mark, enlarged: float) -> None:
+    """A custom handle with a white rim, as much larger as small handles are drawn larger than they are."""
+    centre = drawn.handle[:2]
+    parts = [centre + enlarged * (part[:, :2] - centre) for part in drawn.outlines]
+    lines = [np.concatenate([part, part[:1]]) if drawn.solid else part for part in parts]
+    for width, ink in ((4.2, (*_WHITE, 255)), (2.0, (*_deep(drawn.colour), 255))):
+        for line in lines:
+            _stroke(pen, line, width, ink)
+    if drawn.solid:
+        for part in parts:
+            pen.polygon([(float(x) * _FINE, float(y) * _FINE) for x, y in part], fill=(*drawn.colour, 255))
 
 
 def _runs(track: Floats, wanted: Flags) -> list[Floats]:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.errors import refuse
-from usdrigui.model import Control, Drive, Element, Floats, Layout, Member, Rig, RigMesh, Shape, Skin
+from usdrigui.model import Control, Drive, Element, Floats, Glyph, Layout, Member, Rig, RigMesh, Shape, Skin
 from usdrigui.surface import triangles
 
 Json = dict[str, Any]
@@ -229,7 +229,16 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "family": element.family,
         "reason": element.reason,
         "static": element.adapt == "static",
+        "glyph": _glyph(element.glyph),
     }
+
+
+def _glyph(glyph: Glyph | None) -> Json | None:
+    """The outlines of a custom handle: offsets from its centre, and which of them make each line or face."""
+    if glyph is None:
+        return None
+    parts = np.split(glyph.indices, np.cumsum(glyph.counts)[:-1])
+    return {"points": _list(glyph.points), "parts": [part.tolist() for part in parts], "closed": glyph.form == "mesh"}
 
 
 def _member(element: Element, controls: dict[str, int], member: Member) -> Json:

@@ -48,6 +48,10 @@ export class Elements {
     const rests = element.members.map((member, m) => alongTrack(member.values, element.tracks[m], this.rest[member.control]));
     element.origin = rests[0];
     element.handle = detached || element.enlarged ? this.handleAt(element, values, rests) : this.deformer.trace(tracer);
+    if (element.glyph) {
+      const held = detached || !restInverse ? carry : matrix.multiply(restInverse, this.deformer.traceMap(tracer));
+      element.outline = element.glyph.points.map((point) => carried(point, [0, 0, 0], held, element.handle));
+    }
   }
 
   handleAt(element, values, rests) {

@@ -34,6 +34,7 @@ export class Overlay {
     const project = camera.projector(column);
     const perUnit = 1 / camera.pixelSize(column.height);
     const width = Math.min(MOST_HANDLE, Math.max(LEAST_HANDLE, session.elements.width * perUnit));
+    this.enlarged = width / (session.elements.width * perUnit);
     const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
     this.drawn = session.elements.list
       .filter((element) => !session.hidden.has(element.index))
@@ -60,7 +61,8 @@ export class Overlay {
       return this.screenTrack(element.members[m], track, project, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
     });
     const hidden = hides ? hides(handle) && mostlyCovered(tracks) : (before?.hidden ?? false);
-    return { element, handle, tracks, width, hidden, origin: project(element.origin) };
+    const outline = element.glyph && element.outline.map(project);
+    return { element, handle, tracks, width, hidden, outline, origin: project(element.origin) };
   }
 
   /** Corners of the drawn track between minimum and maximum, each with whether it is covered. */
@@ -207,7 +209,8 @@ export class Overlay {
     }
   }
 
-  drawHandle({ element, handle, width, hidden }) {
+  drawHandle(drawn) {
+    const { element, handle, width, hidden } = drawn;
     const { pen, session } = this;
     const strength = this.strength(element, hidden);
     if (strength <= 0 || handle[2] <= 0) return;
@@ -218,19 +221,48 @@ export class Overlay {
     const locked = element.members.every(({ control }) => session.locks.has(control));
     const radius = (width / 2) * (hover ? 1.22 : 1);
     pen.globalAlpha = strength;
-    pen.beginPath();
-    outline(pen, element.axes.length, x, y, radius);
-    pen.lineWidth = 4;
-    pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
-    pen.stroke();
-    pen.fillStyle = moved ? this.colour(element) : '#2a2d32';
-    pen.fill();
-    pen.lineWidth = selected ? 2.6 : 1.8;
-    pen.strokeStyle = selected ? '#ffffff' : this.colour(element);
-    pen.stroke();
+    const inside = moved ? this.colour(element) : '#2a2d32';
+    const rim = selected ? '#ffffff' : this.colour(element);
+    if (element.glyph) this.drawGlyph(drawn, inside, rim, (selected ? 2.6 : 1.8) + (moved ? 0.8 : 0), hover ? 1.22 : 1);
+    else {
+      pen.beginPath();
+      outline(pen, element.axes.length, x, y, radius);
+      pen.lineWidth = 4;
+      pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
+      pen.stroke();
+      pen.fillStyle = inside;
+      pen.fill();
+      pen.lineWidth = selected ? 2.6 : 1.8;
+      pen.strokeStyle = rim;
+      pen.stroke();
+    }
     if (locked) drawCross(pen, x, y, radius * 0.5, moved ? '#16181b' : this.colour(element));
     if (hover || selected) this.drawHalo(element, x, y, radius + 4.5, selected && !hover ? 0.35 : 0.7);
     pen.globalAlpha = 1;
+  }
+
+  /** A custom handle: lines, or faces within a rim; as much larger as small handles are drawn larger than they are. */
+  drawGlyph({ element, handle, outline: corners }, inside, rim, width, larger) {
+    const { pen } = this;
+    const { parts, closed } = element.glyph;
+    const enlarged = this.enlarged * larger;
+    const at = (corner) => [0, 1].map((axis) => handle[axis] + enlarged * (corners[corner][axis] - handle[axis]));
+    const paths = parts.map((part) => {
+      const path = new Path2D();
+      for (const corner of part) path.lineTo(...at(corner));
+      if (closed) path.closePath();
+      return path;
+    });
+    const stroke = (lineWidth, strokeStyle) => {
+      Object.assign(pen, { lineWidth, strokeStyle });
+      for (const path of paths) pen.stroke(path);
+    };
+    stroke(closed ? 2 * width + 2 : width + 2.2, 'rgba(15, 17, 20, 0.75)');
+    stroke(closed ? 2 * width : width, rim);
+    if (!closed) return;
+    pen.fillStyle = inside;
+    for (const path of paths) pen.fill(path);
+    stroke(0.7, inside);
   }
 
   drawHalo(element, x, y, radius, alpha) {

@@ -1,0 +1,164 @@
+"""Glyphs: curves and meshes that the configuration names to be drawn as handles.
+
+A glyph is drawn as its own stage shows it from above: the stage's up axis comes out of the face, its X axis
+points to the viewer's right.  Where it stands there and how large it is does not matter: it is centred and
+fitted into a sphere of radius 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from pxr import Sdf, Usd, UsdGeom
+
+from usdrigui.errors import RigUIError, refuse
+from usdrigui.model import Floats, Glyph, Indices
+from usdrigui.settings import Settings
+from usdrigui.usd.arrays import check_range, integers, value_at, vectors
+from usdrigui.usd.source import admit
+from usdrigui.usd.stage import open_stage
+
+_MOST_POINTS = 1000
+"""Every handle repeats each shape's offset for each of its points."""
+_STEPS = 6
+"""Straight pieces that stand for one piece of a cubic curve."""
+_TOP_VIEW: Mapping[str, tuple[tuple[int, int, int], ...]] = {
+    "Y": ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
+    "Z": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+}
+"""By up axis: what is to the right, up on the page, and towards the viewer who looks at it from above."""
+_CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
+    "bezier": ((1, 0, 0, 0), (-3, 3, 0, 0), (3, -6, 3, 0), (-1, 3, -3, 1)),
+    "bspline": ((1 / 6, 4 / 6, 1 / 6, 0), (-0.5, 0, 0.5, 0), (0.5, -1, 0.5, 0), (-1 / 6, 0.5, -0.5, 1 / 6)),
+    "catmullRom": ((0, 1, 0, 0), (-0.5, 0, 0.5, 0), (1, -2.5, 2, -0.5), (-0.5, 1.5, -1.5, 0.5)),
+}
+"""By basis: rows are the powers 0 to 3 of the parameter, columns the four control points."""
+
+
+def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, Glyph]:
+    """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
+
+    ``/PRIM`` is a prim of the asset, ``FILE</PRIM>`` one of another layer, whose path is relative to the
+    asset's folder.  Raises RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE, GLYPH_EMPTY, the code of an
+    array that cannot be right, and what opening FILE raises.
+    """
+    found: dict[str, Glyph] = {}
+    for control, said in settings.controls.items():
+        key = f'controls."{control}".glyph'
+        if not 0.0 <= said.glyph_size <= 1000.0:
+            raise refuse("CONFIG_VALUE", f"{key}_size", f"expected 0 to 1000 handle widths, got {said.glyph_size:g}")
+        if said.glyph and said.glyph not in found:
+            file, path = _address(key, said.glyph)
+            source = _opened(key, asset.parent / file, settings) if file else stage
+            prim = source.GetPrimAtPath(path)
+            if not prim or not prim.IsActive():
+                raise refuse("GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}")
+            found[said.glyph] = _glyph(prim, said.glyph)
+    return found
+
+
+def _address(key: str, text: str) -> tuple[str, str]:
+    """The file, empty for the asset itself, and the prim path that a setting names."""
+    file, bracket, path = text.removesuffix(">").partition("<") if text.endswith(">") else ("", "", text)
+    valid = Sdf.Path.IsValidPathString(path)[0] and Sdf.Path(path).IsAbsolutePath() and Sdf.Path(path).IsPrimPath()
+    if not valid or (bracket and not file):
+        raise refuse("CONFIG_VALUE", key, f"expected /PRIM or FILE</PRIM>, got {text!r}")
+    return file, path
+
+
+def _opened(key: str, path: Path, settings: Settings) -> Usd.Stage:
+    try:
+        admit(path, settings.read.size_limit)
+        return open_stage(path)
+    except RigUIError as error:
+        if error.issue.code != "FILE_NOT_FOUND":
+            raise
+        raise refuse("GLYPH_MISSING", key, f"{path.name} does not exist or cannot be read") from None
+
+
+def _glyph(prim: Usd.Prim, name: str) -> Glyph:
+    path = str(prim.GetPath())
+    if prim.IsA(UsdGeom.Mesh):
+        points, counts, indices = _mesh(UsdGeom.Mesh(prim), path)
+    elif prim.IsA(UsdGeom.BasisCurves):
+        points, counts, indices = _curves(UsdGeom.BasisCurves(prim), path)
+    else:
+        raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
+    if len(points) > _MOST_POINTS:
+        raise refuse("GLYPH_EMPTY", path, f"has {len(points)} points; a glyph has {_MOST_POINTS} at most")
+    form: Literal["curve", "mesh"] = "mesh" if prim.IsA(UsdGeom.Mesh) else "curve"
+    return Glyph(name, form, _fitted(prim, points, path), counts, indices)
+
+
+def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
+    """The points as seen from above, in a sphere of radius 1 about the origin."""
+    to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim), dtype=np.float64)
+    axes = np.array(_TOP_VIEW[str(UsdGeom.GetStageUpAxis(prim.GetStage()))], dtype=np.float64)
+    seen = (points @ to_world[:3, :3]) @ axes.T
+    centred = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+    radius = float(np.linalg.norm(centred, axis=1).max())
+    if not np.isfinite(radius):
+        raise refuse("NOT_FINITE", path, "its transform or its points are beyond all measure")
+    if radius <= 1e-12 * float(np.abs(seen).max()):
+        raise refuse("GLYPH_EMPTY", path, "all its points are at one place")
+    return np.asarray(centred / radius, dtype=np.float64)
+
+
+def _points(gprim: UsdGeom.PointBased, path: str) -> Floats:
+    points = vectors(value_at(gprim.GetPointsAttr(), Usd.TimeCode.Default()), path, "points").astype(np.float64)
+    if not len(points):
+        raise refuse("GLYPH_EMPTY", path, "has no points")
+    return points
+
+
+def _integers(attribute: Any, path: str) -> Indices:
+    return integers(value_at(attribute, Usd.TimeCode.Default()), path, str(attribute.GetName()))
+
+
+def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
+    points = _points(mesh, path)
+    counts, indices = _integers(mesh.GetFaceVertexCountsAttr(), path), _integers(mesh.GetFaceVertexIndicesAttr(), path)
+    if not len(counts) or counts.min() < 3 or counts.sum() != len(indices):
+        raise refuse("TOPOLOGY_INVALID", path, f"{len(counts)} faces with {len(indices)} corners")
+    check_range(indices, len(points), path, "faceVertexIndices")
+    if mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded:
+        indices = np.concatenate([face[::-1] for face in np.split(indices, np.cumsum(counts)[:-1])])
+    return points, counts, indices
+
+
+# --- curves ------------------------------------------------------------------------------------------
+
+
+def _curves(gprim: UsdGeom.BasisCurves, path: str) -> tuple[Floats, Indices, Indices]:
+    """Polylines for the curves; cubic ones in small straight pieces."""
+    points, counts = _points(gprim, path), _integers(gprim.GetCurveVertexCountsAttr(), path)
+    if not len(counts) or counts.min() < 2 or counts.sum() != len(points):
+        raise refuse("TOPOLOGY_INVALID", path, f"curves of {counts.tolist()[:9]} vertices for {len(points)} points")
+    basis = str(gprim.GetBasisAttr().Get()) if gprim.GetTypeAttr().Get() == UsdGeom.Tokens.cubic else ""
+    if basis and basis not in _CUBIC:
+        raise refuse("GLYPH_TYPE", path, f"has curves of the basis {basis!r}")
+    wrap = str(gprim.GetWrapAttr().Get())
+    lines = [_line(each, basis, wrap, path) for each in np.split(points, np.cumsum(counts)[:-1])]
+    lengths = np.array([len(line) for line in lines], dtype=np.int64)
+    return np.concatenate(lines), lengths, np.arange(lengths.sum(), dtype=np.int64)
+
+
+def _line(vertices: Floats, basis: str, wrap: str, path: str) -> Floats:
+    if not basis:
+        return np.concatenate([vertices, vertices[:1]]) if wrap == "periodic" else vertices
+    step = 3 if basis == "bezier" else 1
+    if wrap == "periodic":
+        vertices = np.concatenate([vertices, vertices[: 4 - step]])
+    elif wrap == "pinned" and step == 1:
+        # USD's own rule: phantom points that make the curve start and end in its end points.
+        ends = 2.0 * vertices[[0, -1]] - vertices[[1, -2]]
+        vertices = np.concatenate([ends[:1], vertices, ends[1:]])
+    if len(vertices) < 4 or (len(vertices) - 4) % step:
+        raise refuse("TOPOLOGY_INVALID", path, f"a cubic {basis} curve cannot have {len(vertices)} vertices")
+    firsts = np.arange(0, len(vertices) - 3, step)
+    powers = np.linspace(0.0, 1.0, _STEPS + 1)[:, None] ** np.arange(4)
+    pieces = np.einsum("tp,pc,kci->kti", powers, np.array(_CUBIC[basis]), vertices[firsts[:, None] + np.arange(4)])
+    return np.concatenate([pieces[:, :-1].reshape(-1, 3), pieces[-1, -1:]])
