@@ -15,14 +15,14 @@ const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp ag
 export class View {
   constructor(session) {
     this.session = session;
-    const canvas = make('canvas', { class: 'skin' });
     const marks = make('canvas', { class: 'marks' });
     this.tip = make('div', { class: 'tip', hidden: true });
     this.sides = [make('div', { class: 'side-tag' }), make('div', { class: 'side-tag' })];
     this.captions = make('div', { class: 'captions' });
     this.surface = make('div', { class: 'surface', tabIndex: 0, role: 'application', 'aria-label': 'Face: drag handles or skin' });
-    this.node = make('div', { class: 'view' }, canvas, marks, this.surface, this.captions, ...this.sides, this.tip);
-    this.stage = new Stage(canvas, session.character, session.deformer.points);
+    this.stage = new Stage(session.character, session.deformer.points, drawingAsked());
+    this.stage.onlost = () => this.changed('camera');
+    this.node = make('div', { class: 'view' }, this.stage.node, marks, this.surface, this.captions, ...this.sides, this.tip);
     this.overlay = new Overlay(marks, session);
     this.camera = new OrbitCamera(session.character.up, session.character.layout.view);
     this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
@@ -247,7 +247,7 @@ export class View {
     const controls = this.pointedControl ?? subjects.flatMap((element) => element.members.map(({ control }) => control));
     const list = Array.isArray(controls) ? controls : [controls];
     const wanted = session.options.heat && !busy && list.length;
-    this.stage.paint(wanted ? session.influence.ofControls(list) : null, null);
+    this.stage.paint(wanted ? session.influence.ofControls(list) : null);
   }
 
   /** Show the heat map of one control, whatever is hovered; null ends it. */
@@ -298,6 +298,12 @@ export class View {
   showInfluences(hit) {
     this.onInfluences?.(hit);
   }
+}
+
+/** 'webgl' or 'canvas' where the page's address insists on it: `#draw=canvas`. */
+function drawingAsked() {
+  const asked = new URLSearchParams(window.location.hash.slice(1)).get('draw');
+  return asked === 'webgl' || asked === 'canvas' ? asked : null;
 }
 
 export function sideName(side) {

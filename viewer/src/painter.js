@@ -1,0 +1,222 @@
+// The skin drawn by the processor, into a plain canvas: where there is no WebGL, or only one that is
+// software itself and takes several times as long (docs/decisions/074).  A depth buffer, colours at the
+// points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
+
+const BACKGROUND = 0xff24211f | 0; // alpha, blue, green, red
+const KEY = [-0.4, 0.52, 0.755];
+const FILL = [0.7, -0.05, 0.71];
+const EDGE = 1e-3; // pixels by which neighbours overlap, so that no gap opens between them
+
+export class Painter {
+  constructor(canvas, surface) {
+    this.canvas = canvas;
+    this.pen = canvas.getContext('2d', { alpha: false });
+    this.surface = surface;
+    this.resize(1, 1, 1);
+  }
+
+  resize(width, height, ratio) {
+    this.ratio = ratio;
+    this.canvas.width = Math.max(1, Math.round(width * ratio));
+    this.canvas.height = Math.max(1, Math.round(height * ratio));
+    this.image = this.pen.createImageData(this.canvas.width, this.canvas.height);
+    this.pixels = new Int32Array(this.image.data.buffer);
+    this.nearness = new Float32Array(this.pixels.length);
+  }
+
+  draw(columns, orbit, skinOf) {
+    this.pixels.fill(BACKGROUND);
+    this.nearness.fill(0);
+    for (const column of columns) {
+      const skin = skinOf(column);
+      if (!skin) continue;
+      this.project(skin.points, column, orbit);
+      this.light(skin, orbit);
+      this.fill(this.frameOf(column));
+    }
+    this.pen.putImageData(this.image, 0, 0);
+  }
+
+  /** Columns and rows of pixels that belong to a column of the picture: [left, top, right, bottom). */
+  frameOf({ left, top, width, height }) {
+    const { canvas, ratio } = this;
+    const inside = (value, most) => Math.min(most, Math.max(0, Math.round(value * ratio)));
+    return [
+      inside(left, canvas.width), inside(top, canvas.height),
+      inside(left + width, canvas.width), inside(top + height, canvas.height),
+    ];
+  }
+
+  /** Pixel and nearness (1 / depth, 0 behind the viewer) of every point. */
+  project(points, column, { position, right, above, towards, fieldDegrees }) {
+    const screen = (this.screen ??= new Float32Array(points.length));
+    const focal = (this.ratio * column.height) / (2 * Math.tan((fieldDegrees * Math.PI) / 360));
+    const cx = this.ratio * (column.left + column.width / 2) - 0.5;
+    const cy = this.ratio * (column.top + column.height / 2) - 0.5;
+    const [ex, ey, ez] = position;
+    const [rx, ry, rz] = right;
+    const [ax, ay, az] = above;
+    const [tx, ty, tz] = towards;
+    for (let i = 0; i < points.length; i += 3) {
+      const x = points[i] - ex;
+      const y = points[i + 1] - ey;
+      const z = points[i + 2] - ez;
+      const depth = -(x * tx + y * ty + z * tz);
+      const near = depth > 1e-9 ? 1 / depth : 0;
+      screen[i] = cx + (x * rx + y * ry + z * rz) * near * focal;
+      screen[i + 1] = cy - (x * ax + y * ay + z * az) * near * focal;
+      screen[i + 2] = near;
+    }
+  }
+
+  /** Colour of every point, 0 to 255: two lights that stay with the camera, and the heat map. */
+  light({ points, normals, paint, colour }, { position, right, above, towards }) {
+    const colours = (this.colours ??= new Float32Array(points.length));
+    const [rx, ry, rz] = right;
+    const [ax, ay, az] = above;
+    const [tx, ty, tz] = towards;
+    for (let i = 0, p = 0; i < points.length; i += 3, p += 4) {
+      const length = Math.sqrt(normals[i] * normals[i] + normals[i + 1] * normals[i + 1] + normals[i + 2] * normals[i + 2]);
+      const scale = length > 0 ? 1 / length : 0;
+      let x = scale * (normals[i] * rx + normals[i + 1] * ry + normals[i + 2] * rz);
+      let y = scale * (normals[i] * ax + normals[i + 1] * ay + normals[i + 2] * az);
+      let z = scale * (normals[i] * tx + normals[i + 1] * ty + normals[i + 2] * tz);
+      if (z < 0.1 && inside(normals, points, i, scale, position)) {
+        x = -x;
+        y = -y;
+        z = -z;
+      }
+      const key = Math.max(0, x * KEY[0] + y * KEY[1] + z * KEY[2]);
+      const fill = Math.max(0, x * FILL[0] + y * FILL[1] + z * FILL[2]);
+      const sky = 0.5 + 0.5 * y;
+      const edge = 1 - Math.abs(z);
+      const rim = edge * edge * edge * 0.035;
+      const base = paint[p] > 2 ? heated(paint[p] / 255, colour) : colour;
+      colours[i] = 254.5 * Math.min(1, base[0] * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
+      colours[i + 1] = 254.5 * Math.min(1, base[1] * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
+      colours[i + 2] = 254.5 * Math.min(1, base[2] * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
+    }
+  }
+
+  /** All triangles that face the viewer (or have two sides) into the pixels of `frame`. */
+  fill(frame) {
+    const { screen } = this;
+    const { triangles, facing } = this.surface;
+    const [left, top, right, bottom] = frame;
+    for (let t = 0, k = 0; t < triangles.length; t += 3, k++) {
+      const a = 3 * triangles[t];
+      const b = 3 * triangles[t + 1];
+      const c = 3 * triangles[t + 2];
+      const ux = screen[b] - screen[a];
+      const uy = screen[b + 1] - screen[a + 1];
+      const vx = screen[c] - screen[a];
+      const vy = screen[c + 1] - screen[a + 1];
+      const area = ux * vy - uy * vx; // negative where the corners run counter-clockwise on the screen
+      if (facing[k] * area > 0 || area === 0) continue;
+      if (screen[a + 2] === 0 || screen[b + 2] === 0 || screen[c + 2] === 0) continue;
+      const x0 = Math.max(left, Math.ceil(Math.min(screen[a], screen[b], screen[c])));
+      const x1 = Math.min(right - 1, Math.floor(Math.max(screen[a], screen[b], screen[c])));
+      if (x0 > x1) continue;
+      const y0 = Math.max(top, Math.ceil(Math.min(screen[a + 1], screen[b + 1], screen[c + 1])));
+      const y1 = Math.min(bottom - 1, Math.floor(Math.max(screen[a + 1], screen[b + 1], screen[c + 1])));
+      if (y0 <= y1) this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
+    }
+  }
+
+  /**
+   * One triangle over the pixels x0..x1, y0..y1, row by row: what lies between its edges, with nearness
+   * and colour (in 1/65536) growing linearly along the row.
+   */
+  triangle(a, b, c, unit, x0, x1, y0, y1) {
+    const { screen, colours, pixels, nearness } = this;
+    const wide = this.canvas.width;
+    // Weights of b and c, and what is left for a, at the first pixel and their growth to the right and down.
+    const bx = (screen[c + 1] - screen[a + 1]) * unit;
+    const by = (screen[a] - screen[c]) * unit;
+    const cx = (screen[a + 1] - screen[b + 1]) * unit;
+    const cy = (screen[b] - screen[a]) * unit;
+    const ax = -bx - cx;
+    const ay = -by - cy;
+    const perB = -1 / bx;
+    const perC = -1 / cx;
+    const perA = -1 / ax;
+    let wb = (x0 - screen[a]) * bx + (y0 - screen[a + 1]) * by;
+    let wc = (x0 - screen[a]) * cx + (y0 - screen[a + 1]) * cy;
+    let wa = 1 - wb - wc;
+    const near = screen[a + 2];
+    const nearB = screen[b + 2] - near;
+    const nearC = screen[c + 2] - near;
+    const nearX = bx * nearB + cx * nearC;
+    const red = 65536 * colours[a];
+    const green = 65536 * colours[a + 1];
+    const blue = 65536 * colours[a + 2];
+    const redB = 65536 * colours[b] - red;
+    const greenB = 65536 * colours[b + 1] - green;
+    const blueB = 65536 * colours[b + 2] - blue;
+    const redC = 65536 * colours[c] - red;
+    const greenC = 65536 * colours[c + 1] - green;
+    const blueC = 65536 * colours[c + 2] - blue;
+    const redX = (bx * redB + cx * redC) | 0;
+    const greenX = (bx * greenB + cx * greenC) | 0;
+    const blueX = (bx * blueB + cx * blueC) | 0;
+    const last = x1 - x0;
+    for (let row = y0 * wide + x0, end = y1 * wide + x0; row <= end; row += wide, wa += ay, wb += by, wc += cy) {
+      let from = 0;
+      let to = last;
+      if (bx > 0) from = Math.max(from, wb * perB - EDGE);
+      else if (bx < 0) to = Math.min(to, wb * perB + EDGE);
+      else if (wb < 0) continue;
+      if (cx > 0) from = Math.max(from, wc * perC - EDGE);
+      else if (cx < 0) to = Math.min(to, wc * perC + EDGE);
+      else if (wc < 0) continue;
+      if (ax > 0) from = Math.max(from, wa * perA - EDGE);
+      else if (ax < 0) to = Math.min(to, wa * perA + EDGE);
+      else if (wa < 0) continue;
+      if (from > to) continue;
+      const first = Math.ceil(from);
+      const shareB = wb + first * bx;
+      const shareC = wc + first * cx;
+      let n = near + shareB * nearB + shareC * nearC;
+      let r = (red + shareB * redB + shareC * redC) | 0;
+      let g = (green + shareB * greenB + shareC * greenC) | 0;
+      let l = (blue + shareB * blueB + shareC * blueC) | 0;
+      for (let at = row + first, stop = row + Math.floor(to); at <= stop; at++) {
+        if (n > nearness[at]) {
+          nearness[at] = n;
+          pixels[at] = -16777216 | (l & 0xff0000) | ((g >> 8) & 0xff00) | ((r >> 16) & 0xff);
+        }
+        n += nearX;
+        r = (r + redX) | 0;
+        g = (g + greenX) | 0;
+        l = (l + blueX) | 0;
+      }
+    }
+  }
+}
+
+/** True where the inside of an open part is seen: the normal points away from the viewer. */
+function inside(normals, points, i, scale, eye) {
+  const x = points[i] - eye[0];
+  const y = points[i + 1] - eye[1];
+  const z = points[i + 2] - eye[2];
+  return scale * (normals[i] * x + normals[i + 1] * y + normals[i + 2] * z) > 0.3 * Math.sqrt(x * x + y * y + z * z);
+}
+
+const LOW = [0.2, 0.24, 0.62];
+const MIDDLE = [0.78, 0.2, 0.44];
+const HIGH = [1.0, 0.82, 0.3];
+
+function heated(heat, colour) {
+  const share = 0.85 * smooth(0.01, 0.2, heat);
+  const low = smooth(0, 0.5, heat);
+  const high = smooth(0.45, 1, heat);
+  return colour.map((value, k) => {
+    const ramp = LOW[k] + low * (MIDDLE[k] - LOW[k]);
+    return value + share * (ramp + high * (HIGH[k] - ramp) - value);
+  });
+}
+
+function smooth(low, high, value) {
+  const t = Math.min(1, Math.max(0, (value - low) / (high - low)));
+  return t * t * (3 - 2 * t);
+}

@@ -1,0 +1,151 @@
+// The skin drawn by the graphics card: three.js draws one geometry per pose into the columns of a canvas.
+
+import * as THREE from 'three';
+import { seenTriangles } from './surface.js';
+
+// Colours here are what the screen shows; three.js is not to convert them.
+THREE.ColorManagement.enabled = false;
+
+const BACKGROUND = 0x1f2124;
+
+// Lambert with two lights that stay with the camera, so that any character reads well however it is
+// oriented.  Lit at the points, not at the pixels: on skins of this density it looks the same.  "paint"
+// carries the heat map.  painter.js has the same light.
+const VERTEX = `
+  attribute vec2 paint;
+  uniform vec3 skin;
+  varying vec3 colour;
+  vec3 ramp(float heat) {
+    vec3 low = mix(vec3(0.20, 0.24, 0.62), vec3(0.78, 0.20, 0.44), smoothstep(0.0, 0.5, heat));
+    return mix(low, vec3(1.0, 0.82, 0.30), smoothstep(0.45, 1.0, heat));
+  }
+  void main() {
+    vec4 at = modelViewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * at;
+    vec3 n = normalize(normalMatrix * normal);
+    n = dot(n, normalize(at.xyz)) > 0.3 ? -n : n; // the inside of an open part
+    float key = max(dot(n, vec3(-0.40, 0.52, 0.755)), 0.0);
+    float fill = max(dot(n, vec3(0.70, -0.05, 0.71)), 0.0);
+    float sky = 0.5 + 0.5 * n.y;
+    vec3 base = mix(skin, ramp(paint.x), 0.85 * smoothstep(0.01, 0.2, paint.x));
+    vec3 light = vec3(0.20, 0.21, 0.23) * sky + vec3(0.80, 0.77, 0.73) * key + vec3(0.20, 0.22, 0.26) * fill;
+    colour = base * sqrt(light) + pow(1.0 - abs(n.z), 3.0) * 0.035;
+  }`;
+
+const FRAGMENT = `
+  varying vec3 colour;
+  void main() {
+    gl_FragColor = vec4(colour, 1.0);
+  }`;
+
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+/** A WebGL context of a canvas, or null: where there is none, or one in software unless `anyKind`. */
+export function webglOf(canvas, anyKind) {
+  const wanted = { antialias: false, powerPreference: 'high-performance', failIfMajorPerformanceCaveat: !anyKind };
+  const context = canvas.getContext('webgl2', wanted);
+  if (!context || anyKind || !SOFTWARE.test(cardOf(context))) return context;
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return null;
+}
+
+/** What draws; some browsers name it only by an extension. */
+function cardOf(context) {
+  const name = context.getParameter(context.RENDERER);
+  const more = name === 'WebKit WebGL' && context.getExtension('WEBGL_debug_renderer_info');
+  return more ? context.getParameter(more.UNMASKED_RENDERER_WEBGL) : name;
+}
+
+export class Webgl {
+  constructor(canvas, surface, context) {
+    this.canvas = canvas;
+    this.surface = surface;
+    this.renderer = new THREE.WebGLRenderer({ canvas, context });
+    this.renderer.setClearColor(BACKGROUND);
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+    this.renderer.autoClear = false;
+    this.camera = new THREE.PerspectiveCamera();
+    this.size = { width: 1, height: 1 };
+    this.known = new Map(); // skin -> {scene, geometry, material, seen: its counts of changes}
+  }
+
+  resize(width, height, ratio) {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.size = { width, height };
+  }
+
+  draw(columns, orbit, skinOf) {
+    const { renderer, camera, size } = this;
+    renderer.setScissorTest(true);
+    camera.fov = orbit.fieldDegrees;
+    camera.near = Math.max(orbit.distance - 6 * orbit.size, 0.01 * orbit.distance);
+    camera.far = orbit.distance + 60 * orbit.size;
+    camera.position.set(...orbit.position);
+    camera.up.set(...orbit.up);
+    camera.lookAt(...orbit.target);
+    camera.updateMatrixWorld();
+    const wide = Math.max(...columns.map(({ width, height }) => width / height));
+    const shown = new Map([...new Set(columns.map(skinOf))].filter(Boolean).map((skin) => [skin, this.sent(skin, orbit, wide)]));
+    this.forget(shown);
+    for (const column of columns) {
+      const drawn = shown.get(skinOf(column));
+      const bottom = size.height - column.top - column.height;
+      renderer.setViewport(column.left, bottom, column.width, column.height);
+      renderer.setScissor(column.left, bottom, column.width, column.height);
+      camera.aspect = column.width / column.height;
+      camera.updateProjectionMatrix();
+      renderer.clear();
+      if (drawn) renderer.render(drawn.scene, camera);
+    }
+  }
+
+  /** What draws a skin, with its points, colours and the triangles to be seen from here on the card. */
+  sent(skin, orbit, wide) {
+    if (!this.known.has(skin)) this.known.set(skin, made(skin, this.surface.triangles.length));
+    const drawn = this.known.get(skin);
+    const { attributes, index } = drawn.geometry;
+    if (drawn.seen.shape !== skin.changes.shape) attributes.position.needsUpdate = attributes.normal.needsUpdate = true;
+    if (drawn.seen.paint !== skin.changes.paint) attributes.paint.needsUpdate = true;
+    drawn.seen = { ...skin.changes };
+    const { triangles, facing } = this.surface;
+    const count = seenTriangles(skin.points, triangles, facing, orbit, wide, index.array);
+    index.clearUpdateRanges();
+    index.addUpdateRange(0, count);
+    index.needsUpdate = true;
+    drawn.geometry.setDrawRange(0, count);
+    return drawn;
+  }
+
+  /** Free what belongs to skins that are shown no more. */
+  forget(shown) {
+    for (const [skin, { geometry, material }] of this.known) {
+      if (shown.has(skin)) continue;
+      geometry.dispose();
+      material.dispose();
+      this.known.delete(skin);
+    }
+  }
+}
+
+function made(skin, corners) {
+  const geometry = new THREE.BufferGeometry();
+  const dynamic = (array, size, normalised = false) =>
+    new THREE.BufferAttribute(array, size, normalised).setUsage(THREE.DynamicDrawUsage);
+  geometry.setIndex(dynamic(new Uint32Array(corners), 1));
+  geometry.setAttribute('position', dynamic(skin.points, 3));
+  geometry.setAttribute('normal', dynamic(skin.normals, 3));
+  geometry.setAttribute('paint', dynamic(skin.paint, 4, true));
+  const material = new THREE.ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    side: THREE.DoubleSide,
+    uniforms: { skin: { value: new THREE.Color(...skin.colour) } },
+  });
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  const scene = new THREE.Scene();
+  scene.matrixWorldAutoUpdate = false;
+  scene.add(mesh);
+  return { scene, geometry, material, seen: { ...skin.changes } };
+}
