@@ -1,6 +1,7 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from usdrigui/settings.py, issue-codes.md from usdrigui/errors.py.  With ``--check``
+settings.md comes from usdrigui/settings.py, issue-codes.md from usdrigui/errors.py, schema.md from
+schemas/generatedSchema.usda.  With ``--check``
 nothing is written and the exit code says whether the pages are up to date.
 """
 
@@ -10,6 +11,8 @@ import argparse
 import ast
 import sys
 from pathlib import Path
+
+from pxr import Sdf
 
 from usdrigui import errors, settings
 
@@ -34,7 +37,7 @@ def main() -> int:
 
 def pages() -> dict[str, str]:
     """File name below docs/ to its text."""
-    return {"settings.md": settings_page(), "issue-codes.md": codes_page()}
+    return {"settings.md": settings_page(), "issue-codes.md": codes_page(), "schema.md": schema_page()}
 
 
 def settings_page() -> str:
@@ -71,6 +74,41 @@ def codes_page() -> str:
     head = "| code | severity | exit | meaning | how to repair |\n|---|---|---|---|---|\n"
     intro = "Codes are stable: never renamed, never reused. An error ends the run; the exit code is the one given.\n\n"
     return "# Issue codes\n\n" + NOTE + intro + head + "".join(rows)
+
+
+def schema_page() -> str:
+    """Every applied schema of a layout layer with its properties."""
+    layer = Sdf.Layer.FindOrOpen(str(ROOT / "schemas" / "generatedSchema.usda"))
+    intro = (
+        "What the prims of a layout layer can say. [The contract](../schemas/CONTRACT.md) tells how they stand\n"
+        "together and what may change. With the folder that `usdrigui schema-path` prints in `PXR_PLUGINPATH_NAME`,\n"
+        "USD itself knows these schemas; without it every value still reads, but for fallbacks.\n"
+    )
+    return "# Schema\n\n" + NOTE + intro + "".join(_schema(prim) for prim in layer.rootPrims)
+
+
+def _schema(prim: Sdf.PrimSpec) -> str:
+    custom = dict(prim.customData)
+    kind = "one for each name" if custom.get("apiSchemaType") == "multipleApply" else "applied once"
+    head = f"\n## `{prim.name}`\n\n{_flat(prim.documentation)} ({kind})\n"
+    if not prim.properties:
+        return head
+    rows = "".join(_property(each) for each in prim.properties)
+    return f"{head}\n| property | type | fallback | meaning |\n|---|---|---|---|\n{rows}"
+
+
+def _property(found: Sdf.PropertySpec) -> str:
+    meaning = _flat(found.documentation)
+    if isinstance(found, Sdf.RelationshipSpec):
+        return f"| `{found.name}` | relationship | | {meaning} |\n"
+    allowed = ", ".join(f"`{each}`" for each in found.allowedTokens or ())
+    meaning += f" One of {allowed}." if allowed else ""
+    fallback = "" if found.default is None else f"`{found.default}`"
+    return f"| `{found.name}` | `{found.typeName}` | {fallback} | {meaning} |\n"
+
+
+def _flat(text: str) -> str:
+    return " ".join(text.split()).replace("|", "or")
 
 
 def _table(node: ast.ClassDef) -> str:

@@ -2,7 +2,9 @@
 
 The stable Python interface, loaded when first used; importing the package loads no USD:
 
-    report = usdrigui.process(Path("char.usda"), usdrigui.load_settings())
+    settings = usdrigui.load_settings()
+    report = usdrigui.process(Path("char.usda"), settings)            # writes char.rigui.usda beside it
+    found = usdrigui.check(Path("char.rigui.usda"), settings).issues  # empty: it still fits
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     from usdrigui.errors import Issue, RigUIError
     from usdrigui.inspection import Inspection
-    from usdrigui.pipeline import inspect, process
+    from usdrigui.pipeline import LayerDifference, LayerReview, check, diff, inspect, process
     from usdrigui.report import Report
     from usdrigui.settings import Settings
     from usdrigui.settings import load as load_settings
@@ -23,9 +25,13 @@ if TYPE_CHECKING:
 _HOMES = {
     "Inspection": ("usdrigui.inspection", "Inspection"),
     "Issue": ("usdrigui.errors", "Issue"),
+    "LayerDifference": ("usdrigui.pipeline", "LayerDifference"),
+    "LayerReview": ("usdrigui.pipeline", "LayerReview"),
     "Report": ("usdrigui.report", "Report"),
     "RigUIError": ("usdrigui.errors", "RigUIError"),
     "Settings": ("usdrigui.settings", "Settings"),
+    "check": ("usdrigui.pipeline", "check"),
+    "diff": ("usdrigui.pipeline", "diff"),
     "inspect": ("usdrigui.pipeline", "inspect"),
     "load_settings": ("usdrigui.settings", "load"),
     "process": ("usdrigui.pipeline", "process"),
@@ -34,10 +40,14 @@ _HOMES = {
 __all__ = [
     "Inspection",
     "Issue",
+    "LayerDifference",
+    "LayerReview",
     "Report",
     "RigUIError",
     "Settings",
     "__version__",
+    "check",
+    "diff",
     "inspect",
     "load_settings",
     "process",

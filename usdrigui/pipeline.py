@@ -100,6 +100,23 @@ class LayerReview:
         return (*self.faults, *(found for _, review in self.characters for found in review.issues))
 
 
+@dataclass(frozen=True, slots=True)
+class LayerDifference:
+    """What `diff` finds between two layers."""
+
+    before: str
+    after: str
+    characters: tuple[difference_stage.Difference, ...]
+    """Of the characters that both lay out."""
+    only_in_one: tuple[str, ...]
+    """SkelRoots that only one of the layers lays out."""
+
+    @property
+    def empty(self) -> bool:
+        """Whether both place every control alike."""
+        return not self.only_in_one and not any(character.changes for character in self.characters)
+
+
 def process(
     asset: Path,
     settings: Settings,
@@ -220,10 +237,8 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
     return LayerReview(str(layer), tuple(reviews), clock.seconds)
 
 
-def differences(
-    before: Path, after: Path, settings: Settings
-) -> tuple[tuple[difference_stage.Difference, ...], tuple[str, ...]]:
-    """What changed between two layout layers, by character, and the characters that only one of them has.
+def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
+    """What changed between two layout layers, character by character; reads only the layers, not their rigs.
 
     Raises RigUIError where a layer cannot be read.
     """
@@ -231,7 +246,7 @@ def differences(
         {each.root: each for each in read_layouts_isolated(layer, settings).layouts} for layer in (before, after)
     )
     found = tuple(difference_stage.difference(old[root], new[root]) for root in new if root in old)
-    return found, tuple(sorted(old.keys() ^ new.keys()))
+    return LayerDifference(str(before), str(after), found, tuple(sorted(old.keys() ^ new.keys())))
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:

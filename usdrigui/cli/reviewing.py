@@ -45,11 +45,9 @@ def _diff(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
     from usdrigui.settings import Settings
 
-    names = str(arguments.before), str(arguments.layer)
-    found, only_in_one = pipeline.differences(arguments.before, arguments.layer, Settings())
+    found = pipeline.diff(arguments.before, arguments.layer, Settings())
     if arguments.json:
-        sys.stdout.write(report.difference_json(*names, found, only_in_one))
+        sys.stdout.write(report.difference_json(found.before, found.after, found.characters, found.only_in_one))
     else:
-        screen_of(arguments).difference(*names, found, only_in_one)
-    differ = bool(only_in_one) or any(character.changes for character in found)
-    return Exit.REFUSED if arguments.strict and differ else Exit.OK
+        screen_of(arguments).difference(found.before, found.after, found.characters, found.only_in_one)
+    return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
