@@ -361,6 +361,16 @@ def _configured(toml: str) -> Occasion:
     return occasion
 
 
+def _glyph(text: str) -> Occasion:
+    """A file with or without the glyph that the configuration names."""
+
+    def occasion(folder: Path, patch: Any) -> Found:
+        (folder / "glyphs.usda").write_text(f"#usda 1.0\n{text}\n")
+        return _configured('[controls.smile]\nglyph = "glyphs.usda</Star>"\n')(folder, patch)
+
+    return occasion
+
+
 def _bad_problem(folder: Path, _: Any) -> Found:
     from usdrigui.solve.exchange import load_problem
 
@@ -418,6 +428,9 @@ OCCASIONS: Mapping[str, Occasion] = {
     "LAYOUT_HANDLES_COLLIDE": _checked(_edited(("Index = 5", "Index = 0"), (r"\(4, 3, 0\)", "(0, 0, 0)"))),
     "LAYOUT_BETTER_PLACE": _checked(_edited(("uniform int rigUI:anchor:pointIndex = 0", _WORSE))),
     "LAYOUT_ANCHOR_HIDDEN": _checked(_edited((r"point3f\[\] points", _INVISIBLE), of="char.usda")),
+    "GLYPH_MISSING": _glyph(""),
+    "GLYPH_TYPE": _glyph('def Xform "Star" {}'),
+    "GLYPH_EMPTY": _glyph('def Mesh "Star" {}'),
     "FIXED_IMPOSSIBLE": _configured('[controls.smile]\nanchor = "/Char/Face#5"\n'),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
     "ATTACH_LINK": _attached(_linked, "link.usda"),

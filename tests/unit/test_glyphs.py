@@ -1,0 +1,367 @@
+"""Custom handles: curves and meshes from USD, fitted to their elements, in the layer, in pictures, in the page."""
+
+from __future__ import annotations
+
+import json
+import zlib
+from dataclasses import replace
+
+import chain
+import laid_out
+import makers
+import numpy as np
+import pytest
+import skinned_stages
+from PIL import Image
+from pxr import Sdf, Usd, UsdGeom
+from scipy.interpolate import BSpline
+
+from usdrigui.deform import deform
+from usdrigui.errors import Exit, RigUIError
+from usdrigui.layout import glyphs as fitting
+from usdrigui.model import Glyph
+from usdrigui.pose.evaluate import elements_at, evaluate, prepare
+from usdrigui.settings import OutputSettings, load
+from usdrigui.usd import glyphs
+from usdrigui.usd.child import read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.layer import layer_for, stage_metadata
+from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.rig import read_rigs
+from usdrigui.view import overlay, shading
+from usdrigui.view.scene import pack
+
+ARROW = """
+def Mesh "Arrow" {
+    point3f[] points = [(5, 7, -3), (4, 7, 0), (6, 7, 0)]
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+}
+"""
+"""It points to -Z: up, seen from above in a Y-up stage."""
+
+
+def glyph_of(folder, text, name="Arrow", up="Y", **said):
+    """Read one glyph beside a small character."""
+    (folder / "glyphs.usda").write_text(f'#usda 1.0\n(\n upAxis = "{up}"\n)\n{text}')
+    source = skinned_stages.character(folder / "char.usda")
+    config = {"controls": {"chin": {"glyph": f"glyphs.usda</{name}>", **said}}}
+    return read_rigs(source, load(config))[0].glyphs[f"glyphs.usda</{name}>"]
+
+
+def curve(kind, points, counts=None, wrap="nonperiodic", basis="bezier"):
+    listed = ", ".join(str(tuple(map(float, point))) for point in points)
+    return f"""
+def BasisCurves "Arrow" {{
+    uniform token type = "{kind}"
+    uniform token basis = "{basis}"
+    uniform token wrap = "{wrap}"
+    int[] curveVertexCounts = {counts or [len(points)]}
+    point3f[] points = [{listed}]
+}}
+"""
+
+
+# --- reading -----------------------------------------------------------------------------------------
+
+
+def test_a_mesh_is_seen_from_above_centred_and_of_radius_one(tmp_path):
+    glyph = glyph_of(tmp_path, ARROW)
+    assert glyph.form == "mesh"
+    assert np.allclose(glyph.points[0, :2] / glyph.points[0, 1], [0.0, 1.0])  # the tip is up
+    assert np.linalg.norm(glyph.points, axis=1).max() == pytest.approx(1.0)
+    assert np.allclose(glyph.points.min(axis=0) + glyph.points.max(axis=0), 0.0)
+    assert (glyph.counts.tolist(), glyph.indices.tolist()) == ([3], [0, 1, 2])
+
+
+def test_up_is_the_stages_own(tmp_path):
+    text = ARROW.replace("(5, 7, -3), (4, 7, 0), (6, 7, 0)", "(5, 3, 7), (4, 0, 7), (6, 0, 7)")
+    assert np.allclose(glyph_of(tmp_path, text, up="Z").points, glyph_of(tmp_path, ARROW).points)
+
+
+def test_transforms_above_count_but_place_and_size_do_not(tmp_path):
+    turned = 'def Xform "Set" { double3 xformOp:translate = (9, 9, 9)\n double xformOp:rotateY = 90\n'
+    turned += "float3 xformOp:scale = (4, 4, 4)\n"
+    turned += 'uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateY", "xformOp:scale"]\n'
+    seen = glyph_of(tmp_path, turned + ARROW + "}", "Set/Arrow").points
+    plain = glyph_of(tmp_path, ARROW).points
+    assert np.allclose(seen, plain @ [[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]], atol=1e-6)  # a quarter turn to the left
+
+
+def test_a_left_handed_mesh_is_turned_over(tmp_path):
+    text = ARROW.replace("point3f", 'uniform token orientation = "leftHanded"\n point3f')
+    assert glyph_of(tmp_path, text).indices.tolist() == [2, 1, 0]
+
+
+def test_a_prim_of_the_asset_itself(tmp_path):
+    source = skinned_stages.character(tmp_path / "char.usda")
+    layer = Sdf.Layer.FindOrOpen(str(source))
+    spec = Sdf.CreatePrimInLayer(layer, "/Glyphs/Ring")
+    spec.specifier, spec.typeName = Sdf.SpecifierDef, "BasisCurves"
+    stage = Usd.Stage.Open(layer)
+    ring = UsdGeom.BasisCurves(stage.GetPrimAtPath("/Glyphs/Ring"))
+    ring.CreateTypeAttr("linear")
+    ring.CreateWrapAttr("periodic")
+    ring.CreateCurveVertexCountsAttr([3])
+    ring.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (0, 0, 1)])
+    stage.Save()
+    (rig,) = read_rigs(source, load({"controls": {"chin": {"glyph": "/Glyphs/Ring"}}}))
+    glyph = rig.glyphs["/Glyphs/Ring"]
+    assert (glyph.form, glyph.counts.tolist()) == ("curve", [4])
+    assert np.array_equal(glyph.points[0], glyph.points[3])
+
+
+def de_casteljau(points, t):
+    while len(points) > 1:
+        points = (1 - t) * points[:-1] + t * points[1:]
+    return points[0]
+
+
+RNG = np.random.default_rng(3)
+VERTICES = RNG.normal(size=(7, 3))
+
+
+def fitted(points):
+    """As the reader fits points of a Y-up stage."""
+    seen = np.stack([points[:, 0], -points[:, 2], points[:, 1]], axis=1)
+    seen = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
+    return seen / np.linalg.norm(seen, axis=1).max()
+
+
+def test_bezier_pieces_are_followed(tmp_path):
+    glyph = glyph_of(tmp_path, curve("cubic", VERTICES))
+    true = [de_casteljau(VERTICES[k : k + 4], t) for k in (0, 3) for t in np.arange(6) / 6]
+    assert np.abs(glyph.points - fitted(np.array([*true, VERTICES[-1]]))).max() < 1e-6
+
+
+def test_splines_are_followed(tmp_path):
+    glyph = glyph_of(tmp_path, curve("cubic", VERTICES, basis="bspline"))
+    true = BSpline(np.arange(11) - 3.0, VERTICES, 3)(np.arange(4 * 6 + 1) / 6)
+    assert np.abs(glyph.points - fitted(true)).max() < 1e-6
+
+
+@pytest.mark.parametrize("basis", ["bspline", "catmullRom"])
+def test_pinned_curves_begin_and_end_in_their_ends_and_periodic_ones_close(basis):
+    square = np.array([(0.0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)])
+    pinned = glyphs._line(square, basis, "pinned", "")
+    assert np.allclose(pinned[[0, -1]], square[[0, -1]])
+    closed = glyphs._line(square, basis, "periodic", "")
+    assert np.allclose(closed[0], closed[-1])
+    assert len(closed) == 4 * 6 + 1
+
+
+@pytest.mark.parametrize(
+    ("text", "setting", "code"),
+    [
+        (ARROW, {"glyph": "glyphs.usda</Star>"}, "GLYPH_MISSING"),
+        (ARROW, {"glyph": "other.usda</Arrow>"}, "GLYPH_MISSING"),
+        (ARROW, {"glyph": "/Arrow"}, "GLYPH_MISSING"),
+        (ARROW, {"glyph": "."}, "CONFIG_VALUE"),
+        (ARROW, {"glyph": "glyphs.usda"}, "CONFIG_VALUE"),
+        (ARROW, {"glyph": "</Arrow>"}, "CONFIG_VALUE"),
+        (ARROW, {"glyph": "glyphs.usda<Arrow>"}, "CONFIG_VALUE"),
+        (ARROW, {"glyph": "glyphs.usda</Arrow.points>"}, "CONFIG_VALUE"),
+        (ARROW, {"glyph_size": -1.0}, "CONFIG_VALUE"),
+        (ARROW, {"glyph_size": float("inf")}, "CONFIG_VALUE"),
+        (ARROW, {"glyph": "</>"}, "CONFIG_VALUE"),
+        ("def Mesh", {}, "FILE_NOT_USD"),
+        (ARROW.replace("Mesh", "Xform"), {}, "GLYPH_TYPE"),
+        (ARROW.replace("Mesh", "NurbsCurves"), {}, "GLYPH_TYPE"),
+        (ARROW.replace("[(5, 7, -3), (4, 7, 0), (6, 7, 0)]", "[]"), {}, "GLYPH_EMPTY"),
+        (ARROW.replace("point3f[] points = [(5, 7, -3), (4, 7, 0), (6, 7, 0)]", ""), {}, "GLYPH_EMPTY"),
+        (ARROW.replace("(5, 7, -3), (4, 7, 0), (6, 7, 0)", "(1, 1, 1), (1, 1, 1), (1, 1, 1)"), {}, "GLYPH_EMPTY"),
+        (curve("linear", np.random.default_rng(1).normal(size=(1001, 3)).round(3)), {}, "GLYPH_EMPTY"),
+        (ARROW.replace("-3", "nan"), {}, "NOT_FINITE"),
+        (ARROW.replace("-3", "inf"), {}, "NOT_FINITE"),
+        (ARROW.replace("point3f[] points = [(5, 7, -3)", 'string[] points = ["a"] #'), {}, "ARRAY_TYPE"),
+        (ARROW.replace("[0, 1, 2]", "[0, 1, 3]"), {}, "INDEX_RANGE"),
+        (ARROW.replace("[3]", "[4]"), {}, "TOPOLOGY_INVALID"),
+        (ARROW.replace("[3]", "[]"), {}, "TOPOLOGY_INVALID"),
+        (curve("linear", VERTICES, [6]), {}, "TOPOLOGY_INVALID"),
+        (curve("cubic", VERTICES[:6]), {}, "TOPOLOGY_INVALID"),
+        (curve("cubic", VERTICES[:3], basis="bspline"), {}, "TOPOLOGY_INVALID"),
+        (curve("cubic", VERTICES, basis="hermite"), {}, "GLYPH_TYPE"),
+    ],
+)
+def test_glyphs_that_cannot_be_drawn_are_refused(tmp_path, text, setting, code):
+    with pytest.raises(RigUIError) as caught:
+        glyph_of(tmp_path, text, **setting)
+    assert caught.value.issue.code == code
+    if code.startswith(("GLYPH", "CONFIG")):
+        assert caught.value.exit_code == Exit.USAGE
+
+
+def test_a_glyphs_file_is_a_source_like_any_other(tmp_path):
+    (tmp_path / "glyphs.usda").write_text("#usda 1.0\n" + ARROW)
+    source = skinned_stages.character(tmp_path / "char.usda")
+    found = read_rigs_isolated(source, load({"controls": {"chin": {"glyph": "glyphs.usda</Arrow>"}}}))
+    assert [each.path.rpartition("/")[2] for each in found.sources] == ["char.usda", "glyphs.usda"]
+    assert found.rigs[0].glyphs["glyphs.usda</Arrow>"].points.shape == (3, 3)
+    assert found.metadata["upAxis"] == Usd.Stage.Open(str(source)).GetMetadata("upAxis")
+
+
+# --- fitting -----------------------------------------------------------------------------------------
+
+FLAG = Glyph("flag", "mesh", np.array([[0.0, 1, 0], [-0.6, 0, 0], [0.8, -0.6, 0]]), np.array([3]), np.array([0, 1, 2]))
+
+
+def laid(**controls):
+    said = chain.settings(controls={name: {"glyph": "flag", **more} for name, more in controls.items()})
+    return chain.lay_out(replace(makers.face(), glyphs={"flag": FLAG}), said)
+
+
+@pytest.fixture(scope="module")
+def line():
+    return laid(smile_L={}, smile_R={}, chin={"glyph_size": 3.0}, pucker={"glyph_size": 0.0})
+
+
+def test_a_glyph_changes_nothing_but_the_shape(line):
+    plain, own = chain.by_name(chain.lay_out(makers.face())), chain.by_name(line)
+    assert plain.keys() == own.keys()
+    for name, element in own.items():
+        assert element.anchor.point == plain[name].anchor.point
+        for with_glyph, without in zip(element.members, plain[name].members, strict=True):
+            assert np.array_equal(with_glyph.track, without.track)
+            assert np.array_equal(with_glyph.values, without.values)
+    assert {name for name, element in own.items() if element.glyph} == {"smile_L", "smile_R", "chin", "pucker"}
+
+
+def test_sizes_follow_handle_or_track(line):
+    elements, width = chain.by_name(line), line.layout.handle_width
+    across = {n: 2.0 * np.linalg.norm(elements[n].glyph.points, axis=1).max() for n in ("smile_L", "chin", "pucker")}
+    track = elements["pucker"].members[0].track
+    assert across["smile_L"] == pytest.approx(width)
+    assert across["chin"] == pytest.approx(3.0 * width)
+    assert across["pucker"] == pytest.approx(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
+
+
+def test_a_glyph_lies_upright_in_the_skin(line):
+    element = chain.by_name(line)["smile_L"]
+    normal, points = element.anchor.normal, element.glyph.points
+    assert np.abs(points @ normal).max() < 1e-9 * line.layout.handle_width
+    assert points[0] @ [0.0, 1.0, 0.0] > 0.0  # its tip is up
+    outwards = np.cross(points[1] - points[0], points[2] - points[0])
+    assert outwards @ normal > 0.0
+
+
+def test_the_elements_of_a_pair_are_mirror_images(line):
+    left, right = (chain.by_name(line)[name] for name in ("smile_L", "smile_R"))
+    assert np.allclose(right.glyph.points, left.glyph.points * [-1.0, 1.0, 1.0], atol=0.01 * line.layout.handle_width)
+    first, second, third = right.glyph.points[right.glyph.indices]
+    assert np.cross(second - first, third - first) @ right.anchor.normal > 0.0
+
+
+@pytest.mark.parametrize("normal", [(0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)])
+def test_every_normal_has_a_frame(normal):
+    up, toward = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0])
+    for seen_from in (toward, up):
+        frame = fitting._frame(np.array(normal), up, seen_from)
+        assert np.allclose(frame @ frame.T, np.eye(3))
+        assert np.linalg.det(frame) == pytest.approx(1.0)
+        assert np.allclose(frame[2], normal)
+
+
+# --- drawn -------------------------------------------------------------------------------------------
+
+WAVE = Glyph(
+    "wave", "curve", np.array([[-1.0, 0, 0], [0, 0.5, 0.2], [1, 0, 0], [0, 0, 0], [0, 1, 0]]),
+    np.array([3, 2]), np.arange(5),
+)  # fmt: skip
+
+
+def with_glyphs(layout):
+    width = layout.handle_width
+    made = [replace(glyph, points=width * glyph.points) for glyph in (FLAG, WAVE)]
+    elements = tuple(replace(each, glyph=made[i % 2]) for i, each in enumerate(layout.elements))
+    return replace(layout, elements=elements)
+
+
+def written(folder, rig, layout, source):
+    path = folder / "char.rigui.usda"
+    metadata = stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    layer_for([(rig, layout)], f"./{source.name}", OutputSettings(), metadata).Export(str(path))
+    return path
+
+
+@pytest.mark.parametrize("kind", [{}, {"method": "dualQuaternion", "moved": True}, {"skinned": False}])
+@pytest.mark.parametrize("adapt", ["deform", "static"])
+def test_glyphs_follow_the_face_wherever_usdskel_takes_it(tmp_path, kind, adapt):
+    source = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips/Head",), **kind)
+    (rig,) = read_rigs(source, load({}))
+    layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",), adapt=adapt, only=["brow_L", "chin", "half"]))
+    rng = np.random.default_rng(4)
+    # What a single weight drives; a still handle shows nothing else, and shapes bend what joints only turn.
+    poses = [laid_out.defaults(rig), laid_out.random_values(rig, rng)]
+    path = written(tmp_path, rig, layout, source)
+    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(path)), rig, poses)
+    poser, size = prepare(rig, layout), float(np.linalg.norm(np.ptp(deform(rig), axis=0)))
+    for time, values in enumerate(poses):
+        for element, at in zip(layout.elements, evaluate(poser, values).elements, strict=True):
+            handle = f"{rig.root}/RigUI/{element.name}/handle"
+            drawn = laid_out.root_points(stage, handle, rig.root, time)
+            assert np.abs(drawn - at.glyph).max() < 1e-5 * size, (element.name, time)
+            assert stage.GetPrimAtPath(handle).GetTypeName() == (
+                "Mesh" if element.glyph.form == "mesh" else "BasisCurves"
+            )
+
+
+def test_glyphs_come_back_from_the_layer(tmp_path):
+    source = skinned_stages.character(tmp_path / "char.usda")
+    (rig,) = read_rigs(source, load({}))
+    layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",)))
+    path = written(tmp_path, rig, layout, source)
+    assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
+    (back,) = read_layouts_isolated(path, load({})).layouts
+    for one, other in zip(layout.elements, back.elements, strict=True):
+        assert (one.glyph.name, one.glyph.form) == (other.glyph.name, other.glyph.form)
+        assert np.allclose(one.glyph.points, other.glyph.points, atol=1e-6)
+        assert np.array_equal(one.glyph.counts, other.glyph.counts)
+        assert np.array_equal(one.glyph.indices, other.glyph.indices)
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("faceVertexIndices = [0, 1, 2]", "faceVertexIndices = [0, 1, 3]"), ("Counts = [3, 2]", "Counts = [3, 3]")],
+)
+def test_a_glyph_that_its_handle_contradicts_is_refused(tmp_path, old, new):
+    source = skinned_stages.character(tmp_path / "char.usda")
+    (rig,) = read_rigs(source, load({}))
+    path = written(tmp_path, rig, with_glyphs(laid_out.layout_of(rig)), source)
+    text = path.read_text()
+    assert old in text
+    broken = tmp_path / "broken.usda"
+    broken.write_text(text.replace(old, new))
+    with pytest.raises(RigUIError) as caught:
+        read_layout(broken)
+    assert caught.value.issue.code == "LAYOUT_INVALID"
+
+
+def test_pictures_show_the_glyph_where_it_is():
+    rig = makers.face()
+    layout = laid_out.layout_of(rig, only=["chin"])
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    ground = Image.new("RGB", (300, 300), (255, 255, 255))
+    for glyph in (FLAG, WAVE):
+        element = replace(layout.elements[0], glyph=replace(glyph, points=0.4 * glyph.points))
+        own = replace(layout, elements=(element,))
+        (at,) = elements_at(prepare(rig, own), own.base_values)
+        mark = overlay.mark(element, at, camera, np.full((300, 300), -np.inf), 0.06)
+        drawn = np.asarray(overlay.draw(ground, [mark], own, camera)).min(axis=2) < 200
+        enlarged = max(1.0, 3.2 / (50.0 * layout.handle_width))
+        centre = camera.project(at.handle)[:2]
+        tip = centre + enlarged * (camera.project(at.glyph[2])[:2] - centre)
+        x, y = (0.9 * tip + 0.1 * centre).astype(int)
+        assert drawn[y - 2 : y + 3, x - 2 : x + 3].any()
+        assert np.linalg.norm(tip - centre) > 20.0
+
+
+def test_the_page_has_the_glyph():
+    rig = makers.face()
+    layout = with_glyphs(laid_out.layout_of(rig, only=["chin", "smile_L", "brow_L"]))
+    content = zlib.decompress(pack([(rig, layout)], ""))
+    header = json.loads(content[4 : 4 + int.from_bytes(content[:4], "little")])
+    first, second, _ = header["characters"][0]["layout"]["elements"]
+    assert first["glyph"]["parts"] == [[0, 1, 2]]
+    assert first["glyph"]["closed"]
+    assert second["glyph"]["parts"] == [[0, 1, 2], [3, 4]]
+    assert not second["glyph"]["closed"]
+    assert np.allclose(second["glyph"]["points"], layout.elements[1].glyph.points)
