@@ -1,0 +1,28 @@
+"""In-situ rig controls: handles on the face, from the layout layer that usdrigui writes beside a character."""
+
+bl_info = {
+    "name": "In-situ Rig Controls",
+    "author": "usdrigui",
+    "version": (0, 1, 0),
+    "blender": (3, 4, 0),
+    "location": "View3D > Sidebar > Rig UI; File > Import",
+    "description": "Drag controls on the face itself, from a usdrigui layout layer",
+    "category": "Animation",
+}
+
+
+def register():
+    """Called by Blender when the add-on is switched on."""
+    from . import gizmos, importing, interface, shown
+
+    # Settings first: everything else asks for them.
+    for room in (interface, shown, gizmos, importing):
+        room.register()
+
+
+def unregister():
+    """Called by Blender when the add-on is switched off."""
+    from . import gizmos, importing, interface, shown
+
+    for room in (importing, gizmos, shown, interface):
+        room.unregister()

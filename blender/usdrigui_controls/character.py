@@ -1,0 +1,302 @@
+"""A character in the scene: which objects, shape keys and bones a layout means, its values and its keys.
+
+The value of a control lives where Blender keeps it, in shape keys and pose bones, so that the controls
+agree with every other way to pose the character.  Only poses made of several weights or joints have no
+such place; theirs is a custom property of the holder.
+"""
+
+from __future__ import annotations
+
+import bpy
+import mathutils
+import numpy as np
+
+from .joints import JointFrame, drive_at, values_behind
+from .layout import LayoutError, from_json, to_json
+
+LAYOUT = "usdrigui_layout"
+"""Custom property of the holder with the layout as JSON."""
+_MESHES, _ARMATURES = "usdrigui_meshes", "usdrigui_armatures"
+_VALUE = "rig: "
+"""Prefix of the custom properties that hold the values of poses."""
+
+
+def bind(layout, objects):
+    """Store a layout with the objects that it means; returns the holder.
+
+    ``objects`` maps prim paths to the object imported from each.  The holder is the armature, or the
+    first mesh where there is none.  Raises LayoutError when a mesh that carries controls is missing or has
+    another number of points.
+    """
+    meshes = {each.path: objects[each.path] for each in layout.meshes if each.path in objects}
+    armatures = {each.path: objects[each.path] for each in layout.skeletons if each.path in objects}
+    _check(layout, meshes)
+    holder = next(iter([*armatures.values(), *meshes.values()]), None)
+    if holder is None:
+        raise LayoutError(f"no object of the scene belongs to {layout.root}")
+    holder[LAYOUT] = to_json(layout)
+    holder[_MESHES] = {str(i): meshes[each.path] for i, each in enumerate(layout.meshes) if each.path in meshes}
+    holder[_ARMATURES] = {
+        str(i): armatures[each.path] for i, each in enumerate(layout.skeletons) if each.path in armatures
+    }
+    character = Character(holder)
+    character.widen_ranges()
+    character.take_rest_pose()
+    character.place_meshes()
+    return holder
+
+
+def unbind(holder):
+    """Forget the controls of a character."""
+    mine = [name for name in holder if name in (LAYOUT, _MESHES, _ARMATURES) or name.startswith(_VALUE)]
+    for name in mine:
+        del holder[name]
+
+
+def holders(scene):
+    """The objects of a scene that hold a layout."""
+    return [each for each in scene.objects if LAYOUT in each]
+
+
+def _check(layout, meshes):
+    expected = {each.path: each.points for each in layout.meshes}
+    for path in {element.mesh for element in layout.elements if element.mesh}:
+        if path not in meshes:
+            raise LayoutError(f"no object of the scene is the mesh {path}")
+        count = len(meshes[path].data.vertices)
+        if count != expected.get(path, count):
+            raise LayoutError(f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}")
+
+
+class Character:
+    """One character at one moment: hold it no longer than a call, Blender moves its objects about."""
+
+    def __init__(self, holder):
+        self.holder = holder
+        self.layout = parsed(holder[LAYOUT])
+        self.controls = {control.name: control for control in self.layout.controls}
+        self.meshes = _objects(holder, _MESHES, self.layout.meshes)
+        self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
+
+    # --- values --------------------------------------------------------------------------------------
+
+    def values(self):
+        """The value of every control, by name."""
+        found = {}
+        turning = {}
+        for control in self.layout.controls:
+            if control.plain:
+                keys = self.shape_keys(control.shapes[0].token)
+                found[control.name] = keys[0].value if keys else control.base
+            elif _is_single_joint(control) and self.bone(control.joints[0]):
+                turning.setdefault((control.joints[0].skeleton, control.joints[0].joint), []).append(control)
+            else:
+                found[control.name] = float(self.holder.get(_VALUE + control.name, control.base))
+        for controls in turning.values():
+            found.update(self._joint_values(controls))
+        return found
+
+    def set_values(self, changed):
+        """Give some controls, by name, new values; all else stays."""
+        before = self.values()
+        weights, moves = {}, {}
+        for name, value in changed.items():
+            control = self.controls[name]
+            if control.plain:
+                for key in self.shape_keys(control.shapes[0].token):
+                    key.value = value
+                continue
+            for shape in control.shapes:
+                step = _step(control.keys, shape.weights, before[name], value)
+                weights[shape.token] = weights.get(shape.token, 0.0) + step
+            for joint in control.joints:
+                moved = moves.setdefault((joint.skeleton, joint.joint), np.zeros((3, 3)))
+                moved += [_step(control.keys, table, before[name], value) for table in _tables(joint)]
+            if not _is_single_joint(control):
+                self.holder[_VALUE + name] = float(value)
+        for token, step in weights.items():
+            for key in self.shape_keys(token):
+                key.value += step
+        for (skeleton, joint), move in moves.items():
+            self._add_move(skeleton, joint, move)
+        self._tag()
+
+    def insert_keys(self, names, frame=None):
+        """Insert keyframes for the controls ``names`` at ``frame``, or the current one."""
+        at = {} if frame is None else {"frame": frame}
+        for name in names:
+            control = self.controls[name]
+            for shape in control.shapes:
+                for key in self.shape_keys(shape.token):
+                    key.keyframe_insert("value", **at)
+            for joint in control.joints:
+                bone = self.bone(joint)
+                if bone is not None:
+                    for path, table in zip((_rotation_path(bone), "location", "scale"), _tables(joint), strict=True):
+                        if np.any(table):
+                            bone.keyframe_insert(path, group=bone.name, **at)
+            if _VALUE + name in self.holder:
+                self.holder.keyframe_insert(f'["{bpy.utils.escape_identifier(_VALUE + name)}"]', **at)
+
+    def widen_ranges(self):
+        """Let the shape keys take every value of their controls."""
+        for control in self.layout.controls:
+            for shape in control.shapes:
+                low, high = (control.minimum, control.maximum) if control.plain else _extremes(shape.weights)
+                for key in self.shape_keys(shape.token):
+                    key.slider_min = min(key.slider_min, low)
+                    key.slider_max = max(key.slider_max, high)
+
+    def take_rest_pose(self):
+        """Put bones that the import left in the bind pose into the rest pose, where USD has them."""
+        for skeleton, armature in self.armatures.items():
+            for joint in next(each for each in self.layout.skeletons if each.path == skeleton).joints:
+                bone = self.bone_of(skeleton, joint.path)
+                if bone is not None and _is_identity(bone.matrix_basis):
+                    bone.location, rotation, bone.scale = JointFrame(joint.bind, joint.rest).basis(np.zeros((3, 3)))
+                    _set_rotation(bone, rotation)
+            armature.update_tag(refresh={"OBJECT", "DATA"})
+
+    def place_meshes(self):
+        """Put skinned meshes where the skeleton has them: Blender's import passes over its own transform."""
+        bpy.context.view_layer.update()
+        for rest in self.layout.meshes:
+            mesh = self.meshes.get(rest.path)
+            for skeleton in self.layout.skeletons:
+                armature = self.armatures.get(skeleton.path)
+                if mesh is not None and armature is not None and _deforms(armature, mesh):
+                    to_skeleton = np.linalg.inv(np.array(skeleton.to_root).T) @ np.array(rest.to_root).T
+                    wanted = np.array(armature.matrix_world) @ to_skeleton
+                    if np.abs(np.array(mesh.matrix_world) - wanted).max() > 1e-6 * np.abs(wanted).max():
+                        mesh.matrix_world = mathutils.Matrix(wanted.tolist())
+
+    # --- parts ---------------------------------------------------------------------------------------
+
+    def shape_keys(self, token):
+        """The shape keys of a token, one per mesh that has it."""
+        blocks = (mesh.data.shape_keys for mesh in self.meshes.values())
+        found = (block.key_blocks.get(token) for block in blocks if block is not None)
+        return [key for key in found if key is not None]
+
+    def bone(self, joint):
+        """The pose bone of a `layout.JointDrive`, or None."""
+        return self.bone_of(joint.skeleton, joint.joint)
+
+    def bone_of(self, skeleton, joint):
+        """The pose bone of a joint, or None."""
+        armature = self.armatures.get(skeleton)
+        return armature.pose.bones.get(joint.rpartition("/")[2]) if armature else None
+
+    def frame(self, skeleton, joint):
+        """The `JointFrame` of a joint."""
+        rests = next(each for each in self.layout.skeletons if each.path == skeleton)
+        rest = next(each for each in rests.joints if each.path == joint)
+        return JointFrame(rest.bind, rest.rest)
+
+    def missing(self):
+        """Names of the controls that nothing in the scene answers to."""
+        return [control.name for control in self.layout.controls if not self._answers(control)]
+
+    def _answers(self, control):
+        return any(self.shape_keys(shape.token) for shape in control.shapes) or any(
+            self.bone(joint) is not None for joint in control.joints
+        )
+
+    # --- joints --------------------------------------------------------------------------------------
+
+    def _joint_values(self, controls):
+        """Values of the controls that move one joint, read off its bone."""
+        joint = controls[0].joints[0]
+        move = self.frame(joint.skeleton, joint.joint).move(*_basis(self.bone(joint)))
+        defaults = [control.default for control in controls]
+        values = values_behind(move.ravel(), defaults, [_slope(control) for control in controls])
+        return dict(zip((control.name for control in controls), values.tolist(), strict=True))
+
+    def _add_move(self, skeleton, joint, move):
+        bone = self.bone_of(skeleton, joint)
+        if bone is None:
+            return
+        frame = self.frame(skeleton, joint)
+        location, rotation, scale = frame.basis(frame.move(*_basis(bone)) + move)
+        if move[0].any():
+            _set_rotation(bone, rotation)
+        if move[0].any() or move[1].any():
+            bone.location = location
+        if move[2].any():
+            bone.scale = scale
+
+    def _tag(self):
+        for armature in self.armatures.values():
+            armature.update_tag(refresh={"OBJECT", "DATA"})
+
+
+_PARSED = {}
+
+
+def parsed(text):
+    """`layout.from_json`, remembered: the text of a holder is asked for at every redraw."""
+    if text not in _PARSED:
+        if len(_PARSED) > 8:
+            _PARSED.clear()
+        _PARSED[text] = from_json(text)
+    return _PARSED[text]
+
+
+def _objects(holder, name, records):
+    stored = holder.get(name, {})
+    pairs = ((each.path, stored.get(str(i))) for i, each in enumerate(records))
+    return {path: found for path, found in pairs if found is not None and found.data is not None}
+
+
+def _is_single_joint(control):
+    """Whether the value can be read off one bone: one joint, moving evenly with the value, and nothing else."""
+    return len(control.joints) == 1 and not control.shapes and len(control.keys) == 2
+
+
+def _tables(joint):
+    return joint.rotations, joint.translations, joint.scales
+
+
+def _slope(control):
+    """(9,) moves of the joint per unit of the control."""
+    ends = [np.ravel([table[end] for table in _tables(control.joints[0])]) for end in (0, -1)]
+    return (ends[1] - ends[0]) / (control.keys[-1] - control.keys[0])
+
+
+def _step(keys, table, before, after):
+    return drive_at(keys, table, after) - drive_at(keys, table, before)
+
+
+def _extremes(weights):
+    return min([0.0, *weights]), max([1.0, *weights])
+
+
+def _basis(bone):
+    location, rotation, scale = bone.matrix_basis.decompose()
+    return np.array(location), np.array(rotation.to_matrix()), np.array(scale)
+
+
+def _deforms(armature, mesh):
+    return any(each.type == "ARMATURE" and each.object == armature for each in mesh.modifiers)
+
+
+def _is_identity(matrix):
+    return np.abs(np.array(matrix) - np.eye(4)).max() < 1e-7
+
+
+def _rotation_path(bone):
+    names = {"QUATERNION": "rotation_quaternion", "AXIS_ANGLE": "rotation_axis_angle"}
+    return names.get(bone.rotation_mode, "rotation_euler")
+
+
+def _set_rotation(bone, rotation):
+    turned = mathutils.Matrix(rotation.tolist())
+    if bone.rotation_mode == "QUATERNION":
+        found = turned.to_quaternion()
+        found.make_compatible(bone.rotation_quaternion)
+        bone.rotation_quaternion = found
+    elif bone.rotation_mode == "AXIS_ANGLE":
+        axis, angle = turned.to_quaternion().to_axis_angle()
+        bone.rotation_axis_angle = (angle, *axis)
+    else:
+        bone.rotation_euler = turned.to_euler(bone.rotation_mode, bone.rotation_euler)

@@ -1,0 +1,96 @@
+"""How the elements look: tracks, areas and handles as two batches, the label of the one in hand."""
+
+from __future__ import annotations
+
+import blf
+import bpy
+import gpu
+import numpy as np
+from gpu_extras.batch import batch_for_shader
+
+_SIDES = {"left": (0.20, 0.50, 1.0), "right": (1.0, 0.30, 0.25), "middle": (1.0, 0.80, 0.20)}
+_PLAIN = (0.75, 0.75, 0.75)
+_HOT = (1.0, 1.0, 1.0)
+_CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, 17)[:-1]])
+_NEW_NAMES = bpy.app.version >= (4, 0, 0)
+
+
+def draw_elements(screen, shown, radii, opacity, hot):
+    """Draw ``shown`` elements in the 3-D view; ``hot`` is the index of the one in hand, or -1.
+
+    ``radii`` are the handles' sizes in pixels.  Those that face away are left out.
+    """
+    lines, faces = _Batch(), _Batch()
+    order = [i for i, item in enumerate(shown) if screen.faces(item.placed)]
+    for i in sorted(order, key=lambda i: i == hot):
+        colour = _HOT if i == hot else _SIDES.get(shown[i].element.side, _PLAIN)
+        _add_element(screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if i == hot else 0.85))
+    gpu.state.blend_set("ALPHA")
+    gpu.state.depth_test_set("NONE")
+    lines.draw("LINES", width=2.0, viewport=(screen.width, screen.height))
+    faces.draw("TRIS")
+    gpu.state.blend_set("NONE")
+
+
+def draw_label(at, text):
+    """A line of text in pixels, y upwards, with a shadow so that it reads on any ground."""
+    font = 0
+    if _NEW_NAMES:
+        blf.size(font, 13)
+    else:
+        blf.size(font, 13, 72)
+    blf.enable(font, blf.SHADOW)
+    blf.shadow(font, 3, 0.0, 0.0, 0.0, 1.0)
+    blf.color(font, 1.0, 1.0, 1.0, 1.0)
+    blf.position(font, at[0], at[1], 0)
+    blf.draw(font, text)
+    blf.disable(font, blf.SHADOW)
+
+
+def _add_element(screen, lines, faces, item, radius, colour, opacity):
+    placed = item.placed
+    for track in placed.tracks:
+        lines.add(np.repeat(track, 2, axis=0)[1:-1], (*colour, opacity))
+    for area, triangles in zip(placed.areas, item.drawing.triangles, strict=True):
+        faces.add(area[triangles].reshape(-1, 3), (*colour, 0.18 * opacity))
+    faces.add(_disc(screen, placed.handle, radius + 1.5), (0.05, 0.05, 0.05, opacity))
+    faces.add(_disc(screen, placed.handle, radius), (*colour, opacity))
+
+
+def _disc(screen, centre, radius):
+    """(48, 3) triangles of a disc of ``radius`` pixels that looks at the viewer."""
+    right, up = screen.axes_at(centre)
+    ring = centre + radius * (_CORNERS[:, :1] * right + _CORNERS[:, 1:] * up)
+    return np.stack([np.broadcast_to(centre, ring.shape), ring, np.roll(ring, -1, axis=0)], axis=1).reshape(-1, 3)
+
+
+class _Batch:
+    """Vertices of one primitive type with a colour each."""
+
+    def __init__(self):
+        self.points, self.colours = [], []
+
+    def add(self, points, colour):
+        self.points.append(points)
+        self.colours.append(np.broadcast_to(np.array(colour), (len(points), 4)))
+
+    def draw(self, primitive, width=0.0, viewport=None):
+        if not self.points:
+            return
+        shader = gpu.shader.from_builtin(_shader_name(bool(width)))
+        columns = {
+            "pos": np.concatenate(self.points).astype(np.float32),
+            "color": np.concatenate(self.colours).astype(np.float32),
+        }
+        batch = batch_for_shader(shader, primitive, columns)
+        shader.bind()
+        if width:
+            shader.uniform_float("viewportSize", viewport)
+            shader.uniform_float("lineWidth", width)
+        batch.draw(shader)
+
+
+def _shader_name(wide):
+    if _NEW_NAMES:
+        return "POLYLINE_SMOOTH_COLOR" if wide else "SMOOTH_COLOR"
+    return "3D_POLYLINE_SMOOTH_COLOR" if wide else "3D_SMOOTH_COLOR"

@@ -1,0 +1,116 @@
+"""From an imported stage to controls: by Blender's USD hook, or by hand on what was imported before."""
+
+from __future__ import annotations
+
+import atexit
+
+import bpy
+
+from . import inbetweens
+from .character import bind
+from .layout import LayoutError
+
+
+def add_controls(stage, objects):
+    """Build the controls of every layout on a stage.
+
+    ``objects`` maps prim paths to imported objects.  Returns (holder, number of in-between keys added) per
+    character.  Raises LayoutError when the stage holds no layout, or one that does not fit the scene.
+    """
+    from .reading import read_layouts
+
+    layouts = read_layouts(stage)
+    if not layouts:
+        raise LayoutError("this stage holds no rig UI layout")
+    built = []
+    for layout in layouts:
+        meshes = {mesh.path: objects[mesh.path] for mesh in layout.meshes if mesh.path in objects}
+        added = inbetweens.build(stage, meshes)
+        built.append((bind(layout, objects), added))
+        _hide_guides(objects, layout.root)
+    return built
+
+
+def expose_usd():
+    """Put the USD that this Blender brings along where Python finds it: as a module, bpy does not by itself."""
+    if hasattr(bpy.utils, "expose_bundled_modules"):
+        bpy.utils.expose_bundled_modules()
+
+
+def objects_by_name(stage):
+    """Prim paths of a stage's meshes and skeletons to the scene's objects of the same names.
+
+    For Blenders whose importer does not say which object came from which prim.  Of several objects whose
+    names differ in a numeric suffix, the selected or else the newest one is meant.
+    """
+    from pxr import UsdGeom, UsdSkel
+
+    found = {}
+    for prim in stage.Traverse():
+        wanted = "MESH" if prim.IsA(UsdGeom.Mesh) else "ARMATURE" if prim.IsA(UsdSkel.Skeleton) else ""
+        same = [each for each in bpy.data.objects if each.type == wanted and _named(each, prim.GetName())]
+        if wanted and same:
+            found[str(prim.GetPath())] = max(same, key=lambda each: (each.select_get(), each.name))
+    return found
+
+
+def _named(thing, name):
+    stem, _, number = thing.name.rpartition(".")
+    return thing.name == name or (stem == name and number.isdigit())
+
+
+def _hide_guides(objects, root):
+    """Hide the layer's own drawn handles, if they were imported as well: the controls are drawn instead."""
+    for path, thing in objects.items():
+        if path.startswith(f"{root}/RigUI/"):
+            thing.hide_viewport = thing.hide_render = True
+
+
+def _by_prim(prim_map):
+    """The object, if any, among what each prim was imported as."""
+    objects = {}
+    for path, found in prim_map.items():
+        for each in found:
+            if isinstance(each, bpy.types.Object):
+                objects[str(path)] = each
+    return objects
+
+
+if hasattr(bpy.types, "USDHook"):
+
+    class RigControlsHook(bpy.types.USDHook):
+        """Builds the controls of characters whose layout is imported with them."""
+
+        bl_idname = "usdrigui_controls"
+        bl_label = "In-situ rig controls"
+
+        @staticmethod
+        def on_import(import_context):
+            """Called by the importer when the scene is built; never fails the import."""
+            stage = import_context.get_stage()
+            has_map = hasattr(import_context, "get_prim_map")
+            try:
+                objects = _by_prim(import_context.get_prim_map()) if has_map else objects_by_name(stage)
+                built = add_controls(stage, objects)
+            except LayoutError as error:
+                print(f"In-situ rig controls: {error}")
+                return False
+            for holder, added in built:
+                print(f"In-situ rig controls: built on {holder.name}, {added} in-between shapes added")
+            return True
+
+
+def register():
+    """Listen to imports, where this Blender tells of them."""
+    if hasattr(bpy.types, "USDHook"):
+        expose_usd()
+        bpy.utils.register_class(RigControlsHook)
+        # Blender 4.5 deadlocks at exit in a class that it still knows while Python goes away.
+        atexit.register(unregister)
+
+
+def unregister():
+    """Listen no more; doing so twice is harmless."""
+    if hasattr(bpy.types, "USDHook") and RigControlsHook.is_registered:
+        bpy.utils.unregister_class(RigControlsHook)
+    atexit.unregister(unregister)

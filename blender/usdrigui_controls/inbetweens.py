@@ -1,0 +1,117 @@
+"""In-between shapes, which Blender's USD importer leaves out, as shape keys with drivers.
+
+The offset of a point is piecewise linear in the weight through the in-betweens.  The imported key gives
+``weight * offset``; each in-between adds a key with what it differs by, and a driver that is 1 at its
+weight, 0 at the others', linear between them and onwards beyond the ends, as UsdSkel is.
+"""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+
+_KNOTS = "usdrigui_inbetweens"
+"""Custom property of the Key: per token, the weights and names of the keys added."""
+
+
+def build(stage, objects):
+    """Add the in-betweens of every imported mesh; returns how many keys were added.
+
+    ``objects`` maps prim paths to mesh objects.  Meshes that have their in-betweens already keep them.
+    """
+    from pxr import UsdSkel
+
+    added = 0
+    for path, mesh in objects.items():
+        prim = stage.GetPrimAtPath(path)
+        block = mesh.data.shape_keys
+        if not prim or block is None or _KNOTS in block:
+            continue
+        binding = UsdSkel.BindingAPI(prim)
+        tokens = list(binding.GetBlendShapesAttr().Get() or ())
+        targets = binding.GetBlendShapeTargetsRel().GetTargets()
+        found = {}
+        for token, target in zip(tokens, targets, strict=False):
+            shape = UsdSkel.BlendShape(stage.GetPrimAtPath(target))
+            key = block.key_blocks.get(str(token))
+            if shape and key is not None:
+                names = _add(mesh, key, shape)
+                if names:
+                    found[str(token)] = names
+                    added += len(names)
+        if found:
+            block[_KNOTS] = json.dumps(found)
+    return added
+
+
+def offsets_at(block, key, point):
+    """Knots (k,) and offsets (k, 3) of one vertex under one shape key and its in-betweens."""
+    rest = np.array(block.reference_key.data[point].co)
+    full = np.array(key.data[point].co) - rest
+    pairs = [(0.0, np.zeros(3)), (1.0, full)]
+    for weight, name in json.loads(block.get(_KNOTS, "{}")).get(key.name, ()):
+        added = block.key_blocks.get(name)
+        if added is not None:
+            pairs.append((weight, weight * full + np.array(added.data[point].co) - rest))
+    pairs.sort(key=lambda pair: pair[0])
+    return np.array([weight for weight, _ in pairs]), np.array([offset for _, offset in pairs])
+
+
+def hat(knots, index, variable="w"):
+    """Driver expression that is 1 at ``knots[index]`` and 0 at the others.
+
+    Only what Blender evaluates without Python: so it works with scripts switched off.
+    """
+    rise = f"({variable}-({knots[index - 1]:.9g}))/{knots[index] - knots[index - 1]:.9g}" if index else ""
+    last = index + 1 == len(knots)
+    fall = "" if last else f"(({knots[index + 1]:.9g})-{variable})/{knots[index + 1] - knots[index]:.9g}"
+    # The first and the last piece go on beyond their ends; all others stop at 0.
+    if rise and index > 1:
+        rise = f"max(0,{rise})"
+    if fall and index + 2 < len(knots):
+        fall = f"max(0,{fall})"
+    return f"min({rise},{fall})" if rise and fall else rise or fall
+
+
+def _add(mesh, key, shape):
+    """Keys for the in-betweens of one shape: (weight, name) pairs, ascending."""
+    between = [each for each in shape.GetInbetweens() if each.GetWeight() is not None and each.GetOffsets()]
+    between.sort(key=lambda each: each.GetWeight())
+    if not between:
+        return []
+    knots = sorted({0.0, 1.0, *(each.GetWeight() for each in between)})
+    indices = np.array(shape.GetPointIndicesAttr().Get() or (), dtype=np.int64)
+    rest, full = _coordinates(mesh.data.shape_keys.reference_key), _coordinates(key)
+    names = []
+    for each in between:
+        weight = each.GetWeight()
+        if weight in (0.0, 1.0):
+            continue
+        offsets = np.zeros_like(rest)
+        offsets[indices if len(indices) else slice(None)] = np.array(each.GetOffsets())
+        added = mesh.shape_key_add(name=f"{key.name}@{weight:g}", from_mix=False)
+        added.relative_key = mesh.data.shape_keys.reference_key
+        added.data.foreach_set("co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32))
+        added.slider_min, added.slider_max = -10.0, 10.0
+        _drive(added, key, hat(knots, knots.index(weight)))
+        names.append((weight, added.name))
+    return names
+
+
+def _drive(added, key, expression):
+    driver = added.driver_add("value").driver
+    driver.type = "SCRIPTED"
+    variable = driver.variables.new()
+    variable.name = "w"
+    target = variable.targets[0]
+    target.id_type = "KEY"
+    target.id = key.id_data
+    target.data_path = key.path_from_id("value")
+    driver.expression = expression
+
+
+def _coordinates(key):
+    flat = np.zeros(3 * len(key.data), dtype=np.float32)
+    key.data.foreach_get("co", flat)
+    return flat.reshape(-1, 3).astype(np.float64)

@@ -1,0 +1,245 @@
+"""Settings, the panel in the sidebar and the operators."""
+
+from __future__ import annotations
+
+import bpy
+
+from . import shown
+from .character import Character, holders, unbind
+from .gizmos import Hand
+from .importing import add_controls, expose_usd, objects_by_name
+from .layout import LayoutError
+
+
+def _touch(_settings, _context):
+    shown.touch()
+
+
+class Settings(bpy.types.PropertyGroup):
+    """How the controls of a scene look and behave."""
+
+    show: bpy.props.BoolProperty(name="Show Controls", default=True, update=_touch)
+    opacity: bpy.props.FloatProperty(name="Opacity", default=0.8, min=0.05, max=1.0, subtype="FACTOR")
+    size: bpy.props.FloatProperty(name="Handle Size", default=1.0, min=0.2, max=4.0)
+    symmetric: bpy.props.BoolProperty(
+        name="Symmetric",
+        default=False,
+        description="Dragging a control moves its twin along; Alt while dragging inverts",
+    )
+    names: bpy.props.BoolProperty(
+        name="Names",
+        default=True,
+        description="Show the name of the control under the pointer",
+    )
+    board: bpy.props.BoolProperty(
+        name="Side Board",
+        default=True,
+        description="Show the elements that stand beside the face",
+        update=_touch,
+    )
+
+
+class LoadLayout(bpy.types.Operator):
+    """Build the controls of a character that was imported from USD before."""
+
+    bl_idname = "usdrigui.load_layout"
+    bl_label = "Load Rig UI Layout"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH")
+    filter_glob: bpy.props.StringProperty(default="*.usd;*.usda;*.usdc;*.usdz", options={"HIDDEN"})
+
+    def invoke(self, context, event):
+        """Ask for the layer."""
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    def execute(self, context):
+        """Read the layer and bind it to the objects of the same names."""
+        try:
+            stage = open_stage(bpy.path.abspath(self.filepath))
+            built = add_controls(stage, objects_by_name(stage))
+        except LayoutError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        shown.forget()
+        for holder, _ in built:
+            missing = Character(holder).missing()
+            if missing:
+                self.report({"WARNING"}, f"nothing in the scene answers to {', '.join(missing)}")
+        return {"FINISHED"}
+
+
+class RemoveLayout(bpy.types.Operator):
+    """Take the controls of all characters away; shape keys and bones stay."""
+
+    bl_idname = "usdrigui.remove_layout"
+    bl_label = "Remove Rig UI Layout"
+    bl_options = {"REGISTER", "UNDO"}
+
+    def execute(self, context):
+        """Unbind every character of the scene."""
+        for holder in holders(context.scene):
+            unbind(holder)
+        shown.forget()
+        return {"FINISHED"}
+
+
+class ResetControls(bpy.types.Operator):
+    """Put controls back to the base pose."""
+
+    bl_idname = "usdrigui.reset"
+    bl_label = "Reset Controls"
+    bl_options = {"REGISTER", "UNDO"}
+
+    everything: bpy.props.BoolProperty(name="All Controls", default=False)
+
+    def execute(self, context):
+        """Reset the element used last, or all controls of all characters."""
+        for holder, names in _chosen(context, self.everything):
+            character = Character(holder)
+            character.set_values({name: character.controls[name].base for name in names})
+        shown.touch()
+        return {"FINISHED"}
+
+
+class KeyControls(bpy.types.Operator):
+    """Insert keyframes for controls at the current frame."""
+
+    bl_idname = "usdrigui.insert_keys"
+    bl_label = "Key Controls"
+    bl_options = {"REGISTER", "UNDO"}
+
+    everything: bpy.props.BoolProperty(name="All Controls", default=False)
+
+    def execute(self, context):
+        """Key the element under the pointer or used last, or all controls of all characters."""
+        chosen = _chosen(context, self.everything)
+        for holder, names in chosen:
+            Character(holder).insert_keys(names)
+        count = sum(len(names) for _, names in chosen)
+        self.report({"INFO"}, f"keyed {count} control{'' if count == 1 else 's'}")
+        return {"FINISHED"} if count else {"CANCELLED"}
+
+
+class KeyHovered(bpy.types.Operator):
+    """Insert keyframes for the controls under the pointer."""
+
+    bl_idname = "usdrigui.key_hovered"
+    bl_label = "Key Control Under Pointer"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        """Only over a handle; elsewhere the key means what it always means."""
+        return context.scene.usdrigui.show and Hand.hot is not None
+
+    def execute(self, context):
+        """Key what the pointer is over."""
+        Hand.active = Hand.hot
+        return bpy.ops.usdrigui.insert_keys(everything=False)
+
+
+class RigPanel(bpy.types.Panel):
+    """The controls of the scene in the sidebar of the 3-D view."""
+
+    bl_idname = "USDRIGUI_PT_controls"
+    bl_label = "In-situ Rig Controls"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Rig UI"
+
+    def draw(self, context):
+        """Settings, then the element used last."""
+        column, settings = self.layout.column(), context.scene.usdrigui
+        if not holders(context.scene):
+            column.label(text="No character with a layout")
+            column.operator(LoadLayout.bl_idname, icon="IMPORT")
+            return
+        for name in ("show", "opacity", "size", "symmetric", "names", "board"):
+            column.prop(settings, name)
+        self._draw_active(column.box())
+        row = column.row(align=True)
+        row.operator(KeyControls.bl_idname, text="Key All", icon="KEY_HLT").everything = True
+        row.operator(ResetControls.bl_idname, text="Reset All", icon="LOOP_BACK").everything = True
+        column.operator(LoadLayout.bl_idname, icon="IMPORT")
+        column.operator(RemoveLayout.bl_idname, icon="X")
+
+    def _draw_active(self, box):
+        holder, element = _active()
+        if element is None:
+            box.label(text="Drag a handle on the face")
+            return
+        character = Character(holder)
+        box.label(text=element.label)
+        for member in element.members:
+            control = character.controls[member.control]
+            keys = character.shape_keys(control.shapes[0].token) if control.plain else ()
+            if keys:
+                box.prop(keys[0], "value", text=control.label, slider=True)
+            else:
+                box.label(text=f"{control.label}  {character.values()[control.name]:.3f}")
+        if element.reason:
+            box.label(text=element.reason, icon="INFO")
+        row = box.row(align=True)
+        row.operator(KeyControls.bl_idname, text="Key", icon="KEY_HLT").everything = False
+        row.operator(ResetControls.bl_idname, text="Reset", icon="LOOP_BACK").everything = False
+
+
+def open_stage(path):
+    """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
+    try:
+        expose_usd()
+        from pxr import Tf, Usd
+    except ImportError as error:
+        raise LayoutError("this Blender comes without USD's Python modules") from error
+    try:
+        return Usd.Stage.Open(path)
+    except Tf.ErrorException as error:
+        raise LayoutError(f"{path} is not a USD file that can be opened") from error
+
+
+def _active():
+    holder = bpy.data.objects.get(Hand.active[0]) if Hand.active else None
+    if holder is None or holder not in holders(bpy.context.scene):
+        return None, None
+    return holder, Character(holder).layout.element(Hand.active[1])
+
+
+def _chosen(context, everything):
+    """(holder, names of controls) to act on."""
+    if everything:
+        return [(holder, list(Character(holder).controls)) for holder in holders(context.scene)]
+    holder, element = _active()
+    return [(holder, [member.control for member in element.members])] if element else []
+
+
+def _file_menu(self, _context):
+    self.layout.operator(LoadLayout.bl_idname, text="Rig UI Layout for Imported USD (.usd)")
+
+
+_CLASSES = (Settings, LoadLayout, RemoveLayout, ResetControls, KeyControls, KeyHovered, RigPanel)
+_keymaps = []
+
+
+def register():
+    """Settings, panel, operators, the menu entry and the key I over a handle."""
+    for each in _CLASSES:
+        bpy.utils.register_class(each)
+    bpy.types.Scene.usdrigui = bpy.props.PointerProperty(type=Settings)
+    bpy.types.TOPBAR_MT_file_import.append(_file_menu)
+    configuration = bpy.context.window_manager.keyconfigs.addon
+    if configuration is not None:
+        keymap = configuration.keymaps.new(name="3D View", space_type="VIEW_3D")
+        _keymaps.append((keymap, keymap.keymap_items.new(KeyHovered.bl_idname, "I", "PRESS")))
+
+
+def unregister():
+    """Take them away."""
+    for keymap, item in _keymaps:
+        keymap.keymap_items.remove(item)
+    _keymaps.clear()
+    bpy.types.TOPBAR_MT_file_import.remove(_file_menu)
+    del bpy.types.Scene.usdrigui
+    for each in reversed(_CLASSES):
+        bpy.utils.unregister_class(each)

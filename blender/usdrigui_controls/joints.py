@@ -1,0 +1,61 @@
+"""Joint moves as UsdSkel and the layer say them, and as a bone's own loc, rot, scale; numpy only.
+
+A bone's basis is relative to its bind pose, a control's drive to the base pose; both in the joint's own
+axes.  Matrices are 4x4 for column vectors.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .maths.rotation import rotation_vectors, rotations
+
+
+class JointFrame:
+    """One joint between its bind pose and its rest pose."""
+
+    def __init__(self, bind, rest):
+        """``bind`` and ``rest`` are local transforms in USD's row-vector convention."""
+        bind, rest = np.array(bind).T, np.array(rest).T
+        self.turn, _ = _parts(bind)
+        rest_turn, self.stretch = _parts(rest)
+        self.lead = self.turn.T @ rest_turn
+        self.offset = rest[:3, 3] - bind[:3, 3]
+
+    def basis(self, move):
+        """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector, translation, log scale)."""
+        rotation, translation, scale = (np.asarray(part, dtype=np.float64) for part in move)
+        location = self.turn.T @ (self.offset + translation)
+        return location, self.lead @ rotations(rotation).T, self.stretch * np.exp(scale)
+
+    def move(self, location, rotation, scale):
+        """The inverse of `basis`: (3, 3), the rows rotation vector, translation and log scale."""
+        turned = rotation_vectors((self.lead.T @ rotation).T)
+        scales = np.log(np.maximum(np.abs(np.asarray(scale) / self.stretch), 1e-12))
+        return np.array([turned, self.turn @ np.asarray(location) - self.offset, scales])
+
+
+def drive_at(keys, table, value):
+    """Row of ``table`` (k, ...) at ``value``: linear between the ``keys`` (k,), extrapolated beyond them."""
+    keys, table = np.asarray(keys, dtype=np.float64), np.asarray(table, dtype=np.float64)
+    piece = int(np.clip(np.searchsorted(keys, value, side="right") - 1, 0, len(keys) - 2))
+    share = (value - keys[piece]) / (keys[piece + 1] - keys[piece])
+    return (1.0 - share) * table[piece] + share * table[piece + 1]
+
+
+def values_behind(moves, defaults, slopes):
+    """Values of the controls that together make a joint's ``moves`` (9,), nearest in the least squares.
+
+    ``slopes`` (controls, 9) are moves per unit of each control, ``defaults`` (controls,) where they add
+    nothing.
+    """
+    slopes = np.asarray(slopes, dtype=np.float64)
+    return np.asarray(defaults) + np.linalg.lstsq(slopes.T, np.asarray(moves, dtype=np.float64), rcond=1e-9)[0]
+
+
+def _parts(matrix):
+    """(3, 3) rotation and (3,) scale along its own axes of a local transform for column vectors."""
+    scale = np.linalg.norm(matrix[:3, :3], axis=0)
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        scale = -scale
+    return matrix[:3, :3] / np.where(scale == 0.0, 1.0, scale), scale

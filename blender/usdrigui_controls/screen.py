@@ -1,0 +1,118 @@
+"""From drags in the plane of the screen to control values; numpy only, nothing of Blender.
+
+Pixels have x to the right and y down.  The fitting itself is usdrigui's own, copied into `maths` when the
+extension is built.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .maths.drag import drag, held_at
+
+FINE = 0.1
+"""How much slower the handle is than the pointer in a fine drag."""
+_BEHIND = -0.05
+"""Elements that face away from the viewer by more than this cosine cannot be seen."""
+
+
+@dataclass(frozen=True)
+class Screen:
+    """A view: what is where on its pixels."""
+
+    matrix: np.ndarray
+    """(4, 4) world to clip space, for column vectors."""
+    width: float
+    height: float
+    eye: np.ndarray
+    """(3,) the viewer, or for a view without perspective the direction towards him."""
+    perspective: bool
+
+    def project(self, points):
+        """(n, 2) pixels of world points (n, 3); NaN for those behind the viewer."""
+        homogeneous = np.asarray(points, dtype=np.float64) @ self.matrix[:, :3].T + self.matrix[:, 3]
+        w = homogeneous[:, 3:]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            clip = np.where(w > 0.0, homogeneous[:, :2] / w, np.nan)
+        return (clip * (1.0, -1.0) + 1.0) * 0.5 * (self.width, self.height)
+
+    def faces(self, placed):
+        """Whether an element's front is seen."""
+        toward = self.eye - placed.handle if self.perspective else self.eye
+        length = float(np.linalg.norm(toward)) * float(np.linalg.norm(placed.normal))
+        return length == 0.0 or float(placed.normal @ toward) > _BEHIND * length
+
+    def radius(self, placed, width):
+        """Pixels that half of ``width`` scene units take at an element's handle."""
+        right, _ = self.axes_at(placed.handle)
+        return 0.5 * width * placed.scale / max(float(np.linalg.norm(right)), 1e-30)
+
+    def axes_at(self, point):
+        """(3,) each, the world vectors of one pixel to the right and one upward at a world point."""
+        w = max(float(self.matrix[3, :3] @ point + self.matrix[3, 3]), 1e-30)
+        right, up = self.matrix[0, :3], self.matrix[1, :3]
+        return 2.0 * w / self.width * right / (right @ right), 2.0 * w / self.height * up / (up @ up)
+
+
+def pick(screen, elements, pointer, radii, reach=8.0):
+    """Index of the element whose handle is nearest to the ``pointer`` (2,), or -1.
+
+    ``elements`` are `Placed` ones or None, ``radii`` their handles' pixels; a handle is caught within its
+    radius, and within ``reach`` pixels however small it is drawn.  Each handle's distance counts from its
+    centre, so that of two handles on one spot the pointer takes the one it is nearer to.
+    """
+    shown = [i for i, placed in enumerate(elements) if placed is not None and screen.faces(placed)]
+    if not shown:
+        return -1
+    at = screen.project(np.array([elements[i].handle for i in shown]))
+    away = np.linalg.norm(at - pointer, axis=1)
+    caught = away <= np.maximum(np.array([radii[i] for i in shown]), reach)
+    if not caught.any():
+        return -1
+    return shown[int(np.argmin(np.where(caught, away, np.inf)))]
+
+
+class Grab:
+    """One drag of one element, from press to release."""
+
+    def __init__(self, screen, drawing, placed, values, pointer):
+        self.drawing = drawing
+        self.tracks = [screen.project(track) for track in placed.tracks]
+        self.values = np.array(values, dtype=np.float64)
+        inside = np.clip(self.values, [at[0] for at in drawing.values], [at[-1] for at in drawing.values])
+        self.hand = held_at(self.tracks, drawing.values, drawing.base, inside)
+        self.pointer = np.array(pointer, dtype=np.float64)
+
+    def to(self, pointer, fine=False):
+        """(m,) member values when the pointer has moved to ``pointer`` (2,); within the controls' ranges."""
+        moved = np.array(pointer, dtype=np.float64) - self.pointer
+        self.pointer = self.pointer + moved
+        self.hand = self.hand + (FINE if fine else 1.0) * moved
+        found = drag(self.tracks, self.drawing.values, self.drawing.base, self.values, self.hand)
+        low, high = self.drawing.ranges.T
+        self.values = np.clip(found, low, high)
+        return self.values
+
+
+def with_partners(changed, partners, ranges):
+    """Values with those of twin controls added: the twin moves by the same share of its own range.
+
+    ``changed`` maps names to values, ``partners`` names to names, ``ranges`` names to (minimum, default,
+    maximum).  A control that was itself dragged keeps its value.
+    """
+    found = dict(changed)
+    for name, value in changed.items():
+        twin = partners.get(name, name)
+        if twin not in changed:
+            found[twin] = _same_share(value, ranges[name], ranges[twin])
+    return found
+
+
+def _same_share(value, mine, theirs):
+    """The value as far from the default towards its end, measured in the twin's range."""
+    low, rest, high = mine
+    end, other = (high, theirs[2]) if value >= rest else (low, theirs[0])
+    share = (value - rest) / (end - rest) if end != rest else 0.0
+    return min(max(theirs[1] + share * (other - theirs[1]), theirs[0]), theirs[2])

@@ -1,0 +1,111 @@
+"""The elements that are on screen: placed once per change of the scene, asked by every view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from .character import Character, holders
+from .layout import LayoutError
+from .sites import Anchors
+
+
+@dataclass(frozen=True)
+class Item:
+    """One element of one character, placed."""
+
+    holder: str
+    """Name of the object that holds the layout."""
+    element: object
+    drawing: object
+    placed: object
+    values: np.ndarray
+    """(members,)"""
+
+
+_anchors = {}
+_items = []
+_dirty = True
+
+
+def items(context):
+    """All elements that can be seen, where they are now."""
+    global _dirty, _items
+    if _dirty:
+        _dirty = False
+        _items = _placed(context)
+    return _items
+
+
+def forget():
+    """Everything may have changed, references into Blender too."""
+    _anchors.clear()
+    touch()
+
+
+def touch():
+    """Something may have moved."""
+    global _dirty
+    _dirty = True
+
+
+def _placed(context):
+    found = []
+    settings = context.scene.usdrigui
+    depsgraph = context.view_layer.depsgraph
+    for holder in holders(context.scene):
+        try:
+            character = Character(holder)
+            anchors = _anchors_of(character)
+            values = character.values()
+            placed = anchors.place(character, depsgraph, values)
+        except (LayoutError, ReferenceError, KeyError):
+            _anchors.pop(holder.name, None)
+            continue
+        for element, drawing, where in zip(anchors.elements, anchors.drawings, placed, strict=True):
+            if where is not None and (element.mesh or settings.board):
+                mine = np.array([values[member.control] for member in element.members])
+                found.append(Item(holder.name, element, drawing, where, mine))
+    return found
+
+
+def _anchors_of(character):
+    known = _anchors.get(character.holder.name)
+    if known is None or known.elements is not character.layout.elements:
+        known = _anchors[character.holder.name] = Anchors(character)
+    return known
+
+
+@bpy.app.handlers.persistent
+def _on_change(*_):
+    touch()
+
+
+@bpy.app.handlers.persistent
+def _on_replace(*_):
+    forget()
+
+
+_HANDLERS = (
+    ("depsgraph_update_post", _on_change),
+    ("frame_change_post", _on_change),
+    ("undo_post", _on_replace),
+    ("redo_post", _on_replace),
+    ("load_post", _on_replace),
+)
+
+
+def register():
+    """Hear of changes."""
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister():
+    """Hear no more."""
+    for name, handler in _HANDLERS:
+        if handler in getattr(bpy.app.handlers, name):
+            getattr(bpy.app.handlers, name).remove(handler)
+    forget()

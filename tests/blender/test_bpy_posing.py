@@ -1,0 +1,98 @@
+"""Blender's own evaluated meshes under the extension's controls, against UsdSkel."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import blender_characters as characters
+import laid_out
+import numpy as np
+import pytest
+from real_rigs import ASSETS
+
+from usdrigui.pose.evaluate import elements_at, prepare
+
+CLOSE = 1e-5
+"""Of the diagonal of the character."""
+SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
+
+
+def poses_of(rig, count=2):
+    """The base pose, every third control at its end, and random poses."""
+    rng = np.random.default_rng(5)
+    every = laid_out.defaults(rig)
+    single = []
+    for j in range(0, len(rig.controls), max(1, len(rig.controls) // 4)):
+        one = every.copy()
+        one[j] = rig.controls[j].maximum if j % 2 else rig.controls[j].minimum or rig.controls[j].maximum
+        single.append(one)
+    return [every, *single, *(laid_out.random_values(rig, rng) for _ in range(count))]
+
+
+def checked(run_inside, python, layer, source, rig, layout, missing=()):
+    poses = poses_of(rig)
+    names = [control.name for control in rig.controls]
+    laid = {member.control for element in layout.elements for member in element.members}
+    for pose in poses:
+        for j, name in enumerate(names):
+            pose[j] = pose[j] if name in laid else rig.controls[j].default
+    asked = [{name: value for name, value in zip(names, pose, strict=True) if name in laid} for pose in poses]
+    found = run_inside([python], "pose_points", layer=str(layer), poses=asked, missing=list(missing))
+    place = characters.to_world(source, rig)
+    size = characters.diagonal([place(mesh.points) for mesh in rig.meshes])
+    worst = {"points": 0.0, "values": 0.0, "handles": 0.0, "tracks": 0.0}
+    poser = prepare(rig, layout)
+    for number, pose in enumerate(poses):
+        expected = characters.usdskel_points(source, rig, pose)
+        for i, path in enumerate(found["meshes"]):
+            gap = np.abs(found[f"mesh{number}_{i}"] - place(expected[str(path)])).max()
+            worst["points"] = max(worst["points"], gap / size)
+        wanted = [value for name, value in asked[number].items() if name not in missing]
+        got = [v for v, name in zip(found[f"values{number}"], asked[number], strict=True) if name not in missing]
+        worst["values"] = max(worst["values"], float(np.abs(np.subtract(got, wanted)).max()))
+        for element, each in zip(layout.elements, elements_at(poser, pose), strict=True):
+            gap = np.abs(found[f"handle{number}_{element.name}"] - place(each.handle)).max()
+            if all(member.gain == 1.0 for member in element.members):
+                worst["handles"] = max(worst["handles"], gap / size)
+            for k, track in enumerate(each.tracks):
+                gap = np.abs(found[f"track{number}_{element.name}_{k}"] - place(track)).max()
+                worst["tracks"] = max(worst["tracks"], gap / size)
+    return worst
+
+
+KINDS = {
+    "linear": {"moved": True},
+    "hinged": {"hinged": True},
+    "reordered": {"reordered": True, "meshes": 2},
+    "left_handed": {"left_handed": True},
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_points_handles_and_tracks_of_small_characters(run_inside, bpy_python, tmp_path, kind):
+    layer, rig, layout = characters.skinned(tmp_path, kind, **KINDS[kind])
+    worst = checked(run_inside, bpy_python, layer, tmp_path / f"{kind}.usda", rig, layout)
+    assert all(each < CLOSE for name, each in worst.items() if name != "values"), worst
+    assert worst["values"] < 1e-4
+
+
+def test_points_of_the_sample(run_inside, bpy_python, tmp_path):
+    source = tmp_path / "char.usda"
+    for name in ("char.usda", "char_geometry.usda"):
+        (tmp_path / name).write_bytes((SAMPLE.parent / name).read_bytes())
+    layer, rig, layout = characters.written(source)
+    worst = checked(run_inside, bpy_python, layer, source, rig, layout)
+    assert all(each < CLOSE for name, each in worst.items() if name != "values"), worst
+    print(worst)
+
+
+@pytest.mark.real
+@pytest.mark.parametrize("name", ["ict_face57.usdc"])
+def test_points_of_real_rigs(run_inside, bpy_python, tmp_path, name):
+    if not (ASSETS / name).is_file():
+        pytest.skip(f"needs ../shared/assets/{name}")
+    source = tmp_path / name
+    source.write_bytes((ASSETS / name).read_bytes())
+    layer, rig, layout = characters.written(source)
+    worst = checked(run_inside, bpy_python, layer, source, rig, layout)
+    assert all(each < CLOSE for key, each in worst.items() if key != "values"), worst
