@@ -1,51 +1,15 @@
 """What a layout must be on real rigs: mirrored, visible, graspable, telling; whatever the search's limit."""
 
-from dataclasses import replace
-from functools import cache
-from pathlib import Path
-
-import chain
 import numpy as np
 import pytest
+from real_rigs import ASSETS, homes, line_of, on_face, point_of
 
-from usdrigui.layout.elements import layout
-from usdrigui.settings import Settings
-from usdrigui.solve import solve
-from usdrigui.usd.rig import read_rigs
-
-ASSETS = Path(__file__).resolve().parents[3] / "shared" / "assets"
 RIGS = ("godette", "mh_expr34", "mh_poseunits", "ict_face57", "vitruvian")
 
 pytestmark = [
     pytest.mark.real,
     pytest.mark.skipif(not ASSETS.is_dir(), reason=f"needs the real rigs in {ASSETS}"),
 ]
-
-
-@cache
-def line_of(name):
-    settings = Settings()
-    settings = replace(settings, solve=replace(settings.solve, work_limit=100_000, threads=1))
-    (rig,) = read_rigs(ASSETS / f"{name}.usdc", settings)
-    line = chain.posed(rig, settings)
-    assignment = solve(line.problem, settings.solve)
-    made = layout(line.context, line.candidates, line.groups, line.problem, line.choices, assignment)
-    return replace(line, assignment=assignment, layout=made)
-
-
-def on_face(line):
-    return [element for element in line.layout.elements if not element.anchor.beside]
-
-
-def point_of(line, element):
-    starts = line.context.rig.starts
-    paths = [mesh.path for mesh in line.context.rig.meshes]
-    return int(starts[paths.index(element.anchor.mesh)] + element.anchor.point)
-
-
-def homes(line):
-    """Element of every control."""
-    return {member.control: element for element in line.layout.elements for member in element.members}
 
 
 @pytest.mark.parametrize("name", RIGS)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Motion
+from usdrigui.model import Flags, Floats, Indices, Motion
 
 NOTABLE = 0.25
 """A control moves a point notably when by this share of its own peak."""
@@ -39,8 +39,20 @@ def covering(motions: Sequence[Motion], areas: Floats) -> Floats:
     face = np.zeros(len(areas), dtype=bool)
     usual = _MANY_TIMES * float(np.median(size)) if len(size) else 0.0
     for index in np.argsort(size, kind="stable"):
-        if size[index] > usual and face.any():
-            known = float(areas[face].sum())
-            share[index] = float(areas[face & flags[index]].sum()) / known if known > 0.0 else 0.0
+        known = float(areas[face].sum())
+        if size[index] > usual and known > 0.0:
+            share[index] = float(areas[_covered(motions[index], face, areas)].sum()) / known
         face |= flags[index]
     return share
+
+
+def _covered(motion: Motion, face: Flags, areas: Floats) -> Indices:
+    """Points of the face that a control moves notably, by its peak there.
+
+    A shape of the whole head moves the back of it, or the shoulders, several times as far as the face: what
+    tells it is that it moves the face evenly.  A control that hardly reaches the face is measured by its own peak.
+    """
+    on_face = face[motion.points] & (areas[motion.points] > 0.0)
+    here, own = motion.arc_length[on_face].max(initial=0.0), motion.arc_length.max()
+    peak = here if here >= NOTABLE * own else own
+    return motion.points[on_face & (motion.arc_length >= NOTABLE * peak)]

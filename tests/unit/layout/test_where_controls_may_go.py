@@ -159,6 +159,15 @@ def test_whole_head_controls_are_global(whole):
     assert not chosen(rig, controls={"whole": {"place": "face"}})("whole").globally
 
 
+def test_whole_head_controls_may_peak_off_the_face():
+    """Identity shapes move the shoulders or the back of the head several times as far as the face."""
+    rim = np.abs(POINTS[:, 0]) > 0.7
+    assert not any(np.any(each[rim]) for each in SHAPES.values()), "no other control moves the rim"
+    even = np.full_like(POINTS, 0.05)
+    assert chosen(rig_with(whole=np.where(rim[:, None], 3.0 * even, even)))("whole").globally
+    assert not chosen(rig_with(whole=np.where(rim[:, None], 20.0 * even, even)))("whole").globally
+
+
 def test_controls_of_hidden_things_are_hidden():
     found = chosen(rig_with_teeth())
     assert found("teeth").hidden

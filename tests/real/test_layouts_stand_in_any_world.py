@@ -1,0 +1,183 @@
+"""Real rigs in other worlds: a hundred times larger, Z-up, moved, or with shapes that move the whole head."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from real_rigs import ASSETS, asset, homes, laid_out, line_of, on_face, rebuilt, referring, with_whole_head_shapes
+
+from usdrigui.settings import Settings
+from usdrigui.surface import mesh_triangles
+from usdrigui.usd.rig import read_rigs
+
+WHOLE = {"headUp", "headSize", "headWide", "headFuller", "hideEarrings"}
+FRONTS = {
+    "godette": (0.0, 0.0, -1.0),
+    "mh_expr34": (0.0, 0.0, 1.0),
+    "mh_poseunits": (0.0, 0.0, 1.0),
+    "ict_face57": (0.0, 0.0, 1.0),
+    "vitruvian": (0.0, -1.0, 0.0),
+}
+"""Where the characters look, as their makers' pages show them."""
+
+pytestmark = [
+    pytest.mark.real,
+    pytest.mark.skipif(not ASSETS.is_dir(), reason=f"needs the real rigs in {ASSETS}"),
+]
+
+
+def anchors(line):
+    """(mesh, point) of every element on the face, by its controls; meshes by their last names."""
+    return {
+        frozenset(member.control for member in element.members): (
+            element.anchor.mesh.rsplit("/", 1)[-1],
+            element.anchor.point,
+        )
+        for element in on_face(line)
+    }
+
+
+# --- size, axes and place ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("z_up", [False, True], ids=["y-up", "z-up"])
+@pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
+def test_arrays_a_hundred_times_larger_or_turned_give_the_same_anchors(name, z_up, tmp_path):
+    (rig,) = read_rigs(rebuilt(name, tmp_path, 100.0, z_up), Settings())
+    assert rig.up == pytest.approx([0, 0, 1] if z_up else [0, 1, 0])
+    line, plain = laid_out(rig), line_of(name)
+    assert line.layout.handle_width == pytest.approx(100.0 * plain.layout.handle_width, rel=1e-4)
+    assert anchors(line) == anchors(plain)
+    assert len(anchors(line)) >= 10
+
+
+def test_joints_turned_to_z_up_give_the_same_anchors(tmp_path):
+    (rig,) = read_rigs(rebuilt("mh_poseunits", tmp_path, 1.0, True), Settings())
+    assert anchors(laid_out(rig)) == anchors(line_of("mh_poseunits"))
+
+
+@pytest.mark.parametrize("z_up", [False, True], ids=["y-up", "z-up"])
+@pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
+def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_up, tmp_path):
+    (rig,) = read_rigs(referring(name, tmp_path, 100.0, z_up), Settings())
+    assert rig.root == "/Shot/Char"
+    assert rig.up == pytest.approx([0, 1, 0]), "the character's own space is still Y-up"
+    assert anchors(laid_out(rig)) == anchors(line_of(name))
+
+
+# --- whole-head and hide shapes ----------------------------------------------------------------------
+
+
+@cache
+def with_whole_head(name):
+    plain = line_of(name)
+    base = plain.context.trajectories.base
+    moved = np.zeros(len(base), dtype=bool)
+    for candidate_set in plain.candidates.sets:
+        if not candidate_set.globally:
+            moved[plain.context.trajectories.motions[candidate_set.motion].points] = True
+    (rig,) = read_rigs(asset(name), Settings())
+    return laid_out(with_whole_head_shapes(rig, base, moved))
+
+
+@pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
+def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
+    found = homes(with_whole_head(name))
+    own = {control for control, element in homes(line_of(name)).items() if element.family == "global"}
+    assert {control for control, element in found.items() if element.family == "global"} == WHOLE | own
+    assert all(found[control].anchor.beside and found[control].reason for control in WHOLE)
+
+
+@pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
+def test_their_board_stands_clear_of_the_head(name):
+    """No element of the board lies in front of the head or of another element, seen from the front."""
+    line = with_whole_head(name)
+    context, width = line.context, line.layout.handle_width
+    across = np.cross(context.rig.up, FRONTS[name])
+    beside = [element for element in line.layout.elements if element.anchor.beside]
+    spots = np.array([element.anchor.position for element in beside])
+    apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.diag(np.full(len(spots), np.inf))
+    assert apart.min() >= width
+    board = spots @ across
+    reached = np.array([element.anchor.position for element in on_face(line)]) @ across
+    assert board.min() > reached.max() + width or board.max() < reached.min() - width
+
+
+# --- visibility, by another way of looking -----------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", FRONTS)
+def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
+    """Every triangle is tried, from a quarter of a handle before the surface: no caster, no normal, no view
+    of the product's own."""
+    line = line_of(name)
+    rig, base = line.context.rig, line.context.trajectories.base
+    triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
+    spots = np.array([element.anchor.position for element in on_face(line)])
+    seen = np.zeros(len(spots), dtype=bool)
+    for toward in viewers(np.array(FRONTS[name]), rig.up):
+        seen |= free(spots + 0.25 * line.layout.handle_width * toward, toward, triangles)
+    hidden = [element.name for element, each in zip(on_face(line), seen, strict=True) if not each]
+    assert hidden == []
+
+
+def test_what_lies_behind_the_head_is_hidden_from_all_three():
+    line = line_of("godette")
+    rig, base = line.context.rig, line.context.trajectories.base
+    triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
+    size = line.context.trajectories.face_size
+    behind = np.array([e.anchor.position for e in on_face(line)]) - size * np.array(FRONTS["godette"])
+    for toward in viewers(np.array(FRONTS["godette"]), rig.up):
+        assert free(behind, toward, triangles).mean() < 0.5
+
+
+def viewers(ahead, up):
+    """Front and both three-quarter directions, 40 degrees to the sides."""
+    side = np.cross(up, ahead)
+    turns = np.radians([0.0, 40.0, -40.0])
+    return [np.cos(turn) * ahead + np.sin(turn) * side for turn in turns]
+
+
+def free(origins, toward, triangles):
+    """(n,) whether the ray from each origin meets no triangle: in the plane across `toward`, which triangles hold
+    the origin's image, and do they lie before it?"""
+    first = np.cross(toward, np.eye(3)[int(np.argmin(np.abs(toward)))])
+    axes = np.stack([first / np.linalg.norm(first), np.cross(toward, first / np.linalg.norm(first))], axis=1)
+    flat, depth = triangles @ axes, triangles @ toward
+    result = np.ones(len(origins), dtype=bool)
+    for index, origin in enumerate(origins):
+        edges = flat - origin @ axes
+        after, later = np.roll(edges, -1, axis=1), np.roll(edges, -2, axis=1)
+        areas = after[..., 0] * later[..., 1] - after[..., 1] * later[..., 0]
+        total = areas.sum(axis=1)
+        inside = ((areas >= 0).all(axis=1) | (areas <= 0).all(axis=1)) & (np.abs(total) > 0)
+        if inside.any():
+            met = (areas[inside] * depth[inside]).sum(axis=1) / total[inside]
+            result[index] = not (met > origin @ toward).any()
+    return result
+
+
+# --- jaws and eyes -----------------------------------------------------------------------------------
+
+
+def test_eyes_and_jaws_of_other_makers_share_joysticks_too():
+    gaze = homes(line_of("godette"))["look_up"]
+    assert {member.control for member in gaze.members} == {"look_up", "look_left", "look_right"}
+    assert gaze.kind == "patch"
+    vitruvian = homes(line_of("vitruvian"))
+    for side in ("Left", "Right"):
+        eye = {vitruvian[f"Look_{way}_{side}"] for way in ("In", "Out", "Dwn", "Up")}
+        assert [(each.kind, len(each.opposed)) for each in eye] == [("patch", 2)]
+    assert vitruvian["Look_Up_Left"] is not vitruvian["Look_Up_Right"]
+    assert vitruvian["Jaw_Out"] is vitruvian["Jaw_back"]
+    assert vitruvian["Jaw_Out"].kind == "patch"
+
+
+def test_a_joystick_drives_all_its_ways_from_one_handle():
+    ict = homes(line_of("ict_face57"))
+    gaze, jaw = ict["eyeLookUp_L"], ict["jawOpen"]
+    assert (gaze.kind, len(gaze.members), len(gaze.opposed)) == ("patch", 4, 2)
+    assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("patch", 3, 1)
+    for element in (gaze, jaw):
+        starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
+        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").context.trajectories.face_size
