@@ -1,9 +1,11 @@
-"""Frames per second of the web viewer while a handle is dragged, in Chromium with software WebGL.
+"""Frames per second of the web viewer while a handle is dragged, in Chromium without a graphics card.
 
     python benchmarks/viewer_frames.py char.rigui.html [--control NAME] [--seconds 5] [--size 1280x800]
+                                                       [--draw webgl|canvas]
 
-Also prints where the time of a frame goes, as the page measures it, and the processor time per frame of
-all of the browser's processes, which other work on the machine does not change (Linux only).
+Also prints where the time of a frame goes: what the page measures, and the processor time per frame of the
+page's own process (script, style, canvases) and of the graphics process (software WebGL and putting the
+picture together), which other work on the machine changes little (Linux only).
 """
 
 from __future__ import annotations
@@ -11,47 +13,40 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import sys
 import time
+from collections import Counter
 from pathlib import Path
 
-from playwright.sync_api import sync_playwright
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-FLAGS = (
-    "--no-sandbox",
-    "--disable-gpu",
-    "--enable-unsafe-swiftshader",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-)
+from browser_pages import Viewer, launched
 
 TIMED = """() => {
   const { view, session } = usdrigui.app;
   window.parts = {};
-  const time = (owner, name) => {
+  const time = (owner, name, label) => {
     const plain = owner[name].bind(owner);
-    window.parts[name] = [];
+    const times = (window.parts[label] = []);
     owner[name] = (...given) => {
       const began = performance.now();
       const result = plain(...given);
-      window.parts[name].push(performance.now() - began);
+      times.push(performance.now() - began);
       return result;
     };
   };
-  time(view, 'drawNow');
-  time(view.stage, 'refresh');
-  time(view.stage, 'draw');
-  time(view, 'arrangeOverlay');
-  time(view.overlay, 'draw');
-  time(session.deformer, 'pose');
-  time(session.elements, 'follow');
-  time(session, 'set');
+  time(session, 'set', 'set values');
+  time(session.deformer, 'pose', '  points');
+  time(session.elements, 'follow', '  elements');
+  time(view, 'drawNow', 'draw');
+  time(view.stage, 'refresh', '  normals');
+  time(view.stage, 'draw', '  skin');
+  time(view, 'arrangeOverlay', '  project elements');
+  time(view.overlay, 'draw', '  handles and tracks');
 }"""
 
-SPENT = """() => Object.fromEntries(Object.entries(window.parts).map(([name, times]) => [
-  name, [times.length, times.reduce((sum, time) => sum + time, 0) / Math.max(1, times.length)]]))"""
+SPENT = """() => Object.entries(window.parts).map(([name, times]) =>
+  [name, times.length, times.reduce((sum, time) => sum + time, 0) / Math.max(1, times.length)])"""
 
 
 def main() -> None:
@@ -60,21 +55,18 @@ def main() -> None:
     parser.add_argument("--control", default="jawOpen")
     parser.add_argument("--seconds", type=float, default=5.0)
     parser.add_argument("--size", default="1280x800")
-    parser.add_argument("--browser", default="/usr/bin/chromium")
-    arguments = parser.parse_args()
-    width, height = map(int, arguments.size.split("x"))
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=arguments.browser, args=FLAGS)
-        page = browser.new_page(viewport={"width": width, "height": height})
-        page.goto(arguments.page.resolve().as_uri())
-        page.wait_for_function("window.usdrigui !== undefined")
-        page.wait_for_timeout(1500)
-        measure(page, arguments)
-        browser.close()
+    parser.add_argument("--draw", choices=("webgl", "canvas"), help="insist on one; by default the page chooses")
+    given = parser.parse_args()
+    playwright, browser = launched()
+    viewer = Viewer(browser, given.page, tuple(map(int, given.size.split("x"))), draw=given.draw)
+    measure(viewer.page, given.control, given.seconds)
+    browser.close()
+    playwright.stop()
 
 
-def measure(page, arguments):
-    element = next(each for each in page.evaluate("usdrigui.elements()") if arguments.control in each["controls"])
+def measure(page, control, seconds):
+    page.wait_for_timeout(1500)
+    element = next(each for each in page.evaluate("usdrigui.elements()") if control in each["controls"])
     box = page.locator(".surface").bounding_box()
     x, y = box["x"] + element["handle"][0], box["y"] + element["handle"][1]
     to_x, to_y = element["tracks"][0][-1][0] + box["x"], element["tracks"][0][-1][1] + box["y"]
@@ -85,35 +77,43 @@ def measure(page, arguments):
     page.evaluate(TIMED)
     spent_before = processor_seconds()
     before, began = page.evaluate("usdrigui.app.view.drawn"), time.perf_counter()
-    while (now := time.perf_counter() - began) < arguments.seconds:
+    while (now := time.perf_counter() - began) < seconds:
         share = 0.5 - 0.5 * math.cos(3.0 * now)
         page.mouse.move(x + share * (to_x - x), y + share * (to_y - y))
     frames = page.evaluate("usdrigui.app.view.drawn") - before
     processor = processor_seconds() - spent_before
     spent = page.evaluate(SPENT)
-    fineness = page.evaluate("usdrigui.app.view.fineness")
+    by, fineness = page.evaluate("[usdrigui.app.view.stage.drawnBy, usdrigui.app.view.fineness]")
     page.mouse.up()
-    print(f"{frames / now:.1f} frames per second, drawn at {fineness:.2f} of the resolution")
-    print(f"{1000 * processor / max(1, frames):.0f} ms of processor time per frame, on {os.cpu_count()} processors")
-    for name, (count, mean) in spent.items():
-        print(f"  {name:16} {mean:7.2f} ms  x {count}")
+    print(f"{frames / now:.1f} frames per second, drawn by the {by} at {fineness:.2f} of the resolution")
+    each = {role: 1000 * used / max(1, frames) for role, used in processor.items()}
+    print(f"{sum(each.values()):.0f} ms of processor time per frame on {os.cpu_count()} processors, of which ", end="")
+    print(f"page {each['page']:.0f}, graphics {each['graphics']:.0f}; load {os.getloadavg()[0]:.1f}")
+    for name, count, mean in spent:
+        print(f"  {name:20} {mean:7.2f} ms  x {count}")
 
 
-def processor_seconds() -> float:
-    """Processor time so far of all processes that come from this one, without its own."""
-    parents, ticks = {}, {}
-    for entry in Path("/proc").glob("[0-9]*/stat"):
+def processor_seconds() -> Counter[str]:
+    """Processor time so far of the processes that come from this one, by what they do for the browser."""
+    parents, ticks, roles = {}, {}, {}
+    for folder in Path("/proc").glob("[0-9]*"):
         try:
-            name, _, rest = entry.read_text().rpartition(")")
+            fields = (folder / "stat").read_text().rpartition(")")[2].split()
+            command = (folder / "cmdline").read_bytes()
         except OSError:
             continue
-        fields = rest.split()
-        process = int(name.split()[0])
+        process = int(folder.name)
         parents[process], ticks[process] = int(fields[1]), int(fields[11]) + int(fields[12])
+        page, graphics = b"--renderer-client-id" in command, b"--gpu-preferences" in command
+        roles[process] = "page" if page else "graphics" if graphics else "other"
     ours = {os.getpid()}
     for _ in range(8):
         ours |= {process for process, parent in parents.items() if parent in ours}
-    return sum(ticks[process] for process in ours - {os.getpid()} if process in ticks) / os.sysconf("SC_CLK_TCK")
+    spent: Counter[str] = Counter()
+    for process in ours - {os.getpid()}:
+        if process in ticks:
+            spent[roles[process]] += ticks[process] / os.sysconf("SC_CLK_TCK")
+    return spent
 
 
 if __name__ == "__main__":

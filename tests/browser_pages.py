@@ -1,4 +1,4 @@
-"""Chromium for the viewer's tests; they skip, saying so, where it or Playwright is missing."""
+"""Chromium for the viewer's tests and benchmarks; tests skip, saying so, where it or Playwright is missing."""
 
 from __future__ import annotations
 
@@ -24,26 +24,27 @@ def chromium_path():
     )
 
 
-def launched():
+def launched(*more_flags):
     """A (playwright, browser) pair, or a skip that says what is missing."""
     sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
     path = chromium_path()
     if path is None:
         pytest.skip("no Chromium is installed")
     playwright = sync_api.sync_playwright().start()
-    return playwright, playwright.chromium.launch(executable_path=path, args=FLAGS)
+    return playwright, playwright.chromium.launch(executable_path=path, args=[*FLAGS, *more_flags])
 
 
 class Viewer:
     """A viewer page in the browser, driven with the mouse."""
 
-    def __init__(self, browser, path, size=(1200, 760)):
+    def __init__(self, browser, path, size=(1200, 760), permissions=(), draw=None):
         self.trouble = []
-        self.page = browser.new_page(viewport={"width": size[0], "height": size[1]})
+        viewport = {"width": size[0], "height": size[1]}
+        self.page = browser.new_page(viewport=viewport, permissions=list(permissions))
         self.page.on("console", self._heard)
         self.page.on("pageerror", lambda error: self.trouble.append(str(error)))
         self.page.on("request", self._asked)
-        self.page.goto(path.resolve().as_uri())
+        self.page.goto(path.resolve().as_uri() + (f"#draw={draw}" if draw else ""))
         self.page.wait_for_function("window.usdrigui !== undefined", timeout=60_000)
         self.settle()
 
@@ -96,6 +97,23 @@ class Viewer:
         self.glide(start, end, steps)
         self.page.mouse.up()
         self.settle()
+
+    def marks_in(self, left, top, width, height):
+        """How much of a rectangle of the view the handles and tracks cover: the sum of their opacity, 0 to 1 each."""
+        return self.page.evaluate(
+            """([x, y, w, h]) => {
+              const { canvas, ratio } = usdrigui.app.view.overlay;
+              const box = [x, y, w, h].map((value) => Math.round(value * ratio));
+              const { data } = canvas.getContext('2d').getImageData(...box);
+              let sum = 0;
+              for (let i = 3; i < data.length; i += 4) sum += data[i] / 255;
+              return sum;
+            }""",
+            [left, top, width, height],
+        )
+
+    def marks_at(self, at, reach=9):
+        return self.marks_in(at[0] - reach, at[1] - reach, 2 * reach, 2 * reach)
 
     def skin_shot(self):
         """Pixels of the drawn skin alone, as PNG bytes."""

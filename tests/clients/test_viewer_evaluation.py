@@ -6,7 +6,7 @@ import laid_out
 import makers
 import numpy as np
 import pytest
-from browser_pages import Viewer, launched
+from browser_pages import Viewer
 from skel_stages import character
 from viewer_layouts import peak_layout
 
@@ -20,14 +20,6 @@ from usdrigui.view.page import page_html
 
 TOLERANCE = 6e-5
 """Of the diagonal: what 16-bit positions and offsets leave."""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright, made = launched()
-    yield made
-    made.close()
-    playwright.stop()
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import tomllib
 import makers
 import numpy as np
 import pytest
-from browser_pages import Viewer, launched
+from browser_pages import Viewer
 from pxr import Sdf, Usd
 from viewer_layouts import peak_layout
 
@@ -18,14 +18,6 @@ from usdrigui.view.page import page_html
 MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
 PATCH = ("lower", "patch", ("chin", "jawLeft"), ())
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright, made = launched()
-    yield made
-    made.close()
-    playwright.stop()
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from browser_pages import Viewer, launched
+from browser_pages import Viewer
 from viewer_layouts import peak_layout
 
 from usdrigui.deform import deform
@@ -25,14 +25,6 @@ RIGS = {
 }
 
 pytestmark = pytest.mark.real
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright, made = launched()
-    yield made
-    made.close()
-    playwright.stop()
 
 
 @pytest.fixture(scope="module", params=RIGS)

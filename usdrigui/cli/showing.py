@@ -17,6 +17,9 @@ def add_view(commands: Any) -> None:
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
     parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
+    parser.add_argument(
+        "--study", action="store_true", help="offer the evaluation: match target faces with three interfaces"
+    )
 
 
 def add_picture(commands: Any) -> None:
@@ -44,7 +47,7 @@ def _view(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
-    html = page.page_html(loaded.characters, title=Path(arguments.layer).name)
+    html = page.page_html(loaded.characters, title=Path(arguments.layer).name, study=arguments.study)
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html)
         say(f"usdrigui: {state} {arguments.html}", arguments)

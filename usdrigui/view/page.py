@@ -26,7 +26,7 @@ _PAGE = """<!DOCTYPE html>
 <title>{title}</title>
 <style>{style}</style>
 </head>
-<body>
+<body{flags}>
 <div id="app"><p class="loading">Loading {title}…</p></div>
 <noscript>This page needs JavaScript.</noscript>
 <script type="text/plain" id="scene">{scene}</script>
@@ -36,10 +36,11 @@ _PAGE = """<!DOCTYPE html>
 """
 
 
-def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> str:
+def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False) -> str:
     """One HTML file in which the characters can be posed by their layouts.
 
-    The same records and title always give the same text.  Raises RigUIError VIEW_MISMATCH when a layout
+    The same records and title always give the same text.  With ``study`` the page offers the evaluation of
+    the paper's section 5 as well (docs/decisions/073).  Raises RigUIError VIEW_MISMATCH when a layout
     does not belong to its rig, or when there is no character at all.
     """
     if not rig_layouts:
@@ -49,6 +50,7 @@ def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> str:
         policy=_policy(script, style),
         title=html.escape(title),
         style=style,
+        flags=" data-study" if study else "",
         scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
         script=script,
     )

@@ -1,6 +1,6 @@
 // The plain list of sliders: every control by name, searchable, and the baseline of the evaluation.
 
-import { make, shownValue } from './dom.js';
+import { longName, make, shownValue } from './dom.js';
 import { COLOURS, familyName } from './overlay.js';
 
 const STEPS = 1000;
@@ -83,9 +83,10 @@ export class ControlList {
         class: 'name',
         title: control.label === control.name ? control.name : `${control.label} (${control.name})`,
         tabIndex: -1,
+        'aria-label': control.label,
         onclick: (event) => element && session.select([element], event.shiftKey ? 'toggle' : 'replace'),
       },
-      control.label,
+      longName(control.label),
     );
     const chip = make('i', { class: 'chip', style: { background: COLOURS[element?.side ?? 'none'] } });
     const node = make(

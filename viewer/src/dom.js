@@ -14,6 +14,19 @@ export function make(tag, properties = {}, ...children) {
   return node;
 }
 
+/** The part of a name that tells it from its neighbours: its last word, mostly a side or a direction. */
+export function lastWord(text) {
+  const word = /[_.:\- ][^_.:\- ]{1,9}$/.exec(text) ?? /[A-Z][a-z]{1,8}$/.exec(text);
+  return word ? word[0] : text.slice(-5);
+}
+
+/** A name that, where it is too long, loses its middle and keeps its last word. */
+export function longName(text) {
+  const end = lastWord(text);
+  const start = text.slice(0, text.length - end.length);
+  return make('span', { class: 'long-name' }, make('span', { class: 'start' }, start), make('span', {}, end));
+}
+
 /** A button that is pressed or not; `icon` is short text. */
 export function toggle(label, title, isOn, press) {
   const button = make('button', { class: 'toggle', title, type: 'button', onclick: press }, label);

@@ -1,7 +1,7 @@
 // The panel on the right: what is selected, what acts at a clicked point, how things are shown, poses and
 // layout in and out.
 
-import { askForFile, download, make, segmented, shownValue, toggle } from './dom.js';
+import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
 import { COLOURS, familyName } from './overlay.js';
 import { framesFromUsda, poseFromJson, poseToJson, poseToUsda } from './pose_io.js';
 import { sideName } from './view.js';
@@ -101,7 +101,7 @@ export class Inspector {
     });
     this.numbers.push({ input, index, range });
     const ends = `${shownValue(control.minimum, range)} … ${shownValue(control.maximum, range)}`;
-    return make('label', { class: 'number-row', title: `${control.name}: ${ends}` }, make('span', {}, control.label), input);
+    return make('label', { class: 'number-row', title: `${control.name}: ${ends}` }, longName(control.label), input);
   }
 
   updateNumbers() {
@@ -128,13 +128,15 @@ export class Inspector {
           {
             type: 'button',
             class: 'ranked-row',
+            title: session.controls[control].label,
+            'aria-label': session.controls[control].label,
             'data-control': session.controls[control].name,
             onpointerenter: () => view.pointAt(control),
             onpointerleave: () => view.pointAt(null),
             onclick: (event) => elementOf(control) && session.select([elementOf(control)], event.shiftKey ? 'toggle' : 'replace'),
           },
           make('i', { style: { width: `${Math.round(100 * share)}%`, background: COLOURS[elementOf(control)?.side ?? 'none'] } }),
-          make('span', {}, session.controls[control].label),
+          longName(session.controls[control].label),
           make('small', {}, `${Math.round(100 * share)} %`),
         ),
       ),
@@ -193,7 +195,15 @@ export class Inspector {
       this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),
       this.check('follow', 'Elements follow the skin', 'Off: they stay where they are at rest'),
       this.updating(showAll),
+      this.updating(this.drawnBy()),
     );
+  }
+
+  /** Says so when the graphics card has no part in the picture. */
+  drawnBy() {
+    const note = make('p', { class: 'hint' }, 'Drawn by the processor: this browser has no WebGL, or only one in software.');
+    note.update = () => (note.hidden = this.view.stage.drawnBy !== 'processor');
+    return note;
   }
 
   pulling() {

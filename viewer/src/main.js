@@ -85,7 +85,9 @@ class App {
       )),
       make('span', { class: 'space' }),
       make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo(), 'Undo'), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo(), 'Redo')),
-      make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open())),
+      'study' in document.body.dataset
+        ? make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open()))
+        : null,
       act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden), 'Shortcuts'),
     );
   }

@@ -1,12 +1,14 @@
 // Tracks, handles, labels and marks, drawn on a plain canvas above the picture: crisp at any resolution,
 // and half-hidden parts can be shown as ghosts.
 
+import { lastWord } from './dom.js';
 import { alongTrack } from './elements.js';
 
 export const COLOURS = { left: '#58a6ff', right: '#ff6b6b', middle: '#f5c451', none: '#b9a7f5' };
 const AFFECTED = '#5fd6ff';
 const LEAST_HANDLE = 9;
 const MOST_HANDLE = 22;
+const BESIDE_FONT = '11px system-ui, sans-serif';
 
 export class Overlay {
   constructor(canvas, session) {
@@ -287,11 +289,17 @@ export class Overlay {
     pen.globalAlpha = 1;
   }
 
+  /** Pixels across that the name of an element beside the face takes. */
+  labelWidth(text) {
+    this.pen.font = BESIDE_FONT;
+    return this.pen.measureText(text).width;
+  }
+
   /** Names of the elements beside the face, whose place does not tell what they do. */
   drawBesideLabels() {
     const { pen, session } = this;
     const rows = this.drawn.filter(({ element, handle }) => element.beside && handle[2] > 0);
-    pen.font = '11px system-ui, sans-serif';
+    pen.font = BESIDE_FONT;
     pen.textAlign = 'left';
     const extents = rows.map(({ handle, tracks }) => {
       const xs = [handle[0], ...tracks.flatMap((track) => track.map(({ at }) => at[0]))];
@@ -423,11 +431,15 @@ function mostlyCovered(tracks) {
   return corners.filter(({ covered }) => covered).length > 0.6 * corners.length;
 }
 
+/** A text cut to a width in the middle, so that its last word, mostly a side, stays; '' where nothing fits. */
 function shortened(pen, text, width) {
   if (pen.measureText(text).width <= width) return text;
-  let kept = text.length - 1;
-  while (kept > 1 && pen.measureText(`${text.slice(0, kept)}…`).width > width) kept--;
-  return kept > 1 ? `${text.slice(0, kept)}…` : '';
+  for (const end of [lastWord(text), '']) {
+    let kept = text.length - end.length - 1;
+    while (kept > 1 && pen.measureText(`${text.slice(0, kept)}…${end}`).width > width) kept--;
+    if (kept > 1) return `${text.slice(0, kept)}…${end}`;
+  }
+  return '';
 }
 
 /** Circle for one axis, diamond for two, triangle for a fan. */

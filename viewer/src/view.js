@@ -9,8 +9,10 @@ import { Stage } from './stage.js';
 import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
-const LABEL_ROOM = 70; // pixels kept for the names of elements beside the face
+const MOST_LABEL = 150; // pixels kept at most for the names of elements beside the face
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
+const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
+const MOST_SMOOTHED = 150000; // triangles up to which it does
 
 export class View {
   constructor(session) {
@@ -107,8 +109,8 @@ export class View {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
     const shown = this.shownElements();
-    const labelled = this.controlsColumn !== null && shown.some((element) => element.beside);
-    this.camera.frame(this.framed(shown), column.width, column.height, labelled ? LABEL_ROOM : 0);
+    const room = this.controlsColumn ? this.labelRoom(shown.filter((element) => element.beside)) : 0;
+    this.camera.frame(this.framed(shown), column.width, column.height, room);
     this.changed('camera');
   }
 
@@ -122,23 +124,33 @@ export class View {
     const beside = shown.filter((element) => element.beside).flatMap((element) => element.tracks.flat());
     const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
     if (!on.length) return beside.length ? [...beside, ...skin] : skin;
-    const around = this.columns.length > 1 ? this.surroundings(on, skin) : on;
-    return this.controlsColumn ? [...around, ...beside] : around;
+    if (this.columns.length > 1) on.push(...this.surroundings(on, skin, 0.5, 0.5));
+    else if (beside.length) on.push(...this.surroundings(on, skin, 0.35, 0.08));
+    return this.controlsColumn ? [...on, ...beside] : on;
   }
 
-  /** The skin around some points, as far as half of their height. */
-  surroundings(points, skin) {
+  /** Pixels that the names at the right end of the board need. */
+  labelRoom(beside) {
+    const along = (element) => Math.max(...element.tracks.flat().map((point) => dot(point, this.camera.right)));
+    const ends = beside.map(along);
+    const [least, most] = [Math.min(...ends), Math.max(...ends)];
+    const last = beside.filter((_, i) => ends[i] >= most - 0.25 * (most - least));
+    return Math.min(MOST_LABEL, Math.max(0, ...last.map(({ label }) => this.overlay.labelWidth(label) + 14)));
+  }
+
+  /** The skin around some points, as far as these shares of their height to the sides and up and down. */
+  surroundings(points, skin, sideways, upright) {
     const { right, above } = this.camera;
     const spans = [right, above].map((axis) => {
       const along = points.map((point) => dot(point, axis));
       return [Math.min(...along), Math.max(...along)];
     });
-    const reach = 0.5 * (spans[1][1] - spans[1][0]);
+    const reach = [sideways, upright].map((share) => share * (spans[1][1] - spans[1][0]));
     const near = (point) => [right, above].every((axis, i) => {
       const at = dot(point, axis);
-      return at > spans[i][0] - reach && at < spans[i][1] + reach;
+      return at > spans[i][0] - reach[i] && at < spans[i][1] + reach[i];
     });
-    return [...points, ...skin.filter(near)];
+    return skin.filter(near);
   }
 
   /** Look more closely, from the same side: at the selected elements, else at those on the face. */
@@ -214,21 +226,28 @@ export class View {
 
   /** Draw coarser while frames are slow, and sharp again when nothing changes. */
   pace(now) {
-    const moving = this.stale.has('pose') || this.stale.has('camera');
+    const moving = this.stale.has('pose') || this.stale.has('camera') || this.repaint;
+    if (moving && this.fineness > 1) this.setFineness(1);
     if (moving && this.lastFrame && now - this.lastFrame < 400) {
       this.average = 0.8 * (this.average ?? 0) + 0.2 * (now - this.lastFrame);
       if (this.average > SLOW && this.fineness > 0.5) this.setFineness(this.fineness - 0.25);
     } else this.average = 0;
     this.lastFrame = moving ? now : null;
     clearTimeout(this.settling);
-    if (this.fineness < 1) this.settling = setTimeout(() => this.sharpen(), SETTLE);
+    if (this.fineness !== this.finest) this.settling = setTimeout(() => this.sharpen(), SETTLE);
+  }
+
+  /** Share of the screen's resolution at which the picture is drawn when nothing moves. */
+  get finest() {
+    const rough = this.stage.drawnBy === 'processor' && this.ratio < SMOOTH;
+    return rough && this.stage.triangles.length <= 3 * MOST_SMOOTHED ? SMOOTH : 1;
   }
 
   sharpen() {
     if (this.gestures.active) this.settling = setTimeout(() => this.sharpen(), SETTLE);
     else {
-      this.setFineness(1);
-      this.request();
+      this.setFineness(this.finest);
+      this.drawNow();
     }
   }
 
