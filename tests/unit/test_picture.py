@@ -95,6 +95,21 @@ def test_elements_beside_the_face_are_drawn_in_front_only(rig):
     assert len(pixels_like(render(rig, layout, views=["left34"], size=SMALL), VIOLET, 25)) == 0
 
 
+@pytest.mark.parametrize("height", [400, 640])
+def test_the_heading_of_a_board_at_the_upper_edge_is_not_cut(rig, monkeypatch, height):
+    """The board stands higher than anything else: its heading needs room above it."""
+    tops, headings = [], lettering._headings
+
+    def spied(*given):
+        tops.extend(y for _, _, y in headings(*given))
+        return headings(*given)
+
+    monkeypatch.setattr(lettering, "_headings", spied)
+    render(rig, aside(sided(rig, beside=("chin",)), (1.4, 1.9, 0.5)), views=["front"], size=(640, height))
+    assert len(tops) == 1
+    assert tops[0] > 8.0
+
+
 def test_names_beside_the_face_are_cut_to_their_room():
     face = lettering.font(12)
     assert lettering._cut("chin", face, 100.0) == "chin"

@@ -26,6 +26,8 @@ _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
 _MARGIN = np.array([0.14, 0.20])
 """Space around the elements on the face, to the sides and up and down, as a share of their extent."""
+_HEADROOM = 30.0
+"""Space above a board that reaches the upper edge, for its heading, in pixels."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
@@ -143,6 +145,8 @@ class _Framed:
     """Whether the elements beside the face are shown."""
     columns: tuple[float, float]
     """Pixels kept free on the left and on the right for names."""
+    headroom: float
+    """Pixels kept free above."""
     labels: bool
 
 
@@ -169,16 +173,17 @@ def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: b
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if view == "front" else 0.72) * half[1])
     low, high = middle - half, middle + half
-    columns = (0.0, 0.0)
+    columns, headroom = (0.0, 0.0), 0.0
     if beside:
         more = _extent(layout, posed, rows, True)
         pad = 1.5 * layout.handle_width
+        headroom = _HEADROOM if more[1][1] + pad > high[1] else 0.0
         low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
         columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
     if labels and view == "front":
         wide = lettering.widest([each.label for each in layout.elements if not each.anchor.beside]) + 16.0
         columns = (columns[0] + wide, columns[1] + wide)
-    return _Framed(view, rows, low, high, beside, columns, labels and view == "front")
+    return _Framed(view, rows, low, high, beside, columns, headroom, labels and view == "front")
 
 
 def _extent(layout: Layout, posed: PosedLayout, rows: Floats, beside: bool) -> tuple[Floats, Floats]:
@@ -199,10 +204,11 @@ def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Ca
     low = min(float(panel.low[1]) for panel in panels)
     high = max(float(panel.high[1]) for panel in panels)
     height = size[1] - _TITLE - _CAPTION - _LEGEND
+    headroom = max(panel.headroom for panel in panels)
     names = sum(sum(panel.columns) for panel in panels)
     free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
     wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
-    scale = max(min(height / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
+    scale = max(min((height - headroom) / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
     widths = [round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels]
     # Space that is left over widens the panels: more of the character is better than a broad border.
     spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
@@ -211,7 +217,7 @@ def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Ca
     cameras, corners = [], []
     for panel, width in zip(panels, widths, strict=True):
         lean = 0.5 * (panel.columns[1] - panel.columns[0]) / scale
-        middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, 0.5 * (low + high)])
+        middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, 0.5 * (low + high + headroom / scale)])
         cameras.append(Camera(panel.rows, middle @ panel.rows[:2], scale, width, height))
         corners.append((left, _TITLE))
         left += width + _GAP
