@@ -324,6 +324,21 @@ _CODES: dict[str, Code] = {
         "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
         Exit.USAGE,
     ),
+    "BASE_MISMATCH": Code(
+        "error",
+        "The layout given as --base is of another character.",
+        "Name the layout layer of the asset that the shot brings in.",
+    ),
+    "BASE_APART": Code(
+        "error",
+        "The shot has the character at another path than its layout, and does not bring the layout in.",
+        "Let the shot reference the layout layer instead of the asset, or write that layer with --bare.",
+    ),
+    "BASE_COMPLETE": Code(
+        "info",
+        "The layout given as --base has every control of the shot already; the layer adds none.",
+        "Nothing; the layer can go.",
+    ),
     "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
     # --- installation ----------------------------------------------------------------------------
     "EXTRA_MISSING": Code(

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from usdrigui.errors import refuse
+from usdrigui.layout.additions import standing_layout
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
 from usdrigui.layout.trajectory import trajectories as find_trajectories
@@ -30,6 +31,8 @@ class ExampleLayers:
     """Its anchors and groups are kept unless leaving them gains more than ``objective.keep_price``."""
     like: Path | None = None
     """The layout of another character, over that character, to be imitated; not together with `previous`."""
+    base: Path | None = None
+    """The asset's own layout, which stays: only controls that it lacks are laid out; not together with the others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +45,12 @@ class Examples:
     """Elements of `previous` that a stronger layer has corrected: they are fixed."""
     like: tuple[tuple[Rig, Layout], ...] = ()
     """Other characters with their layouts."""
+    base: LayoutsResult | None = None
+    """Layouts that stand, with the paths of their own layer."""
+
+    def standing(self, rig: Rig) -> Layout | None:
+        """The layout that stands for this character, with its paths; none where there is none."""
+        return standing_layout(self.base.layouts, rig) if self.base is not None else None
 
 
 def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
@@ -52,10 +61,28 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     """
     if layers.previous and layers.like:
         raise refuse("CONFIG_VALUE", "--like", "a layout is either this character's previous one or another's")
+    if layers.base and (layers.fixed or layers.previous or layers.like):
+        raise refuse("CONFIG_VALUE", "--base", "keeps everything as it is, and goes with no other layout")
+    base = read_layouts_isolated(layers.base, settings) if layers.base else None
     fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
     like = _characters(layers.like, settings) if layers.like else ()
-    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like)
+    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like, base)
+
+
+def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
+    """The characters to lay out: all, or those whose layout stands.  Raises BASE_MISMATCH where there is none."""
+    if examples.base is None:
+        return rigs
+    found = tuple(rig for rig in rigs if examples.standing(rig) is not None)
+    if not found:
+        theirs = ", ".join(layout.root for layout in examples.base.layouts)
+        raise refuse(
+            "BASE_MISMATCH",
+            rigs[0].root,
+            f"shares mesh and controls with none of the layouts, or with several: {theirs}",
+        )
+    return found
 
 
 def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:

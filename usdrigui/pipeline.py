@@ -19,9 +19,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from usdrigui.errors import Issue, RigUIError, refuse
-from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, with_fixed
+from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, rigs_over, with_fixed
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
+from usdrigui.layout import additions as additions_stage
 from usdrigui.layout import candidates as candidates_stage
 from usdrigui.layout import difference as difference_stage
 from usdrigui.layout import elements as elements_stage
@@ -37,7 +38,13 @@ from usdrigui.model import Assignment, Candidates, Floats, Group, Layout, Layout
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
-from usdrigui.usd.child import ReadResult, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.child import (
+    LayoutsResult,
+    ReadResult,
+    read_faults_isolated,
+    read_layouts_isolated,
+    read_rigs_isolated,
+)
 from usdrigui.usd.source import SourceFile, check_unchanged
 
 if TYPE_CHECKING:
@@ -139,12 +146,13 @@ def process(
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         heeded = read_examples(examples or ExampleLayers(), settings)
-    laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in source.rigs]
+    rigs = rigs_over(heeded, source.rigs)
+    laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
     outcome: Outcome = "dry run"
     if not dry_run:
         # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
         with clock.stage("write", can_stop=True):
-            outcome = _written(asset, target, settings, source, laid)
+            outcome = _written(asset, target, settings, source, laid, heeded)
     return Report(
         asset=str(asset),
         output="" if dry_run else str(target),
@@ -182,6 +190,9 @@ def posed(
         found = trajectory_stage.trajectories(rig, settings.trajectories, base_values)
     if not found.motions:
         raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
+    standing = examples.standing(rig)
+    if standing is not None:
+        settings = additions_stage.as_drawn(standing, found, settings)
     with clock.stage("symmetry"):
         symmetry = symmetry_stage.find_symmetry(rig, found, settings)
     with clock.stage("candidates"):
@@ -193,8 +204,11 @@ def posed(
             settings.candidates.occlusion,
             (cameras or {}).get(rig.root),
         )
-        context = Context(rig, found, symmetry, views, settings, precedent_of(examples, rig, found, settings))
-        candidates = candidates_stage.candidates(context)
+        precedent = precedent_of(examples, rig, found, settings)
+        context = Context(rig, found, symmetry, views, settings, precedent, standing)
+        if standing is not None:
+            review_stage.refuse_stale(context, standing)
+        candidates = additions_stage.of_new_controls(context, candidates_stage.candidates(context))
     with clock.stage("problem"):
         groups = groups_stage.find_groups(context, candidates)
         problem, choices = problem_stage.layout_problem(context, candidates, groups)
@@ -308,6 +322,9 @@ def _lay_out(
             assignment,
             ready.base_values,
         )
+    standing = ready.context.standing
+    if standing is not None:
+        layout = additions_stage.joined(standing, additions_stage.told_apart(layout, standing))
     previous = examples.previous.get(rig.root)
     return _character(ready, layout, assignment, _changes(ready, previous, layout, assignment) if previous else None)
 
@@ -332,9 +349,22 @@ def _character(
         assignment=assignment,
         rows=rows_of(rig, layout, peaks, _twin_names(ready)),
         notes=tuple(note for note in _notes(ready) if note.control in laid),
-        issues=_issues(ready),
+        issues=(*_issues(ready), *_nothing_added(ready, layout)),
         difference=changes,
+        added=_added(ready, layout),
     )
+
+
+def _added(ready: Posed, layout: Layout) -> frozenset[str]:
+    """Names of the elements that do not stand in another layer."""
+    standing = ready.context.standing
+    return frozenset(e.name for e in layout.elements[len(standing.elements) if standing is not None else 0 :])
+
+
+def _nothing_added(ready: Posed, layout: Layout) -> tuple[Issue, ...]:
+    if ready.context.standing is None or _added(ready, layout):
+        return ()
+    return (issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand"),)
 
 
 def _issues(ready: Posed) -> tuple[Issue, ...]:
@@ -431,7 +461,9 @@ def _check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
 
 
-def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport]) -> Outcome:
+def _written(
+    asset: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport], examples: Examples
+) -> Outcome:
     """Write the layer, unless a file that it was made from has changed meanwhile."""
     from usdrigui.usd import layer
 
@@ -440,9 +472,40 @@ def _written(asset: Path, target: Path, settings: Settings, source: ReadResult, 
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     _check_replaceable(target, settings)
     _make_folder(target)
+    if examples.base is not None:
+        return _written_over(examples.base, asset, target, settings, source, laid)
     pairs = [(character.rig, character.layout) for character in laid]
     unchanged = functools.partial(check_unchanged, source.sources)
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata, guard=unchanged)
+
+
+def _written_over(
+    base: LayoutsResult, shot: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport]
+) -> Outcome:
+    """Write what a shot adds to a layout that stands."""
+    from usdrigui.usd.additions import Addition, write_additions
+
+    layer = Path(base.sources[0].path)
+    if os.path.realpath(target) == base.sources[0].path:
+        raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
+    composed = any(each.path == base.sources[0].path for each in source.sources)
+    additions = []
+    for character in laid:
+        root = additions_stage.root_in_base(base.layouts, character.rig)
+        if root != character.root and not composed and base.source and not settings.output.bare:
+            raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")
+        prims = tuple(prim for prim in base.prims if prim.root == root)
+        additions.append(Addition(character.rig, character.layout, character.added, root, prims))
+    return write_additions(
+        additions,
+        shot,
+        layer,
+        target,
+        source.metadata,
+        composed=composed,
+        bare=settings.output.bare,
+        guard=functools.partial(check_unchanged, (*source.sources, *base.sources)),
+    )
 
 
 def _check_replaceable(target: Path, settings: Settings) -> None:

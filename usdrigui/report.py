@@ -54,6 +54,8 @@ class CharacterReport:
     """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
     """`usdrigui.layout.difference.Difference` from the previous layout, where one was given."""
+    added: frozenset[str] = frozenset()
+    """Names of the elements that this run placed: all, but for those that stand in the layer of `--base`."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""
@@ -202,7 +204,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "controls": [_row(row) for row in character.rows],
         "counts": {place: character.count(place) for place in ("face", "beside", "left off")},
         "displacement_kept": character.kept,
-        "elements": [_element(element) for element in layout.elements],
+        "elements": [_element(element, element.name not in character.added) for element in layout.elements],
         "notes": [{"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes],
         "handle_width": layout.handle_width,
         "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
@@ -236,7 +238,7 @@ def _row(row: ControlRow) -> dict[str, Any]:
     }
 
 
-def _element(element: Element) -> dict[str, Any]:
+def _element(element: Element, standing: bool) -> dict[str, Any]:
     anchor = element.anchor
     return {
         "name": element.name,
@@ -252,6 +254,7 @@ def _element(element: Element) -> dict[str, Any]:
         "position": anchor.position.tolist(),
         "gains": [member.gain for member in element.members],
         "reason": element.reason,
+        "standing": standing,
     }
 
 

@@ -173,8 +173,13 @@ class Screen:
             self._side.print(f"{event.stage:<14} {event.seconds:6.2f} s{detail}", soft_wrap=True)
 
     def _character(self, character: CharacterReport) -> None:
-        self._out.print(f"{character.root}: {len(character.layout.elements)} elements")
-        self._out.print(_rows_table(character.rows))
+        elements = character.layout.elements
+        standing = len(elements) - len(character.added)
+        told = f"{len(elements)} elements" + (f", {standing} of which stand in another layer" if standing else "")
+        self._out.print(f"{character.root}: {told}")
+        placed = [row for row in character.rows if not standing or row.element in character.added]
+        if placed:
+            self._out.print(_rows_table(placed))
         for note in character.notes:
             self._out.print(f"  note: {note.control}: {note.reason}")
         solution = character.assignment

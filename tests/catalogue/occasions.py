@@ -191,6 +191,19 @@ def _bare(folder: Path) -> Path:
     return folder / "char.rigui.usda"
 
 
+def _based(*changes: tuple[str, str]) -> Occasion:
+    """The character of another path or name, over the layout that it had."""
+
+    def occasion(folder: Path, _: Any) -> Found:
+        found = _laid_out(folder)
+        path = folder / "char.usda"
+        for old, new in changes:
+            path.write_text(path.read_text().replace(old, new))
+        return command("process", path, "--base", found, "-o", folder / "shot.rigui.usda")
+
+    return occasion
+
+
 def _no_layout(folder: Path) -> Path:
     return smallest.character(folder)
 
@@ -432,6 +445,9 @@ OCCASIONS: Mapping[str, Occasion] = {
     "GLYPH_TYPE": _glyph('def Xform "Star" {}'),
     "GLYPH_EMPTY": _glyph('def Mesh "Star" {}'),
     "FIXED_IMPOSSIBLE": _configured('[controls.smile]\nanchor = "/Char/Face#5"\n'),
+    "BASE_COMPLETE": _based(),
+    "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
+    "BASE_MISMATCH": _based(("Face", "Nose")),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
     "ATTACH_LINK": _attached(_linked, "link.usda"),
     "ATTACH_CYCLE": _attached(_laid_out),

@@ -26,6 +26,7 @@ def add_process(commands: Any) -> None:
     parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
     parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")
+    parser.add_argument("--base", type=Path, metavar="LAYER", help="the asset's layout: only place what the shot adds")
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -46,7 +47,9 @@ def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui.examples import ExampleLayers
 
     settings = settings_of(arguments)
-    examples = ExampleLayers(fixed=arguments.fixed, previous=arguments.previous, like=arguments.like)
+    examples = ExampleLayers(
+        fixed=arguments.fixed, previous=arguments.previous, like=arguments.like, base=arguments.base
+    )
     screen = screen_of(arguments)
     with Interruption() as interruption, _progress(screen, arguments) as shown:
 

@@ -55,6 +55,7 @@ def beside_elements(context: Context, board: list[Board]) -> list[Element]:
     frame = screen(context.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = _silhouette(context, middle, frame, 0.5 * height) + _MARGIN * width
+    left = max([left, *(_right_end(context, each, frame) for each in _standing(context))])
     elements = []
     for column in columns:
         cells = _cell_widths(context, [row for _, row in column])
@@ -66,6 +67,18 @@ def beside_elements(context: Context, board: list[Board]) -> list[Element]:
                 elements.append(_element(context, entry, row, place, frame, carrier))
         left += sum(cells) * width
     return elements
+
+
+def _standing(context: Context) -> list[Element]:
+    """The elements of a board that stands already."""
+    elements = context.standing.elements if context.standing is not None else ()
+    return [element for element in elements if element.anchor.beside]
+
+
+def _right_end(context: Context, element: Element, frame: Floats) -> float:
+    """Where a standing element, its label included, ends across the screen, and a column may begin."""
+    across = max(float((member.track @ frame[0]).max()) for member in element.members)
+    return across + (2.0 + _LETTER * len(element.label)) * context.handle_width
 
 
 def _cell_widths(context: Context, rows: list[tuple[Board, ...]]) -> list[float]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.layout.additions import standing_costs
 from usdrigui.layout.candidates import loosened
 from usdrigui.layout.extensions import user_pairs
 from usdrigui.layout.orbits import orbit_points
@@ -100,6 +101,7 @@ def _variable(
         choice, cost, displacement = _labels(context, choice_of, index, group)
         samples, handles = _geometry(context, choice)
         cost = cost + own_costs(samples, handles, overlap, separation)
+        cost += standing_costs(context, overlap, separation, samples, handles)
         kept = np.isfinite(cost)
         if kept.any():
             break

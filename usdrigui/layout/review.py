@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import Issue, issue
+from usdrigui.errors import Issue, issue, refuse
 from usdrigui.layout.problem import Choice, layout_problem
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.model import Candidates, CandidateSet, Element, Floats, Group, Indices, Layout, LayoutProblem, Rig
@@ -69,6 +69,13 @@ def review(context: Context, candidates: Candidates, layout: Layout) -> Review:
         if each.gain > _WORTH
     ]
     return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
+
+
+def refuse_stale(context: Context, layout: Layout) -> None:
+    """Raise the first error for which a layout does not fit the rig any more (LAYOUT_...)."""
+    for found in _stale(context, layout):
+        if found.severity == "error":
+            raise refuse(found.code, found.path, found.message)
 
 
 # --- does it fit the rig -----------------------------------------------------------------------------

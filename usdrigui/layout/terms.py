@@ -20,7 +20,7 @@ from usdrigui.layout.precedent import NONE, Precedent
 from usdrigui.layout.remarks import remarks
 from usdrigui.layout.symmetry import plane_distance
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Floats, Indices, Motion, Rig, Symmetry, Trajectories
+from usdrigui.model import Floats, Indices, Layout, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.surface import mesh_triangles, point_areas
 
@@ -42,6 +42,8 @@ class Context:
     settings: Settings
     precedent: Precedent = NONE
     """An earlier layout that this one should be like."""
+    standing: Layout | None = None
+    """A layout that stays as it is, to which this one adds."""
 
     @cached_property
     def said(self) -> tuple[ControlSettings, ...]:

@@ -103,8 +103,11 @@ def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Sdf.Path | str]) -> No
         relationship.targetPathList.explicitItems = paths
 
 
-def declare(spec: Sdf.PrimSpec, api: str, values: Mapping[str, Any], instance: str = "") -> None:
-    """Author properties of one of our API schemas; values equal to the schema's fallback are left out.
+def declare(
+    spec: Sdf.PrimSpec, api: str, values: Mapping[str, Any], instance: str = "", *, fallbacks: bool = False
+) -> None:
+    """Author properties of one of our API schemas; values equal to the schema's fallback are left out, unless
+    `fallbacks`: where a weaker layer says something else.
 
     Relationships take a sequence of paths.  KeyError for a name that the schema does not have.
     """
@@ -114,7 +117,7 @@ def declare(spec: Sdf.PrimSpec, api: str, values: Mapping[str, Any], instance: s
         name = declared.name.replace("__INSTANCE_NAME__", instance)
         if not declared.type_name:
             link(spec, name, value)
-        elif not _is_fallback(declared, value):
+        elif fallbacks or not _is_fallback(declared, value):
             put(spec, name, declared.type_name, value, uniform=True)
 
 

@@ -140,13 +140,13 @@ def _author_shapes(prim: Sdf.PrimSpec, rig: Rig, shapes: tuple[PointShape, ...])
     for shape in shapes:
         name = author.identifier(rig.channels[shape.channel].token, taken)
         targets.append(prim.path.AppendChild(name))
-        _author_shape(Sdf.PrimSpec(prim, name, Sdf.SpecifierDef, "BlendShape"), shape)
+        author_shape(Sdf.PrimSpec(prim, name, Sdf.SpecifierDef, "BlendShape"), shape)
     tokens = [rig.channels[shape.channel].token for shape in shapes]
     author.put(prim, "skel:blendShapes", "token[]", tokens, uniform=True)
     author.link(prim, "skel:blendShapeTargets", targets)
 
 
-def _author_shape(child: Sdf.PrimSpec, shape: PointShape) -> None:
+def author_shape(child: Sdf.PrimSpec, shape: PointShape) -> None:
     """A layer has thousands of these, so nothing is looked up here."""
     between: set[str] = set()
     table = shape.offsets.astype(np.float32)

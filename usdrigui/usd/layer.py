@@ -66,7 +66,7 @@ def write_layout(
     if guard is not None:
         guard()
     roots = [layout.root for _, layout in laid]
-    return commit(content, target, verify=functools.partial(_verified, roots))
+    return commit(content, target, verify=functools.partial(holds_layouts, roots))
 
 
 def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:
@@ -77,7 +77,7 @@ def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mappi
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
-        _author_metadata(layer, metadata, laid)
+        author_metadata(layer, metadata, laid)
         if source and not settings.bare:
             layer.subLayerPaths.append(source)
         for rig, layout in laid:
@@ -136,7 +136,7 @@ def layer_bytes(layer: Sdf.Layer, suffix: str) -> bytes:
         raise refuse("FILE_WRITE", tempfile.gettempdir(), "USD cannot write a temporary crate") from None
 
 
-def _verified(roots: Sequence[str], path: Path) -> bool:
+def holds_layouts(roots: Sequence[str], path: Path) -> bool:
     """Whether the file is a layer with a layout below each of the SkelRoots."""
     layer = Sdf.Layer.OpenAsAnonymous(str(path))
     return all(layer.GetPrimAtPath(Sdf.Path(root).AppendChild(schema.SCOPE)) for root in roots)
@@ -145,7 +145,8 @@ def _verified(roots: Sequence[str], path: Path) -> bool:
 # --- the layer ---------------------------------------------------------------------------------------
 
 
-def _author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -> None:
+def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -> None:
+    """What USD reads from the root layer only, and our own version."""
     root = layer.pseudoRoot
     if laid:
         # A source may do without; whoever references the layer then still gets the character.
@@ -164,59 +165,57 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     root = Sdf.CreatePrimInLayer(layer, layout.root)
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT, schema.SOLUTION))
     author.put(scope, "purpose", "token", "guide", uniform=True)
-    _author_layout_api(scope, rig, layout)
-    _author_solution_api(scope, layout)
+    author.declare(scope, schema.LAYOUT, _frame(rig, layout) | account(rig, layout))
+    author.declare(scope, schema.SOLUTION, solution(layout))
     carriage = Carriage(rig, layout)
     taken: set[str] = set()
     names = {element.name: author.identifier(element.name, taken) for element in layout.elements}
     for element in layout.elements:
-        _author_element(scope, rig, layout, carriage, element, names)
+        author_element(scope, rig, layout, carriage, element, names)
 
 
-def _author_layout_api(scope: Sdf.PrimSpec, rig: Rig, layout: Layout) -> None:
-    author.declare(
-        scope,
-        schema.LAYOUT,
-        {
-            "version": schema.VERSION,
-            "skeleton": [skeleton.path for skeleton in rig.skeletons],
-            "space": layout.space,
-            "viewDirection": layout.view,
-            "planeOrigin": layout.plane_origin,
-            "planeNormal": layout.plane_normal,
-            "handleWidth": layout.handle_width,
-            "baseControls": [control.name for control in rig.controls],
-            "baseValues": layout.base_values,
-            "leftOffControls": [left.control for left in layout.left_off],
-            "leftOffStages": [left.stage for left in layout.left_off],
-            "leftOffReasons": [left.reason for left in layout.left_off],
-        },
-    )
+def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
+    """RigUILayoutAPI: where and how large the elements are."""
+    return {
+        "version": schema.VERSION,
+        "skeleton": [skeleton.path for skeleton in rig.skeletons],
+        "space": layout.space,
+        "viewDirection": layout.view,
+        "planeOrigin": layout.plane_origin,
+        "planeNormal": layout.plane_normal,
+        "handleWidth": layout.handle_width,
+    }
 
 
-def _author_solution_api(scope: Sdf.PrimSpec, layout: Layout) -> None:
-    author.declare(
-        scope,
-        schema.SOLUTION,
-        {
-            "solver": layout.method,
-            "status": layout.status,
-            "cost": layout.cost,
-            "bound": layout.bound,
-            "inPlay": layout.in_play,
-            "weightNames": [name for name, _ in layout.weights],
-            "weightValues": [value for _, value in layout.weights],
-        },
-    )
+def account(rig: Rig, layout: Layout) -> dict[str, Any]:
+    """RigUILayoutAPI: every control of the character, the base pose, and what was left off."""
+    return {
+        "baseControls": [control.name for control in rig.controls],
+        "baseValues": layout.base_values,
+        "leftOffControls": [left.control for left in layout.left_off],
+        "leftOffStages": [left.stage for left in layout.left_off],
+        "leftOffReasons": [left.reason for left in layout.left_off],
+    }
 
 
-def _author_element(
+def solution(layout: Layout) -> dict[str, Any]:
+    """RigUISolutionAPI."""
+    return {
+        "solver": layout.method,
+        "status": layout.status,
+        "cost": layout.cost,
+        "bound": layout.bound,
+        "inPlay": layout.in_play,
+        "weightNames": [name for name, _ in layout.weights],
+        "weightValues": [value for _, value in layout.weights],
+    }
+
+
+def author_element(
     scope: Sdf.PrimSpec, rig: Rig, layout: Layout, carriage: Carriage, element: Element, names: Mapping[str, str]
 ) -> None:
     """One element: its Xform, what it says about itself, and what is drawn of it."""
-    # An instance may not be called like a property of its schema.
-    taken = set(author.properties(schema.CONTROL))
-    instances = {member.control: author.identifier(member.control, taken) for member in element.members}
+    instances = instances_of(element)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
     apis = (schema.ELEMENT, schema.ANCHOR, *applied, "AccessibilityAPI:default")
     xform = author.prim(scope, names[element.name], "Xform", apis)
@@ -232,6 +231,12 @@ def _author_element(
         author_control_api(xform, rig, control, instances[member.control], figures)
     for name, part in parts:
         author_part(xform, name, part, rig, element, instances, layout.handle_width)
+
+
+def instances_of(element: Element) -> dict[str, str]:
+    """RigUIControlAPI instance of each control; none may be called like a property of the schema."""
+    taken = set(author.properties(schema.CONTROL))
+    return {member.control: author.identifier(member.control, taken) for member in element.members}
 
 
 def _part_names(parts: Iterable[Drawn], instances: Mapping[str, str]) -> list[tuple[str, Drawn]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from pxr import Usd, UsdGeom, UsdSkel
 
@@ -44,7 +45,7 @@ def _standing(root: str, element: Usd.Prim, prim: Usd.Prim) -> StandingPrim:
     )
 
 
-def _told(prim: Usd.Prim, api: str, name: str) -> object:
+def _told(prim: Usd.Prim, api: str, name: str) -> Any:
     attribute = prim.GetAttribute(author.properties(api)[name].name)
     return attribute.Get() if attribute else None
 
