@@ -281,6 +281,8 @@ class Rig(Record):
     issues: tuple[Issue, ...]
     glyphs: Mapping[str, Glyph] = field(default_factory=dict)
     """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
+    excluded: tuple[Control, ...] = ()
+    """Controls that the configuration leaves out; what they move still tells how large the face is."""
 
     @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
@@ -352,6 +354,8 @@ class Trajectories(Record):
     left_off: tuple[LeftOff, ...]
     issues: tuple[Issue, ...] = ()
     """Tiny and duplicate controls: kept, but worth knowing."""
+    excluded: tuple[Motion, ...] = ()
+    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face controls."""
 
     def motion_of(self, control: int) -> Motion:
         """The motion of a control, which must move something."""
@@ -402,6 +406,8 @@ class CandidateSet(Record):
     at a visible proxy of a hidden region."""
     reason: str = ""
     """Why it is laid out beside the face; else empty."""
+    requested: bool = False
+    """True when the configuration alone sends it beside the face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -429,12 +435,18 @@ class Group:
     beside: bool = False
     """True when it goes beside the face whatever the costs."""
     family: str = ""
-    """Heading under which it then stands: ``global``, ``hidden`` or ``composite``."""
+    """Heading under which it then stands: ``global``, ``hidden``, ``composite`` or ``requested``."""
     images: tuple[tuple[int, ...], ...] = ()
     """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
     tuples for an n-fold orbit."""
     image_names: tuple[str, ...] = ()
     """Names that the configuration gives to those copies; empty strings where it gives none."""
+    inner: tuple[str, ...] = ()
+    """Names of the groups that are shown in place of this one when it is opened; none unless it is coarse."""
+    part: bool = False
+    """True for a slider of its own of controls that another, coarse, group holds too."""
+    states: frozenset[int] = frozenset({0})
+    """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -478,6 +490,8 @@ class Variable(Record):
     displacement: Floats
     """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective: part of `cost`
     already; a weight for those who sample candidates."""
+    states: frozenset[int] = frozenset({0})
+    """States of the layout in which the element is visible; two elements without a common one do not interact."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -486,7 +500,8 @@ class LayoutProblem(Record):
 
     cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair cost
     of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or +inf if any
-    two handles are nearer than `separation`; a variable beside the face has no pair costs.  `extra`
+    two handles are nearer than `separation`; a variable beside the face has no pair costs, and neither have
+    two variables that are never visible together.  `extra`
     adds explicit non-negative pair costs on top.  Nothing else is part of the problem.
     """
 
@@ -497,6 +512,13 @@ class LayoutProblem(Record):
     unit_cost: float
     """Cost of one unit of displacement (lambda); informs displays, not part of the problem."""
     extra: tuple[ExtraPairs, ...] = ()
+
+    @cached_property
+    def together(self) -> Flags:
+        """(variables, variables) whether two elements are ever visible together."""
+        states = [each.states for each in self.variables]
+        found = np.array([[bool(one & other) for other in states] for one in states], dtype=np.bool_)
+        return found.reshape(len(states), len(states))
 
 
 @dataclass(frozen=True, eq=False)
@@ -608,7 +630,7 @@ class Element(Record):
     """Name of the element on the other side, or empty."""
     family: str
     """For elements beside the face: the heading under which it stands (``global``, ``hidden``,
-    ``composite``, ``crowded``); else empty."""
+    ``composite``, ``requested``, ``crowded``); else empty."""
     reason: str
     """Why it stands beside the face or shares an element; else empty."""
     adapt: Literal["deform", "static"] = "deform"

@@ -40,10 +40,13 @@ def element_distance(first: Floats, second: Floats) -> Floats:
 def pair_costs(problem: LayoutProblem, a: int, b: int, first: ArrayLike, second: ArrayLike) -> Floats:
     """Cost of label pairs ``(first[i], second[i])`` of variables `a` and `b`, without `extra`.
 
-    Returns ``(q,)`` costs; +inf where two handles are nearer than the separation, 0 where a label is -1.
+    Returns ``(q,)`` costs; +inf where two handles are nearer than the separation, 0 where a label is -1 or
+    the two elements are never visible together.
     """
     one, other = np.asarray(first, dtype=np.int64), np.asarray(second, dtype=np.int64)
     cost = np.zeros(len(one))
+    if not problem.variables[a].states & problem.variables[b].states:
+        return cost
     on_face = (one >= 0) & (other >= 0)
     if on_face.any():
         cost[on_face] = _on_face_costs(

@@ -61,7 +61,7 @@ def _stuck(problem: LayoutProblem, chosen: Indices) -> str:
 
 
 def _clash(problem: LayoutProblem, pair: tuple[int, int], labels: tuple[int, int]) -> bool:
-    if min(labels) < 0:
+    if min(labels) < 0 or not problem.together[pair]:
         return False
     one, other = (problem.variables[at].handles[label] for at, label in zip(pair, labels, strict=True))
     return bool((np.linalg.norm(one[:, None] - other[None], axis=-1) < problem.separation).any())

@@ -2,7 +2,7 @@
 
 Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without this package:
 
-    version              () 2
+    version              () 3
     names                (variables,) text
     overlap              (5,) maximum, radius, sharpness, reach, weight
     separation, unit_cost, beside
@@ -11,6 +11,7 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without this p
     displacement_K       (R,) displacement, contained in the linear costs
     samples_K            (R, copies, u, 3)
     handles_K            (R, copies, 3)
+    states_K             (s,) states of the layout in which variable K is visible
     extra                (pairs, 2) variables of each set of explicit pair costs
     extra_labels_K       (q, 2) labels of set K
     extra_costs_K        (q,)
@@ -28,7 +29,7 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import ExtraPairs, LayoutProblem, Overlap, Variable
 
-VERSION = 2
+VERSION = 3
 
 
 def save_problem(path: Path, problem: LayoutProblem) -> None:
@@ -45,6 +46,7 @@ def save_problem(path: Path, problem: LayoutProblem) -> None:
     for at, variable in enumerate(problem.variables):
         for name in _PER_VARIABLE:
             arrays[f"{name}_{at}"] = getattr(variable, name)
+        arrays[f"states_{at}"] = np.array(sorted(variable.states), dtype=np.int64)
     for at, extra in enumerate(problem.extra):
         arrays[f"extra_labels_{at}"] = np.column_stack([extra.first_labels, extra.second_labels])
         arrays[f"extra_costs_{at}"] = extra.costs
@@ -71,7 +73,12 @@ _PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
 
 def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
     variables = tuple(
-        Variable(name=str(name), beside=float(beside), **{key: arrays[f"{key}_{at}"] for key in _PER_VARIABLE})
+        Variable(
+            name=str(name),
+            beside=float(beside),
+            states=frozenset(arrays[f"states_{at}"].tolist()),
+            **{key: arrays[f"{key}_{at}"] for key in _PER_VARIABLE},
+        )
         for at, (name, beside) in enumerate(zip(arrays["names"], arrays["beside"], strict=True))
     )
     extra = tuple(

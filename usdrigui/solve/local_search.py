@@ -52,6 +52,7 @@ class Neighbours:
     def _evaluate(self, label: int) -> tuple[Indices, Floats]:
         pool = self._labels.pool
         cost = np.zeros(len(pool.cost))
+        together = self._problem.together[pool.variable[label]]
         touched = []
         for place, one in zip(self._place, pool.bodies, strict=True):
             at = int(place[label])
@@ -59,6 +60,7 @@ class Neighbours:
                 continue
             for other in pool.bodies:
                 near = self._near(one, at, other)
+                near = near[together[pool.variable[other.owner[near]]]]
                 self._watch.spend(len(near))
                 piece, _ = pair_bounds(
                     one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation

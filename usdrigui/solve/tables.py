@@ -47,13 +47,14 @@ class NearPairs(Record):
 
 
 def near_blocks(problem: LayoutProblem, pool: Pool, watch: Watch) -> list[NearPairs]:
-    """All pairs of blocks of different variables that may interact."""
+    """All pairs of blocks of different variables, visible together, that may interact."""
     found = []
     for a, one in enumerate(pool.bodies):
         for b, other in enumerate(pool.bodies):
             i, j = _near(problem, one, other)
             first, second = one.owner[i], other.owner[j]
             apart = pool.variable[first] < pool.variable[second]
+            apart &= problem.together[pool.variable[first], pool.variable[second]]
             found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], watch))
     return found
 
