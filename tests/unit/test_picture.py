@@ -110,6 +110,13 @@ def test_the_heading_of_a_board_at_the_upper_edge_is_not_cut(rig, monkeypatch, h
     assert tops[0] > 8.0
 
 
+def test_the_line_below_the_title_ends_where_the_picture_does(rig, layout):
+    wide, narrow = (picture._numbers(rig, layout, width) for width in (2000.0, 300.0))
+    assert wide.startswith(narrow)
+    assert lettering.font(14).getlength(narrow) <= 300.0 < lettering.font(14).getlength(wide)
+    assert "12 controls" in narrow
+
+
 def test_names_beside_the_face_are_cut_to_their_room():
     face = lettering.font(12)
     assert lettering._cut("chin", face, 100.0) == "chin"

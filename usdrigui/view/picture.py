@@ -32,6 +32,7 @@ _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
 """Background of the panels."""
+_BETWEEN = "   ·   "
 _PAPER, _INK, _QUIET = (250, 250, 251), (38, 42, 48), (104, 110, 120)
 
 
@@ -98,7 +99,7 @@ def _page(
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
         middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
         ImageDraw.Draw(page).text(middle, _CAPTIONS[panel.view], fill=_QUIET, font=lettering.font(13), anchor="mm")
-    _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout))
+    _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout, size[0] - 2 * _EDGE))
     _legend(page, layout)
     return page
 
@@ -267,7 +268,8 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
 # --- title and legend --------------------------------------------------------------------------------
 
 
-def _numbers(rig: Rig, layout: Layout) -> str:
+def _numbers(rig: Rig, layout: Layout, width: float) -> str:
+    """What the layout holds, as far as it goes into a line of so many pixels."""
     on_face = sum(not element.anchor.beside for element in layout.elements)
     beside = len(layout.elements) - on_face
     parts = [f"{len(rig.controls)} controls", f"{on_face} elements on the face"]
@@ -278,7 +280,10 @@ def _numbers(rig: Rig, layout: Layout) -> str:
         parts.append(
             f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at gap {gap:.2g}"
         )
-    return "   ·   ".join(parts)
+    font = lettering.font(14)
+    while len(parts) > 1 and font.getlength(_BETWEEN.join(parts)) > width:
+        parts.pop()
+    return _BETWEEN.join(parts)
 
 
 def _title(page: Image.Image, title: str, numbers: str) -> None:
