@@ -20,7 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-from browser_pages import Viewer, launched
+from browser_pages import Viewer, chromium, started
 
 TIMED = """() => {
   const { view, session } = usdrigui.app;
@@ -57,7 +57,8 @@ def main() -> None:
     parser.add_argument("--size", default="1280x800")
     parser.add_argument("--draw", choices=("webgl", "canvas"), help="insist on one; by default the page chooses")
     given = parser.parse_args()
-    playwright, browser = launched()
+    playwright = started()
+    browser = chromium(playwright)
     viewer = Viewer(browser, given.page, tuple(map(int, given.size.split("x"))), draw=given.draw)
     measure(viewer.page, given.control, given.seconds)
     browser.close()

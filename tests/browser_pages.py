@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import time
 
 import pytest
 
@@ -24,14 +25,17 @@ def chromium_path():
     )
 
 
-def launched(*more_flags):
-    """A (playwright, browser) pair, or a skip that says what is missing."""
+def started():
+    """Playwright, or a skip that says what is missing."""
     sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    path = chromium_path()
-    if path is None:
+    if chromium_path() is None:
         pytest.skip("no Chromium is installed")
-    playwright = sync_api.sync_playwright().start()
-    return playwright, playwright.chromium.launch(executable_path=path, args=[*FLAGS, *more_flags])
+    return sync_api.sync_playwright().start()
+
+
+def chromium(playwright, *more_flags):
+    """A browser with software WebGL."""
+    return playwright.chromium.launch(executable_path=chromium_path(), args=[*FLAGS, *more_flags])
 
 
 class Viewer:
@@ -45,7 +49,7 @@ class Viewer:
         self.page.on("pageerror", lambda error: self.trouble.append(str(error)))
         self.page.on("request", self._asked)
         self.page.goto(path.resolve().as_uri() + (f"#draw={draw}" if draw else ""))
-        self.page.wait_for_function("window.usdrigui !== undefined", timeout=60_000)
+        self.until("window.usdrigui !== undefined", 60.0)
         self.settle()
 
     def _heard(self, message):
@@ -60,6 +64,13 @@ class Viewer:
     def settle(self):
         """Until what was asked for is drawn."""
         self.page.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def until(self, expression, seconds=20.0):
+        """Wait for a JavaScript expression to hold.  Playwright's own way evaluates text, which the page forbids."""
+        end = time.monotonic() + seconds
+        while not self.page.evaluate(expression):
+            assert time.monotonic() < end, f"still not so: {expression}"
+            self.page.wait_for_timeout(20)
 
     def values(self):
         return self.page.evaluate("usdrigui.values()")
@@ -104,7 +115,9 @@ class Viewer:
             """([x, y, w, h]) => {
               const { canvas, ratio } = usdrigui.app.view.overlay;
               const box = [x, y, w, h].map((value) => Math.round(value * ratio));
-              const { data } = canvas.getContext('2d').getImageData(...box);
+              const copy = new OffscreenCanvas(box[2], box[3]).getContext('2d', { willReadFrequently: true });
+              copy.drawImage(canvas, -box[0], -box[1]);
+              const { data } = copy.getImageData(0, 0, box[2], box[3]);
               let sum = 0;
               for (let i = 3; i < data.length; i += 4) sum += data[i] / 255;
               return sum;

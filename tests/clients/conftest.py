@@ -1,12 +1,21 @@
-"""One Chromium for all tests of the viewer; every test has a page of its own."""
+"""Chromium for the tests of the viewer.
+
+A module at a time: while Playwright runs, its event loop counts as running for everything else in the process.
+"""
 
 import pytest
-from browser_pages import launched
+from browser_pages import chromium, started
 
 
-@pytest.fixture(scope="session")
-def browser():
-    playwright, made = launched()
+@pytest.fixture(scope="module")
+def playwright():
+    made = started()
+    yield made
+    made.stop()
+
+
+@pytest.fixture(scope="module")
+def browser(playwright):
+    made = chromium(playwright)
     yield made
     made.close()
-    playwright.stop()

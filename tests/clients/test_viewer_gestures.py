@@ -364,7 +364,7 @@ def loaded(viewer, path):
     with viewer.page.expect_file_chooser() as chooser:
         viewer.page.get_by_role("button", name="Load…").click()
     chooser.value.set_files(path)
-    viewer.page.wait_for_function("!document.querySelector('.notice').hidden")
+    viewer.until("!document.querySelector('.notice').hidden")
     viewer.settle()
 
 

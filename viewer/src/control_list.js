@@ -64,8 +64,7 @@ export class ControlList {
       onchange: () => {
         const value = parseFloat(number.value.replace(',', '.'));
         if (Number.isFinite(value)) change(value);
-        this.shown[index] = NaN;
-        this.updateValues();
+        number.value = shownValue(session.values[index], control.maximum - control.minimum);
       },
       onfocus: () => number.select(),
     });

@@ -97,6 +97,7 @@ export class Inspector {
       onchange: () => {
         const value = parseFloat(input.value);
         if (Number.isFinite(value)) session.edit(`Set ${control.label}`, () => session.set([[index, value]]), `number ${index}`);
+        input.value = shownValue(session.values[index], range);
       },
     });
     this.numbers.push({ input, index, range });

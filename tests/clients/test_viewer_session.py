@@ -1,0 +1,360 @@
+"""An animator's session in the viewer: fans, time, the clipboard, what is shown, and reaching all by keyboard."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import makers
+import numpy as np
+import pytest
+from browser_pages import Viewer
+from viewer_layouts import peak_layout
+
+from usdrigui.deform import deform
+from usdrigui.model import Clip
+from usdrigui.view.page import page_html
+
+FAN = ("mouth", "fan", ("chin", "jawLeft", "jawRight"), ())
+LONG = "mouthLowerDownwardsOuterCornerLeft"
+
+
+def animated(rig):
+    """The mask with an animation: pucker rises to 1 at frame 11, brow_L to 0.5 at frame 21."""
+    weights = np.zeros((3, len(rig.channels)))
+    weights[1:, rig.channels.index(next(each for each in rig.channels if each.token == "pucker"))] = 1.0, 0.25
+    weights[2, rig.channels.index(next(each for each in rig.channels if each.token == "brow_L"))] = 0.5
+    return replace(rig, clip=Clip(np.array([1.0, 11.0, 21.0]), weights, np.zeros((3, 0, 4, 4)), 24.0))
+
+
+@pytest.fixture(scope="module")
+def page_path(tmp_path_factory):
+    rig = animated(makers.face())
+    layout = peak_layout(rig, groups=(FAN,), beside=("sneer_R",))
+    named = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in layout.elements)
+    path = tmp_path_factory.mktemp("session") / "face.html"
+    controls = tuple(replace(each, label=LONG) if each.name == "sneer_L" else each for each in rig.controls)
+    path.write_text(page_html([(replace(rig, controls=controls), replace(layout, elements=named))], "face"))
+    return path
+
+
+@pytest.fixture(scope="module")
+def shared(browser, page_path):
+    made = Viewer(browser, page_path, permissions=("clipboard-read", "clipboard-write"))
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def viewer(shared):
+    """The module's page, put back as it was opened."""
+    shared.page.mouse.move(1, 1)
+    shared.page.evaluate("usdrigui.app.open(0)")
+    shared.until("usdrigui.app.view.controlsColumn?.width > 0")
+    shared.settle()
+    yield shared
+    assert shared.trouble == []
+
+
+def on_track(track, share):
+    return [a + share * (b - a) for a, b in zip(track[0], track[-1], strict=True)]
+
+
+# --- fans --------------------------------------------------------------------------------------------
+
+
+def test_one_drag_of_a_fan_drives_two_neighbours_and_leaves_the_third(viewer):
+    element = viewer.element("mouth")
+    chin, left, _ = element["tracks"]
+    away = [0.5 * (a[1] - a[0]) + 0.4 * (b[1] - b[0]) for a, b in zip(ends(chin), ends(left), strict=True)]
+    target = [at + by for at, by in zip(element["handle"], away, strict=True)]
+    viewer.drag(element["handle"], target, steps=12)
+    assert viewer.moved(2e-3) == pytest.approx({"chin": 0.5, "jawLeft": 0.4}, abs=5e-3)
+    assert viewer.element("mouth")["handle"] == pytest.approx(target, abs=0.5)
+
+
+def test_a_fan_swept_round_takes_up_the_other_neighbour(viewer):
+    element = viewer.element("mouth")
+    _, left, right = element["tracks"]
+    start = element["handle"]
+    viewer.drag(start, on_track(left, 0.6), steps=10)
+    assert viewer.moved(2e-3) == pytest.approx({"jawLeft": 0.6}, abs=5e-3)
+    viewer.drag(viewer.element("mouth")["handle"], on_track(right, 0.6), steps=12)
+    assert viewer.moved(2e-3) == pytest.approx({"jawRight": 0.6}, abs=5e-3)
+
+
+def ends(track):
+    """(x, y) pairs of first and last corner, per axis."""
+    return [(track[0][axis], track[-1][axis]) for axis in (0, 1)]
+
+
+# --- time --------------------------------------------------------------------------------------------
+
+
+def test_scrubbing_shows_the_animation(viewer):
+    slider = viewer.page.get_by_role("slider", name="Frame")
+    slider.focus()
+    for _ in range(10):
+        slider.press("ArrowRight")
+    viewer.settle()
+    assert viewer.page.locator("output.frame").inner_text() == "11"
+    assert viewer.moved() == pytest.approx({"pucker": 1.0})
+    slider.press("End")
+    viewer.settle()
+    assert viewer.moved() == pytest.approx({"pucker": 0.25, "brow_L": 0.5})
+    points = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
+    rig = makers.face()
+    values = [viewer.values()[control.name] for control in rig.controls]
+    assert np.abs(points - deform(rig, values)).max() < 1e-3
+
+
+def test_a_mouse_on_the_time_line_scrubs(viewer):
+    box = viewer.page.get_by_role("slider", name="Frame").bounding_box()
+    viewer.page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + box["height"] / 2)
+    viewer.settle()
+    assert viewer.values()["pucker"] == pytest.approx(1.0, abs=0.11)
+
+
+def test_space_plays_and_stops(viewer):
+    viewer.page.keyboard.press("Space")
+    viewer.until("usdrigui.app.timeline.frame >= 6")
+    playing = viewer.values()["pucker"]
+    viewer.page.keyboard.press("Space")
+    viewer.settle()
+    frame = viewer.page.evaluate("usdrigui.app.timeline.frame")
+    viewer.page.wait_for_timeout(150)
+    assert viewer.page.evaluate("usdrigui.app.timeline.frame") == frame
+    assert playing > 0.0
+
+
+def test_keys_override_the_animation_and_are_undone(viewer):
+    viewer.page.get_by_role("slider", name="Frame").focus()
+    viewer.page.keyboard.press("End")
+    field = viewer.page.get_by_label("pucker, value")
+    field.fill("0.75")
+    field.press("Enter")
+    viewer.page.mouse.click(*viewer.on_page(viewer.element("pucker")["handle"]))
+    viewer.page.keyboard.press("k")
+    viewer.page.evaluate("usdrigui.app.timeline.go(1)")
+    viewer.page.evaluate("usdrigui.app.timeline.go(21)")
+    assert viewer.values()["pucker"] == pytest.approx(0.75)
+    assert viewer.page.locator(".ticks i").count() == 1
+    viewer.page.keyboard.press("Control+z")
+    assert viewer.page.locator(".ticks i").count() == 0
+
+
+# --- poses, numbers, history -------------------------------------------------------------------------
+
+
+def test_the_pose_goes_to_the_clipboard(viewer):
+    viewer.set(brow_L=0.25)
+    viewer.page.get_by_role("button", name="Copy JSON").click()
+    viewer.until("!document.querySelector('.notice').hidden")
+    assert viewer.page.locator(".notice").inner_text() == "Pose copied"
+    copied = json.loads(viewer.page.evaluate("navigator.clipboard.readText()"))
+    assert copied["values"] == {"brow_L": 0.25}
+
+
+def test_numbers_of_the_selection_are_entered_and_undone(viewer):
+    viewer.page.mouse.click(*viewer.on_page(viewer.element("brow_L")["handle"]))
+    field = viewer.page.locator(".inspector").get_by_label("brow_L")
+    field.fill("0.375")
+    field.press("Tab")
+    assert viewer.moved() == pytest.approx({"brow_L": 0.375})
+    viewer.page.get_by_role("button", name="Undo").click()
+    assert viewer.moved() == {}
+    viewer.page.get_by_role("button", name="Redo").click()
+    assert viewer.moved() == pytest.approx({"brow_L": 0.375})
+
+
+def test_what_is_no_number_changes_nothing(viewer):
+    field = viewer.page.get_by_label("pucker, value")
+    field.fill("much")
+    field.press("Enter")
+    assert viewer.moved() == {}
+    assert field.input_value() == "0.00"
+
+
+# --- what is shown -----------------------------------------------------------------------------------
+
+
+def test_opacity_makes_handles_fainter(viewer):
+    at = viewer.element("brow_R")["handle"]
+    before = viewer.marks_at(at)
+    slider = viewer.page.get_by_role("slider", name="Opacity")
+    slider.focus()
+    slider.press("Home")
+    viewer.settle()
+    assert 0.0 < viewer.marks_at(at) < 0.4 * before
+
+
+def test_others_fade_while_one_is_dragged_unless_told_not_to(viewer):
+    other = viewer.element("brow_R")["handle"]
+    still = viewer.marks_at(other)
+    element = viewer.element("blink_L")
+    for fade, share in ((True, 0.5), (False, 1.0)):
+        if not fade:
+            viewer.page.get_by_label("Fade the others while dragging").uncheck()
+        viewer.press(viewer.element("blink_L")["handle"])
+        viewer.glide(element["handle"], on_track(element["tracks"][0], 0.5))
+        during = viewer.marks_at(other)
+        viewer.page.mouse.up()
+        viewer.settle()
+        assert (during < 0.6 * still) == fade
+        assert during > 0.05 * still
+        assert during <= share * still + 1e-6
+        viewer.page.keyboard.press("Control+z")
+
+
+def test_hidden_elements_are_neither_drawn_nor_caught_until_shown_again(viewer):
+    element = viewer.element("brow_R")
+    viewer.page.mouse.click(*viewer.on_page(element["handle"]))
+    viewer.page.get_by_role("button", name="Hide", exact=True).click()
+    viewer.option("skinDrag", False)
+    assert viewer.marks_at(element["handle"]) == 0.0
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == {}
+    viewer.page.evaluate("usdrigui.app.view.home()")
+    viewer.page.get_by_role("button", name="Show hidden elements").click()
+    viewer.settle()
+    again = viewer.element("brow_R")
+    viewer.drag(again["handle"], on_track(again["tracks"][0], 0.5))
+    assert viewer.moved() == pytest.approx({"brow_R": 0.5}, abs=1e-3)
+
+
+def test_a_long_name_keeps_its_end_and_says_the_whole_when_pointed_at(viewer):
+    name = viewer.page.locator(".row[data-control=sneer_L] .name")
+    assert LONG in name.get_attribute("title")
+    start, end = name.locator("span.long-name > span").all()
+    assert end.inner_text() == "Left"
+    assert start.evaluate("(node) => node.scrollWidth > node.clientWidth"), "the start is what is cut"
+    inside, outside = end.bounding_box(), name.bounding_box()
+    assert inside["x"] + inside["width"] <= outside["x"] + outside["width"] + 1
+
+
+def test_the_left_is_the_characters_own_seen_from_behind(viewer):
+    viewer.option("occlusion", "overlay")
+    for view in ("Front", "Back"):
+        viewer.page.get_by_role("button", name=f"View: {view}").click()
+        viewer.settle()
+        left, right = viewer.element("brow_L")["handle"], viewer.element("brow_R")["handle"]
+        assert (left[0] > right[0]) == (view == "Front")
+        viewer.page.mouse.move(*viewer.on_page(left))
+        viewer.settle()
+        assert "Character’s left" in viewer.page.locator(".tip").inner_text()
+        tags = viewer.page.locator(".side-tag").all()
+        shown = [tag.inner_text() for tag in sorted(tags, key=lambda tag: tag.bounding_box()["x"])]
+        assert ("left" in shown[1]) == (view == "Front")
+        assert ("right" in shown[0]) == (view == "Front")
+
+
+def test_face_and_board_are_both_in_the_picture(viewer):
+    elements = viewer.page.evaluate("usdrigui.elements()")
+    width, height = viewer.page.evaluate("[usdrigui.app.view.width, usdrigui.app.view.height]")
+    for each in elements:
+        for x, y in (each["handle"], *(at for track in each["tracks"] for at in track)):
+            assert 0 < x < width
+            assert 0 < y < height
+    edge = viewer.page.evaluate(
+        """() => {
+          const { view, session } = usdrigui.app;
+          const project = view.camera.projector(view.controlsColumn);
+          const points = session.deformer.points;
+          let least = Infinity;
+          for (let i = 0; i < points.length; i += 3) least = Math.min(least, project(points.subarray(i, i + 3))[0]);
+          return least;
+        }"""
+    )
+    assert edge > 0, "the face is cut off at the left"
+    label = viewer.page.evaluate("usdrigui.app.view.overlay.labelWidth('sneer_R')")
+    board = next(each for each in elements if each["name"] == "sneer_R")
+    assert max(at[0] for track in board["tracks"] for at in track) + label < width
+
+
+# --- keyboard ----------------------------------------------------------------------------------------
+
+
+def test_tab_reaches_everything_and_comes_round(viewer):
+    page = viewer.page
+    wanted = page.evaluate(
+        """() => [...document.querySelectorAll('button, input, select, summary, [tabindex="0"]')]
+          .filter((node) => node.tabIndex >= 0 && !node.disabled && node.checkVisibility())
+          .map((node, i) => (node.dataset.stop = i))"""
+    )
+    assert len(wanted) > 60
+    page.evaluate("document.activeElement.blur()")
+    met = set()
+    for _ in range(2 * len(wanted)):
+        page.keyboard.press("Tab")
+        stop = page.evaluate("document.activeElement.dataset.stop ?? null")
+        if stop is not None and int(stop) in met and len(met) == len(wanted):
+            break
+        if stop is not None:
+            met.add(int(stop))
+    assert met == set(wanted)
+    assert viewer.moved() == {}
+
+
+def test_a_session_by_keyboard_alone(viewer):
+    """Search, reach the element, move it, key it, look from the side, undo."""
+    page = viewer.page
+    page.keyboard.press("/")
+    page.keyboard.type("pucker")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "pucker"
+    page.keyboard.press("End")
+    assert viewer.moved() == {"pucker": 1.0}
+    page.keyboard.press("k")
+    assert page.locator(".ticks i").count() == 1
+    page.keyboard.press("3")
+    assert page.evaluate("usdrigui.app.view.camera.azimuth") == pytest.approx(np.pi / 2)
+    page.keyboard.press("Control+z")
+    page.keyboard.press("Control+z")
+    assert viewer.moved() == {}
+
+
+# --- how it is drawn ---------------------------------------------------------------------------------
+
+
+def test_processor_and_graphics_card_draw_the_same(browser, page_path):
+    pixels = {}
+    for draw in ("canvas", "webgl"):
+        viewer = Viewer(browser, page_path, draw=draw)
+        assert viewer.page.evaluate("usdrigui.app.view.stage.drawnBy") == DRAWN_BY[draw]
+        viewer.page.evaluate("() => { usdrigui.app.view.setFineness(1); usdrigui.app.view.pace = () => {}; }")
+        viewer.set(brow_L=0.7, smile_R=1.0)
+        viewer.page.evaluate("usdrigui.app.view.pointAt(0)")
+        viewer.settle()
+        pixels[draw] = decoded(viewer.skin_shot())
+        assert viewer.trouble == []
+        viewer.close()
+    off = np.abs(pixels["canvas"] - pixels["webgl"]).max(axis=2)
+    assert np.ptp(pixels["canvas"]) > 150
+    assert (off > 12).mean() < 0.004, "only pixels of the outline may differ"
+
+
+DRAWN_BY = {"canvas": "processor", "webgl": "graphics card"}
+
+
+def decoded(png):
+    import io
+
+    from PIL import Image
+
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), dtype=np.int64)
+
+
+def test_losing_the_graphics_card_does_not_end_the_session(browser, page_path):
+    viewer = Viewer(browser, page_path, draw="webgl")
+    viewer.set(brow_L=0.5)
+    before = decoded(viewer.skin_shot())
+    viewer.page.evaluate(
+        "usdrigui.app.view.stage.drawer.renderer.getContext().getExtension('WEBGL_lose_context').loseContext()"
+    )
+    viewer.until("usdrigui.app.view.stage.drawnBy === 'processor'")
+    viewer.settle()
+    assert (np.abs(decoded(viewer.skin_shot()) - before).max(axis=2) > 12).mean() < 0.01
+    element = viewer.element("brow_R")
+    viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
+    assert viewer.moved() == pytest.approx({"brow_L": 0.5, "brow_R": 0.5}, abs=1e-3)
+    viewer.close()
