@@ -1,9 +1,21 @@
 // Bundles src/ and three.js into one script and one style sheet, committed with the Python package so
 // that installing it needs no Node.js.  `npm run check` fails when the committed files are out of date.
 import { build } from 'esbuild';
-import { readFile, writeFile } from 'node:fs/promises';
+import { createHash } from 'node:crypto';
+import { readdir, readFile, writeFile } from 'node:fs/promises';
 
 const ASSETS = new URL('../usdrigui/view/assets/', import.meta.url);
+
+// The built script ends with a digest of what it was built from, so that whether it is up to date can be told
+// without Node.js (tests/package/test_viewer_is_built.py): SHA-256 over name and contents of every file.
+async function digestOfSources() {
+  const names = (await readdir(new URL('src/', import.meta.url))).sort().map((name) => `src/${name}`);
+  const hash = createHash('sha256');
+  for (const name of [...names, 'build.mjs', 'package-lock.json']) {
+    hash.update(`${name}\0`).update(await readFile(new URL(name, import.meta.url))).update('\0');
+  }
+  return hash.digest('hex');
+}
 
 const result = await build({
   entryPoints: { viewer: 'src/main.js' },
@@ -15,6 +27,7 @@ const result = await build({
   charset: 'utf8',
   legalComments: 'inline',
   outdir: 'out',
+  footer: { js: `// sources ${await digestOfSources()}` },
 });
 
 const licence = await readFile(new URL('node_modules/three/LICENSE', import.meta.url));
