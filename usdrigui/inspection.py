@@ -27,13 +27,14 @@ class ControlFacts:
     points: int
     """Points that it moves."""
     coverage: float
-    """Share of the visible face that it moves."""
+    """Share of the visible face that it moves by a quarter of its peak at least."""
     peak: float
     """Largest arc length, in units of the typical control's."""
     twin: str
     twin_source: str
     flags: tuple[str, ...]
-    """``global``, ``hidden``, ``composite``, ``tiny``, ``duplicate of X``, ``opposite of X``, ``left off: why``."""
+    """``global``, ``hidden``, ``composite``, ``beside by request``, ``tiny``,
+    ``duplicate of X``, ``opposite of X``, ``left off: why``."""
 
 
 @dataclass(frozen=True, slots=True)

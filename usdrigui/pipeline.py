@@ -28,6 +28,7 @@ from usdrigui.layout import difference as difference_stage
 from usdrigui.layout import elements as elements_stage
 from usdrigui.layout import gain as gain_stage
 from usdrigui.layout import groups as groups_stage
+from usdrigui.layout import levels as levels_stage
 from usdrigui.layout import problem as problem_stage
 from usdrigui.layout import review as review_stage
 from usdrigui.layout import symmetry as symmetry_stage
@@ -210,7 +211,7 @@ def posed(
             review_stage.refuse_stale(context, standing)
         candidates = additions_stage.of_new_controls(context, candidates_stage.candidates(context))
     with clock.stage("problem"):
-        groups = groups_stage.find_groups(context, candidates)
+        groups = levels_stage.levelled(context, groups_stage.find_groups(context, candidates))
         problem, choices = problem_stage.layout_problem(context, candidates, groups)
     return Posed(context, candidates, groups, problem, choices, base_values)
 
@@ -411,7 +412,12 @@ def _facts(ready: Posed) -> CharacterFacts:
         chosen, motion = sets.get(index), motions.get(index)
         flags = list(said.get(control.name, ()))
         if chosen is not None:
-            marks = (("global", chosen.globally), ("hidden", chosen.hidden), ("composite", chosen.composite))
+            marks = (
+                ("global", chosen.globally),
+                ("hidden", chosen.hidden),
+                ("composite", chosen.composite),
+                ("beside by request", chosen.requested),
+            )
             flags += [name for name, on in marks if on]
         rows.append(
             ControlFacts(

@@ -199,7 +199,12 @@ class ObjectiveSettings:
     samples: int = 5
     """Paper: u, points per track."""
     handle_size: float = 0.02
-    """Width at which a handle is drawn and kept apart, as a share of the face size."""
+    """Width at which a handle is drawn and kept apart, as a share of the face size; less on a crowded face."""
+    handle_least: float = 0.012
+    """Width below which handles do not shrink, however crowded the face is; as a share of the face size."""
+    handle_crowd: float = 8.0
+    """Handles shrink until around the places that a control wants, within four handle widths, no more than this
+    many controls want theirs, on average; 0 keeps `handle_size`."""
     separation: bool = True
     """No two handles nearer than a handle's width, as a hard constraint."""
     beside_price: float = 0.3
@@ -296,6 +301,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
                 "relative_displacement": 0.0,
                 "overlap_sharpness": 2.0,
                 "overlap_reach": 0.0,
+                "handle_crowd": 0.0,
                 "separation": False,
                 "beside_allowed": False,
             },
@@ -331,6 +337,8 @@ _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
         "objective.overlap_reach": (0.0, 1e6),
         "objective.samples": (2, 64),
         "objective.handle_size": (1e-4, 1.0),
+        "objective.handle_least": (1e-4, 1.0),
+        "objective.handle_crowd": (0.0, 1e6),
         "objective.keep_price": (0.0, 1e6),
         "solve.gap": (0.0, 1.0),
         "solve.threads": (0, 1024),

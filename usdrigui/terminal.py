@@ -288,4 +288,6 @@ def _verdict(report: Report) -> str:
 
 
 def _percent(share: float) -> str:
+    if 0.0 < share < 0.005:
+        return "<1 %"
     return f"{100 * share:.0f} %" if math.isfinite(share) else "-"

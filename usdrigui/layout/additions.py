@@ -64,7 +64,7 @@ def as_drawn(layout: Layout, trajectories: Trajectories, settings: Settings) -> 
     size = width * (1.0 - _ROUNDING) / trajectories.face_size
     return replace(
         settings,
-        objective=replace(settings.objective, handle_size=size),
+        objective=replace(settings.objective, handle_size=size, handle_crowd=0.0),
         groups=replace(settings.groups, groups=groups),
     )
 
@@ -106,7 +106,10 @@ def told_apart(added: Layout, standing: Layout) -> Layout:
             name = f"{name}_added"
         names[element.name] = name
         taken.add(name)
-    elements = tuple(replace(e, name=names[e.name], mirror=names.get(e.mirror, "")) for e in added.elements)
+    elements = tuple(
+        replace(e, name=names[e.name], mirror=names.get(e.mirror, ""), inner=tuple(names[each] for each in e.inner))
+        for e in added.elements
+    )
     return replace(added, elements=elements)
 
 

@@ -19,7 +19,7 @@ from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Floats, Group, Indices, Member, Side
 
-FAMILIES = ("global", "hidden", "composite", "crowded")
+FAMILIES = ("global", "hidden", "composite", "requested", "crowded")
 """Headings, from top to bottom."""
 
 _TRACK = 4.0

@@ -1,27 +1,21 @@
-"""Where each control may be anchored, and which controls do not belong on the face (paper section 4.2)."""
+"""Where each control may be anchored (paper section 4.2)."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.layout.composites import composites
 from usdrigui.layout.locality import fixed_anchor, kept_near, proxies
 from usdrigui.layout.partial import moves
-from usdrigui.layout.precedent import stood_on_face
-from usdrigui.layout.reach import covering
 from usdrigui.layout.terms import Context, linear_cost
 from usdrigui.layout.tracks import polylines
-from usdrigui.layout.vanishing import vanishing
+from usdrigui.layout.verdicts import Verdict
 from usdrigui.layout.visibility import mostly_hidden
-from usdrigui.model import Candidates, CandidateSet, Flags, Floats, Indices, LeftOff, Motion
+from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
 from usdrigui.settings import ControlSettings
 
 STAGE = "candidates"
-
-_UNMOVED_SHARE = 0.1
-"""Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
 
 _LOOSE = 0.2
 """Share of the visible peak at which a control may stand when it has no better place."""
@@ -35,9 +29,6 @@ def candidates(context: Context) -> Candidates:
     would leave nothing, its weaker reasons give way in the reverse order: a control that any view can
     see always has a candidate.
     """
-    coverage = _coverage(context)
-    gone = vanishing(context)
-    repeated = composites(context)
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
     for index, motion in enumerate(context.trajectories.motions):
@@ -45,7 +36,7 @@ def candidates(context: Context) -> Candidates:
         if said.exclude:
             left_off.append(LeftOff(name, STAGE, "excluded by the configuration"))
             continue
-        verdict = _verdict(context, motion, float(coverage[index]), bool(gone[index]), repeated.get(index, ""))
+        verdict = context.verdicts[index]
         points, sources = _with_earlier(context, motion, verdict, *_places(context, motion, verdict, said))
         sets.append(
             CandidateSet(
@@ -55,9 +46,10 @@ def candidates(context: Context) -> Candidates:
                 globally=verdict.family == "global",
                 hidden=verdict.family == "hidden",
                 composite=verdict.family == "composite",
-                coverage=float(coverage[index]),
+                coverage=verdict.share,
                 sources=sources,
                 reason=verdict.reason,
+                requested=verdict.family == "requested",
             )
         )
     return Candidates(tuple(sets), tuple(left_off))
@@ -76,34 +68,15 @@ def loosened(context: Context, found: CandidateSet) -> CandidateSet:
     return replace(found, points=points, sources=points, cost=linear_cost(context, motion, points))
 
 
-@dataclass(frozen=True)
-class _Verdict:
-    """Whether a control belongs beside the face, under which heading, and why."""
-
-    family: str = ""
-    reason: str = ""
-
-
-def _verdict(context: Context, motion: Motion, coverage: float, gone: bool, repeats: str) -> _Verdict:
-    settings, said = context.settings.candidates, context.said[motion.control]
-    if said.place in ("face", "proxy") or said.anchor:
-        return _Verdict()
-    if settings.beside_global:
-        if gone:
-            return _Verdict("global", "makes parts of the character disappear")
-        if coverage > settings.global_coverage or _moves_everything(context, motion):
-            return _Verdict("global", "moves the face as a whole")
-    if settings.beside_hidden and _visible_share(context, motion) < settings.hidden_share:
-        return _Verdict("hidden", "moves only what no view shows")
-    # Who stands on the face already is not sent away because somebody else came.
-    if settings.beside_composite and repeats and not stood_on_face(context.precedent, (motion.control,)):
-        return _Verdict("composite", repeats)
-    if said.place == "beside":
-        return _Verdict("global", "placed beside the face by the configuration")
-    return _Verdict()
+def anew(context: Context, found: CandidateSet) -> CandidateSet:
+    """The set of a control that stays on the face, as it is in a context that fixes it elsewhere or not at all."""
+    motion, verdict = context.trajectories.motions[found.motion], Verdict()
+    places = _places(context, motion, verdict, context.said[motion.control])
+    points, sources = _with_earlier(context, motion, verdict, *places)
+    return replace(found, points=points, sources=sources, cost=linear_cost(context, motion, sources))
 
 
-def _places(context: Context, motion: Motion, verdict: _Verdict, said: ControlSettings) -> tuple[Indices, Indices]:
+def _places(context: Context, motion: Motion, verdict: Verdict, said: ControlSettings) -> tuple[Indices, Indices]:
     """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
     name = context.rig.controls[motion.control].name
     peak = motion.points[[int(np.argmax(motion.arc_length))]]
@@ -124,7 +97,7 @@ def _places(context: Context, motion: Motion, verdict: _Verdict, said: ControlSe
 
 
 def _with_earlier(
-    context: Context, motion: Motion, verdict: _Verdict, points: Indices, sources: Indices
+    context: Context, motion: Motion, verdict: Verdict, points: Indices, sources: Indices
 ) -> tuple[Indices, Indices]:
     """The places with the one where the control stood before: pruning must not drive away what is there."""
     place = context.precedent.places.get(motion.control)
@@ -176,24 +149,3 @@ def _occluded(context: Context, motion: Motion, points: Indices) -> Flags:
     tracks = polylines(motion, context.trajectories.base, points, points, context.settings.objective.samples)
     depth = 0.5 * context.handle_width
     return mostly_hidden(context.views, tracks, context.trajectories.normals[points], depth)
-
-
-def _visible_share(context: Context, motion: Motion) -> float:
-    """Share of what the control moves, area times distance, that some view sees."""
-    weight = context.areas[motion.points] * motion.arc_length
-    total = float(weight.sum())
-    seen = context.views.anywhere[motion.points]
-    return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
-
-
-def _coverage(context: Context) -> Floats:
-    """(motions,) share of the visible face that each control moves notably."""
-    seen = np.where(context.views.anywhere, context.areas, 0.0)
-    return covering(context.trajectories.motions, seen)
-
-
-def _moves_everything(context: Context, motion: Motion) -> bool:
-    """The paper's own criterion for a global control."""
-    count = len(context.trajectories.base)
-    still = motion.arc_length < 0.999 * motion.arc_length.mean()
-    return bool(count - len(motion.points) + still.sum() < _UNMOVED_SHARE * count)

@@ -12,6 +12,8 @@ the atoms, so they go to the board.  They are recognised by what they share with
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from scipy.optimize import nnls
 from scipy.sparse import csr_array
@@ -19,8 +21,10 @@ from scipy.sparse import csr_array
 from usdrigui.layout.fields import Fields
 from usdrigui.layout.names import is_step_of
 from usdrigui.layout.reach import reaches
-from usdrigui.layout.terms import Context
 from usdrigui.model import Flags, Symmetry, Trajectories
+
+if TYPE_CHECKING:
+    from usdrigui.layout.terms import Context
 
 _PARALLEL = 0.98
 """Cosine of two motions from which one repeats the other."""

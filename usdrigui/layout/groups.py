@@ -22,7 +22,7 @@ from usdrigui.layout.terms import Context
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
 
-_FAMILIES = ("global", "hidden", "composite")
+_FAMILIES = ("global", "hidden", "composite", "requested")
 _TWIN_LEEWAY = 0.8
 """Twins of each other are called opposed at this share of the usual cosine: mouthLeft and mouthRight."""
 _AXES_SHARED = 0.8
@@ -390,5 +390,5 @@ def _kind(merged: _Merged) -> ElementKind:
 
 
 def _family(candidate_set: CandidateSet) -> str:
-    flags = (candidate_set.globally, candidate_set.hidden, candidate_set.composite)
+    flags = (candidate_set.globally, candidate_set.hidden, candidate_set.composite, candidate_set.requested)
     return next((name for name, flag in zip(_FAMILIES, flags, strict=True) if flag), "")

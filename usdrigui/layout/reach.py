@@ -27,6 +27,20 @@ def reaches(motions: Sequence[Motion], count: int) -> Flags:
     return flags
 
 
+def shares_of_face(motions: Sequence[Motion], areas: Floats) -> Floats:
+    """(motions,) share of the face that each control moves notably, weighed by `areas` (n,).
+
+    The face is where controls of no more than the usual reach act: what whole-head controls carry along
+    besides (neck, body) is none of it.
+    """
+    flags = reaches(motions, len(areas))
+    size = flags @ areas
+    local = size <= _MANY_TIMES * float(np.median(size)) if len(size) else np.zeros(0, dtype=bool)
+    face = np.where(flags[local].any(axis=0), areas, 0.0)
+    total = float(face.sum())
+    return np.asarray(flags @ face / total if total > 0.0 else np.zeros(len(motions)), dtype=np.float64)
+
+
 def covering(motions: Sequence[Motion], areas: Floats) -> Floats:
     """(motions,) share of the joint reach of all smaller controls that each control moves notably too.
 
@@ -55,4 +69,4 @@ def _covered(motion: Motion, face: Flags, areas: Floats) -> Indices:
     on_face = face[motion.points] & (areas[motion.points] > 0.0)
     here, own = motion.arc_length[on_face].max(initial=0.0), motion.arc_length.max()
     peak = here if here >= NOTABLE * own else own
-    return motion.points[on_face & (motion.arc_length >= NOTABLE * peak)]
+    return np.asarray(motion.points[on_face & (motion.arc_length >= NOTABLE * peak)], dtype=np.int64)

@@ -16,9 +16,11 @@ import numpy as np
 from usdrigui.layout.affinity import Affinity, affinity
 from usdrigui.layout.extensions import user_linear_cost
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
+from usdrigui.layout.handles import handle_width
 from usdrigui.layout.precedent import NONE, Precedent
 from usdrigui.layout.remarks import remarks
 from usdrigui.layout.symmetry import plane_distance
+from usdrigui.layout.verdicts import Verdict, verdicts
 from usdrigui.layout.visibility import Views
 from usdrigui.model import Floats, Indices, Layout, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import ControlSettings, Settings
@@ -71,10 +73,15 @@ class Context:
         """Indices of the motions whose control goes to both sides of its base value."""
         return reversed_controls(self.trajectories)
 
-    @property
+    @cached_property
+    def verdicts(self) -> tuple[Verdict, ...]:
+        """(motions,) which controls do not belong on the face, and why."""
+        return verdicts(self)
+
+    @cached_property
     def handle_width(self) -> float:
         """Diameter of a handle in scene units."""
-        return self.settings.objective.handle_size * self.trajectories.face_size
+        return handle_width(self)
 
 
 LinearTerm = Callable[[Context, Motion, Indices], Floats]

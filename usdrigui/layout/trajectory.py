@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -39,7 +40,8 @@ def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | N
             motions.append(motion)
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
-    return _assembled(rig, base.points, tuple(motions), tuple(left_off), settings)
+    excluded = _excluded(rig, size, settings)
+    return _assembled(rig, base.points, tuple(motions), excluded, tuple(left_off), settings)
 
 
 def total_motion(motions: Sequence[Motion], count: int) -> Singles:
@@ -48,6 +50,14 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
     for motion in motions:
         total[motion.points] += motion.offsets[-1] - motion.offsets[0]
     return total
+
+
+def _excluded(rig: Rig, size: float, settings: TrajectorySettings) -> tuple[Motion, ...]:
+    """Motions of the controls that the configuration leaves out, from the default pose."""
+    alone = replace(rig, controls=rig.excluded)
+    start = posed(alone, None)
+    found = (_motion(alone, start, i, control.default, settings) for i, control in enumerate(rig.excluded))
+    return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
 
 
 def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tuple[Posed, float]:
@@ -120,11 +130,16 @@ def _apart(rig: Rig, motion: Floats) -> Floats:
 
 
 def _assembled(
-    rig: Rig, base: Floats, motions: tuple[Motion, ...], left_off: tuple[LeftOff, ...], settings: TrajectorySettings
+    rig: Rig,
+    base: Floats,
+    motions: tuple[Motion, ...],
+    excluded: tuple[Motion, ...],
+    left_off: tuple[LeftOff, ...],
+    settings: TrajectorySettings,
 ) -> Trajectories:
     corners = mesh_triangles(rig.meshes)
     places = weld(base, _apart(rig, total_motion(motions, len(base)).astype(np.float64)))
-    local = _local(motions, point_areas(base, corners, places))
+    local = _local(motions, excluded, point_areas(base, corners, places))
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
     heights = base @ rig.up
@@ -140,6 +155,7 @@ def _assembled(
         typical_length=float(np.median(peaks[local])) if local.any() else face_size,
         left_off=left_off,
         issues=(*_inward(rig, inward), *_tiny(rig, motions, face_size, settings), *_duplicates(rig, motions)),
+        excluded=excluded,
     )
 
 
@@ -148,12 +164,16 @@ def _inward(rig: Rig, inward: bool) -> list[Issue]:
     return [issue("NORMALS_INWARD", rig.root, said)] if inward else []
 
 
-def _local(motions: tuple[Motion, ...], areas: Floats) -> Flags:
-    """(motions,) which of them move a part of the face and by no absurd amount; all if none would be left."""
+def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Floats) -> Flags:
+    """(motions,) which of them move a part of the face and by no absurd amount; all if none would be left.
+
+    Whether one is local does not depend on which others the configuration excludes.
+    """
     peaks = np.array([motion.arc_length.max() for motion in motions])
     if not len(motions):
         return np.zeros(0, dtype=bool)
-    flags: Flags = (covering(motions, areas) < 0.6) & (peaks <= _OUTLIER * np.median(peaks))
+    covered = covering((*motions, *excluded), areas)[: len(motions)]
+    flags: Flags = (covered < 0.6) & (peaks <= _OUTLIER * np.median(peaks))
     return flags if flags.any() else np.ones(len(motions), dtype=bool)
 
 

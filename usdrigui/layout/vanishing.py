@@ -6,12 +6,16 @@ displacements of all and mean none of them, so they are laid out beside the face
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from usdrigui.layout.terms import Context
 from usdrigui.model import Flags, Floats, Indices, Motion
 from usdrigui.rays import make_caster, visible_from
 from usdrigui.surface import components, mesh_triangles, vertex_normals
+
+if TYPE_CHECKING:
+    from usdrigui.layout.terms import Context
 
 _COLLAPSED = 0.1
 """A part collapses when its extent shrinks below this share."""

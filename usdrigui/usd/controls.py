@@ -112,19 +112,22 @@ def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[l
     return drafts, left_off
 
 
-def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...], list[LeftOff]]:
-    """The controls after exclusions, ranges, names and labels of the configuration.
+def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...], tuple[Control, ...], list[LeftOff]]:
+    """The controls after ranges, names and labels of the configuration, and those that it excludes.
 
     Raises CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a new
     name that is already taken.
     """
     controls: list[Control] = []
+    excluded: list[Control] = []
     left_off: list[LeftOff] = []
     names: set[str] = set()
     for draft in drafts:
         said = settings.controls.get(draft.name, ControlSettings())
         if said.exclude:
             left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
+            if draft.range.maximum > draft.range.minimum:
+                excluded.append(_control(draft, draft.name, said, draft.range))
             continue
         span = _ranged(draft, said)
         if span.maximum <= span.minimum:
@@ -134,20 +137,22 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
         if name in names:
             raise refuse("CONFIG_VALUE", f'controls."{draft.name}".rename', f"two controls would be called {name!r}")
         names.add(name)
-        controls.append(
-            Control(
-                name,
-                said.label or draft.label or name,
-                draft.kind,
-                draft.source,
-                span.minimum,
-                span.default,
-                span.maximum,
-                span.source,
-                draft.drive if span == draft.range else _redriven(draft.drive, span),
-            )
-        )
-    return tuple(controls), left_off
+        controls.append(_control(draft, name, said, span))
+    return tuple(controls), tuple(excluded), left_off
+
+
+def _control(draft: Draft, name: str, said: ControlSettings, span: Range) -> Control:
+    return Control(
+        name,
+        said.label or draft.label or name,
+        draft.kind,
+        draft.source,
+        span.minimum,
+        span.default,
+        span.maximum,
+        span.source,
+        draft.drive if span == draft.range else _redriven(draft.drive, span),
+    )
 
 
 def joint_settings(joint: Joint, joints: tuple[Joint, ...], said: Mapping[str, JointSettings]) -> JointSettings | None:

@@ -112,8 +112,8 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         raise refuse("INSTANCE", str(_instance(root).GetPath()), f"{root.GetPath()} cannot be edited")
     scene = _scene(root, settings)
     drafts, left_off, issues = _drafts(root, scene, settings)
-    controls, excluded = settled(drafts, settings)
-    lost = (*left_off, *excluded, *scene.names.left_off)
+    controls, excluded, unused = settled(drafts, settings)
+    lost = (*left_off, *unused, *scene.names.left_off)
     rig = Rig(
         root=str(root.GetPath()),
         meshes=scene.meshes,
@@ -127,6 +127,7 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
         left_off=lost,
         issues=(*scene.found.issues, *scene.names.issues, *issues),
+        excluded=excluded,
     )
     return _Reading(rig, unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings))
 

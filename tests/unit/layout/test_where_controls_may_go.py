@@ -244,13 +244,13 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
 
 def test_place_beside_and_exclude():
     rig = makers.face()
-    assert chosen(rig, controls={"chin": {"place": "beside"}})("chin").globally
+    assert chosen(rig, controls={"chin": {"place": "beside"}})("chin").requested
     context = chain.context_of(rig, chain.settings(controls={"chin": {"exclude": True}}))
     assert [each.control for each in candidates(context).left_off] == ["chin"]
 
 
 def test_a_renamed_control_is_known_by_both_names():
-    assert chosen(makers.face(), controls={"old": {"rename": "chin", "place": "beside"}})("chin").globally
+    assert chosen(makers.face(), controls={"old": {"rename": "chin", "place": "beside"}})("chin").requested
 
 
 @pytest.mark.parametrize("near", ["/Root/mesh.point[700]", "/Root/mesh.point[0]"])

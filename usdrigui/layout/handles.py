@@ -1,0 +1,72 @@
+"""How wide handles are: a share of the face, and less where many controls want the same places.
+
+What counts is where each control would keep most of its displacement.  Spread over those places by their
+area, whatever the mesh's resolution, every control is one; around the place of one there are then so many
+others, on average.  Handles are as wide as leaves no more than a comfortable number within a few widths.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.layout.tracks import flattened
+from usdrigui.model import Floats
+
+if TYPE_CHECKING:
+    from usdrigui.layout.terms import Context
+
+_KEPT = 0.85
+"""A control wants the places where it keeps this share of its visible peak."""
+_AROUND = 4.0
+"""Handle widths: what is nearer than this to a handle is around it."""
+_STEPS = 64
+"""Widths tried between the least and the largest."""
+
+
+def handle_width(context: Context) -> float:
+    """Diameter of a handle in scene units.
+
+    The largest of the widths from ``objective.handle_least`` to ``objective.handle_size`` at which no more
+    than ``objective.handle_crowd`` controls are around one on average; the least where all are too wide.
+    Invariant under rigid motion, uniform scale and the order and density of points.
+    """
+    settings, face = context.settings.objective, context.trajectories.face_size
+    most, least = settings.handle_size * face, min(settings.handle_least, settings.handle_size) * face
+    points, weights = _wanted(context)
+    if settings.handle_crowd <= 0.0 or least >= most or not len(points):
+        return most
+    widths = np.linspace(least, most, _STEPS + 1)
+    fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.handle_crowd)
+    return float(widths[fits[-1]]) if len(fits) else least
+
+
+def around(points: Floats, weights: Floats, radii: Floats) -> Floats:
+    """(r,) mean number of controls, itself included, within each radius of a control.
+
+    `points` (p, 3) are places, `weights` (p,) how many controls stand at each, in sum their number.
+    """
+    tree = cKDTree(points)
+    pairs = tree.count_neighbors(tree, radii, weights=(weights, weights))
+    return np.asarray(pairs / weights.sum(), dtype=np.float64)
+
+
+def _wanted(context: Context) -> tuple[Floats, Floats]:
+    """Places (p, 3) wanted by the controls that are to stand on the face, and how many want each (p,)."""
+    trajectories, anywhere = context.trajectories, context.views.anywhere
+    total = np.zeros(len(trajectories.base))
+    for motion, verdict in zip(trajectories.motions, context.verdicts, strict=True):
+        seen = anywhere[motion.points] & (trajectories.places[motion.points] == motion.points)
+        if verdict.family or context.said[motion.control].exclude or not seen.any():
+            continue
+        arc = np.where(seen, motion.arc_length, 0.0)
+        wanted = motion.points[arc >= _KEPT * arc.max()]
+        areas = context.areas[wanted]
+        total[wanted] += areas / areas.sum() if areas.any() else 1.0 / len(wanted)
+    chosen = np.flatnonzero(total)
+    points = trajectories.base[chosen]
+    if context.settings.candidates.space == "view":
+        points = flattened(points, context.views.directions[0])
+    return points, total[chosen]
