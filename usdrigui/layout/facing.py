@@ -14,7 +14,7 @@ def front(rig: Rig, trajectories: Trajectories, plane_normal: Floats) -> Floats:
     """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there is one.
 
     The sign is that of the moving region: a face moves most where it looks, so the normals of the moving
-    surface, weighted by area and by how many controls move it, sum up to the front.
+    surface, averaged over what each control moves, sum up to the front.
     """
     outward = _moving_normals(rig, trajectories)
     if plane_normal.any():
@@ -38,9 +38,16 @@ def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
 
 
 def _moving_normals(rig: Rig, trajectories: Trajectories) -> Floats:
-    """Area-weighted sum of the normals of what moves."""
-    moved = np.zeros(len(trajectories.base))
-    for motion in trajectories.motions:
-        moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+    """Sum over the controls of the mean normal of what each moves, by area.
+
+    Every control has one vote, and casts it as far as its region faces one way: what moves the whole head moves
+    normals that cancel, and the hair or the open neck must not outvote the face.
+    """
     areas = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
-    return np.asarray((trajectories.normals * (areas * moved)[:, None]).sum(axis=0), dtype=np.float64)
+    votes = np.zeros(3)
+    for motion in trajectories.motions:
+        weight = areas[motion.points] * np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+        total = float(weight.sum())
+        if total > 0.0:
+            votes += weight @ trajectories.normals[motion.points] / total
+    return votes
