@@ -439,8 +439,26 @@ def test_an_element_off_the_face_is_beside_it(viewer, tmp_path):
 # --- evaluation --------------------------------------------------------------------------------------
 
 
-def test_evaluation_measures_as_the_paper_does(viewer, tmp_path):
+@pytest.fixture
+def study(browser, tmp_path):
+    """The page with the evaluation, which the ordinary one does not offer."""
+    rig = makers.face()
+    path = tmp_path / "study.html"
+    path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face", study=True))
+    made = Viewer(browser, path)
+    yield made
+    assert made.trouble == []
+    made.close()
+
+
+def test_the_ordinary_page_offers_no_evaluation(viewer):
+    assert viewer.page.get_by_role("button", name="Shortcuts").count() == 1
+    assert viewer.page.get_by_role("button", name="Evaluate").count() == 0
+
+
+def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     """Two trials: one left neutral (both errors 1), one matched exactly (both errors 0)."""
+    viewer = study
     viewer.page.get_by_role("button", name="Evaluate").click()
     viewer.page.get_by_label("Participant number").fill("2")
     viewer.page.get_by_role("button", name="Start").click()
