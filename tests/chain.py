@@ -8,6 +8,7 @@ from typing import Any
 from usdrigui.layout.candidates import candidates
 from usdrigui.layout.elements import layout
 from usdrigui.layout.groups import find_groups
+from usdrigui.layout.levels import levelled
 from usdrigui.layout.precedent import NONE
 from usdrigui.layout.problem import layout_problem
 from usdrigui.layout.symmetry import find_symmetry
@@ -43,7 +44,7 @@ def posed(rig, settings=None, base_values=None, precedent=NONE):
     """Up to the problem."""
     context = replace(context_of(rig, settings, base_values), precedent=precedent)
     chosen = candidates(context)
-    groups = find_groups(context, chosen)
+    groups = levelled(context, find_groups(context, chosen))
     problem, choices = layout_problem(context, chosen, groups)
     return Line(context, chosen, groups, problem, choices)
 

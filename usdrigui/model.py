@@ -377,6 +377,7 @@ class Symmetry(Record):
     """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
     sources: tuple[str, ...]
     """(controls,) how each twin was decided: ``config``, ``geometry``, ``name`` or empty."""
+    """(controls,) True where the mirror image is the twin going the other way: one rises as the other falls."""
 
 
 # --- choice ------------------------------------------------------------------------------------------
@@ -637,6 +638,9 @@ class Element(Record):
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
 
+    """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
+    inner: tuple[str, ...] = ()
+    """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
 
 @dataclass(frozen=True, eq=False)
 class Layout(Record):

@@ -13,6 +13,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 from usdrigui.errors import Exit, Issue
+from usdrigui.levels import outer_first
 from usdrigui.model import Assignment, Element, Layout, LeftOff, Rig
 
 FORMAT = "usdrigui.report"
@@ -174,7 +175,7 @@ def _difference(found: Any) -> dict[str, Any]:
 
 
 def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
-    for element in layout.elements:
+    for element in reversed(outer_first(layout.elements)):  # what a control has on the first level counts
         for member in element.members:
             yield element, member
 
@@ -255,6 +256,7 @@ def _element(element: Element, standing: bool) -> dict[str, Any]:
         "gains": [member.gain for member in element.members],
         "reason": element.reason,
         "standing": standing,
+        "members": list(element.inner),
     }
 
 

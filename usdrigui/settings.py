@@ -40,6 +40,8 @@ class ControlSettings:
     """Radius for `near`, as a share of the face size; 0 takes the default."""
     anchor: str = ""
     """``MESH_PATH#POINT``: fixed anchor of a partial layout."""
+    inner_anchor: str = ""
+    """The same for the slider that the control has of its own when `levels.groups` makes its element coarse."""
     adapt: Literal["", "deform", "static"] = ""
     glyph: str = ""
     """Curve or mesh to draw as its handle: ``/PRIM`` of the asset, or ``FILE</PRIM>`` with a file named from the
@@ -256,6 +258,22 @@ class OutputSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class LevelSettings:
+    """Two levels: coarse elements first, and in place of one that is opened its members.
+
+    Handles are kept apart among elements that are visible at the same time only."""
+
+    members: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """``[levels.members]``: a coarse control, or the name of an element, to the controls whose elements are its
+    members. What is said of one side of the character holds for the other."""
+    poses: bool = False
+    """Every pose is coarse; its members are the controls that it sets."""
+    groups: bool = False
+    """Every element of several axes (joystick, patch, fan) is coarse; each of its axes gets a slider of its own,
+    its member."""
+
+
+@dataclass(frozen=True, slots=True)
 class LikeSettings:
     """Laying out a character like another one (`--like`)."""
 
@@ -282,6 +300,7 @@ class Settings:
     poses: Mapping[str, PoseSettings] = field(default_factory=dict)
     joints: Mapping[str, JointSettings] = field(default_factory=dict)
     like: LikeSettings = field(default_factory=LikeSettings)
+    levels: LevelSettings = field(default_factory=LevelSettings)
 
 
 PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(

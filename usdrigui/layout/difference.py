@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.levels import outer_first
 from usdrigui.model import Element, Layout
 
 ChangeKind = Literal["added", "removed", "moved", "to the face", "beside", "regrouped"]
@@ -86,7 +87,7 @@ def difference(before: Layout, after: Layout, gains: Mapping[str, float] | None 
 def _spots(layout: Layout) -> dict[tuple[str, int], _Spot]:
     """By control and by how many elements before this one hold it too (doubles in the middle)."""
     spots: dict[tuple[str, int], _Spot] = {}
-    for element in layout.elements:
+    for element in outer_first(layout.elements):
         for member in element.members:
             count = 0
             while (member.control, count) in spots:

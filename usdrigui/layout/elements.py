@@ -7,6 +7,7 @@ import numpy as np
 from usdrigui.layout.board import Board, beside_elements
 from usdrigui.layout.fans import fan_order
 from usdrigui.layout.glyphs import fitted_glyph
+from usdrigui.layout.levels import with_inner
 from usdrigui.layout.names import common_label
 from usdrigui.layout.problem import Choice, own_mirror_image
 from usdrigui.layout.symmetry import plane_distance
@@ -56,7 +57,7 @@ def layout(
     view = context.settings.candidates
     return Layout(
         root=context.rig.root,
-        elements=tuple(elements),
+        elements=with_inner(elements, groups, context),
         left_off=_left_off(context, candidates),
         handle_width=context.handle_width,
         space=view.space,
@@ -137,6 +138,8 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
 
 
 def names_of_copies(context: Context, group: Group, choice: Choice) -> list[str]:
+
+
     """Names of the element and of its images."""
     given = [group.name, *group.image_names]
     names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.elements import names_of_copies
-from usdrigui.layout.problem import Choice, leaving_costs
+from usdrigui.layout.problem import Choice, inner_context, leaving_costs
 from usdrigui.layout.review import cost_given_others
 from usdrigui.layout.terms import Context
 from usdrigui.model import Floats, Group, Indices, LayoutProblem
@@ -20,7 +20,8 @@ def gains_of_leaving(
     """
     found: dict[str, float] = {}
     for index, choice in enumerate(choices):
-        stay, leave = leaving_costs(context, choice)
+        part = groups[choice.group].part
+        stay, leave = leaving_costs(inner_context(context) if part else context, choice)
         label, earlier = int(labels[index]), int(np.argmin(stay)) if len(stay) else -1
         if leave <= 0.0 or earlier < 0 or label == earlier or np.ptp(stay) == 0.0:
             continue

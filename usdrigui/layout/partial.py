@@ -16,6 +16,7 @@ from usdrigui.errors import refuse
 from usdrigui.layout.locality import fixed_anchor
 from usdrigui.layout.symmetry import plane_distance, reflected
 from usdrigui.layout.terms import Context
+from usdrigui.levels import outer_first
 from usdrigui.model import Element, Group, Layout, LayoutProblem, Motion, Rig
 from usdrigui.settings import ControlSettings, Settings
 
@@ -35,7 +36,8 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] 
     known = {control.name for control in rig.controls}
     renamed = {said.rename: name for name, said in settings.controls.items() if said.rename}
     controls = dict(settings.controls)
-    for element in layout.elements:
+    placed: set[str] = set()
+    for element in outer_first(layout.elements):
         if only is not None and element.name not in only:
             continue
         for member in element.members:
@@ -44,8 +46,12 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] 
                 raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}")
             name = renamed.get(member.control, member.control)
             said = controls.get(name, ControlSettings())
+            if name in placed:
+                controls[name] = _anchored_again(said, element, rig)
+                continue
             if said.anchor or said.place:
                 continue
+            placed.add(name)
             controls[name] = replace(said, place="beside") if element.anchor.beside else _anchored(said, element, rig)
     return replace(settings, controls=controls)
 
@@ -99,6 +105,8 @@ def refuse_impossible(
     for place, a in enumerate(fixed):
         for b in fixed[place + 1 :]:
             one, other = problem.variables[a], problem.variables[b]
+            if not problem.together[a, b]:
+                continue
             apart = np.linalg.norm(one.handles[0][:, None] - other.handles[0][None], axis=2).min()
             if apart < problem.separation:
                 told = f"{apart / problem.separation:.2f} of the least distance between two handles"
@@ -112,6 +120,13 @@ def _anchored(said: ControlSettings, element: Element, rig: Rig) -> ControlSetti
         change = "is gone" if mesh is None else "has other points or faces by now"
         raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
     return replace(said, anchor=f"{anchor.mesh}#{anchor.point}")
+
+
+def _anchored_again(said: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
+    """What is fixed of the slider that a control has of its own under a coarse element."""
+    if said.inner_anchor or element.anchor.beside:
+        return said
+    return replace(said, inner_anchor=_anchored(said, element, rig).anchor)
 
 
 def _fixed_in_mirror(context: Context, control: int, twin: int) -> bool:
@@ -129,5 +144,6 @@ def _fixed_in_mirror(context: Context, control: int, twin: int) -> bool:
 def _fixed(context: Context, groups: tuple[Group, ...], choices: Sequence[Choice]) -> Iterator[int]:
     """Numbers of the variables with a fixed anchor."""
     for number, choice in enumerate(choices):
-        if any(context.said[control].anchor for control in groups[choice.group].controls):
+        group = groups[choice.group]
+        if not group.part and any(context.said[control].anchor for control in group.controls):
             yield number

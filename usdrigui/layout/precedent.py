@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from usdrigui.levels import inner_names, outer_first
 from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh
 
 
@@ -44,6 +45,8 @@ class Precedent(Record):
     groups: tuple[KeptGroup, ...] = ()
     places: Mapping[int, Place] = field(default_factory=dict)
     """By index into `Rig.controls`; controls without a place are free."""
+    parts: Mapping[int, Place] = field(default_factory=dict)
+    """The same for the sliders that controls have of their own under a coarse element."""
     price: float = 0.0
     """Cost of leaving a place, per copy of the element, in the units of the objective."""
     reach: float = 0.0
@@ -57,14 +60,19 @@ def of_previous(layout: Layout, rig: Rig, price: float) -> Precedent:
     """The precedent of an earlier layout of the same character; none at all at a price of 0."""
     if price <= 0.0:
         return NONE
-    return Precedent(kept_groups(layout, rig), _places(layout, rig), price)
+    return Precedent(kept_groups(layout, rig), *_places(layout, rig), price)
 
 
 def joined(first: Precedent, second: Precedent) -> Precedent:
     """Both precedents: where both speak of a control, the first is heard; the price is the second's."""
     taken = {control for group in first.groups for control in group.controls}
     others = tuple(group for group in second.groups if not taken & set(group.controls))
-    return replace(second, groups=(*first.groups, *others), places={**second.places, **first.places})
+    return replace(
+        second,
+        groups=(*first.groups, *others),
+        places={**second.places, **first.places},
+        parts={**second.parts, **first.parts},
+    )
 
 
 def kept_groups(layout: Layout, rig: Rig) -> tuple[KeptGroup, ...]:
@@ -72,7 +80,7 @@ def kept_groups(layout: Layout, rig: Rig) -> tuple[KeptGroup, ...]:
     index = {control.name: number for number, control in enumerate(rig.controls)}
     groups: list[KeptGroup] = []
     taken: set[int] = set()
-    for element in layout.elements:
+    for element in outer_first(layout.elements):
         kept = [place for place, member in enumerate(element.members) if index.get(member.control, -1) not in taken]
         kept = [place for place in kept if element.members[place].control in index]
         if not kept:
@@ -118,16 +126,21 @@ def _share_due(precedent: Precedent, place: Place, anchors: Indices, base: Float
     return np.where(here, 0.0, 1.0)
 
 
-def _places(layout: Layout, rig: Rig) -> dict[int, Place]:
+def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
+    """The places of the controls, and those of the sliders that some have besides under a coarse element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
     meshes = {mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)}
     places: dict[int, Place] = {}
-    for element in layout.elements:
-        for member in element.members:
-            if member.control in index and index[member.control] not in places:
-                point = _same_point(element, meshes)
-                places[index[member.control]] = Place(point, element.anchor.position, element.anchor.beside)
-    return places
+    parts: dict[int, Place] = {}
+    inner = inner_names(layout.elements)
+    for element in outer_first(layout.elements):
+        place = Place(_same_point(element, meshes), element.anchor.position, element.anchor.beside)
+        for control in (index[member.control] for member in element.members if member.control in index):
+            if control not in places:
+                places[control] = place
+            elif element.name in inner:
+                parts[control] = place
+    return places, parts
 
 
 def _same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:

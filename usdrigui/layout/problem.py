@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.layout.additions import standing_costs
-from usdrigui.layout.candidates import loosened
+from usdrigui.layout.candidates import anew, loosened
 from usdrigui.layout.extensions import user_pairs
+from usdrigui.layout.levels import of_parts
 from usdrigui.layout.orbits import orbit_points
 from usdrigui.layout.partial import refuse_impossible
 from usdrigui.layout.precedent import leaving, stood_on_face
@@ -63,13 +64,27 @@ def layout_problem(
     for index, group in enumerate(groups):
         if group.beside:
             continue
-        variable, choice = _variable(context, sets, index, group, overlap, separation)
+        here, its = _of_part(context, sets, group) if group.part else (context, sets)
+        variable, choice = _variable(here, its, index, group, overlap, separation)
         variables.append(variable)
         choices.append(choice)
     weight = context.settings.objective.displacement_weight
     problem = LayoutProblem(tuple(variables), overlap, separation, weight)
     refuse_impossible(context, groups, problem, tuple(choices))
     return replace(problem, extra=user_pairs(context, problem, tuple(choices))), tuple(choices)
+
+
+def inner_context(context: Context) -> Context:
+    """What holds for the sliders that controls have of their own under a coarse element."""
+    precedent = replace(context.precedent, places=context.precedent.parts, parts={})
+    return replace(context, settings=of_parts(context.settings), precedent=precedent)
+
+
+def _of_part(
+    context: Context, sets: dict[int, CandidateSet], group: Group
+) -> tuple[Context, dict[int, CandidateSet]]:
+    inner = inner_context(context)
+    return inner, {control: anew(inner, sets[control]) for copy in _copies(group) for control in copy}
 
 
 def _constants(context: Context) -> tuple[Overlap, float]:
@@ -118,6 +133,7 @@ def _variable(
         handles[kept],
         beside + leave,
         displacement[kept],
+        group.states,
     )
     return variable, choice
 

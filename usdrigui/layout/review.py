@@ -14,6 +14,7 @@ import numpy as np
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.layout.problem import Choice, layout_problem
 from usdrigui.layout.terms import Context, linear_cost
+from usdrigui.levels import inner_names, states
 from usdrigui.model import Candidates, CandidateSet, Element, Floats, Group, Indices, Layout, LayoutProblem, Rig
 from usdrigui.overlap import pair_costs, total_cost
 
@@ -61,7 +62,7 @@ def review(context: Context, candidates: Candidates, layout: Layout) -> Review:
     faults = [*_stale(context, layout), *_unplaced(context, layout), *_crowded(context, layout)]
     sound = _sound(context, layout)
     issues = [*faults, *_hidden(context, sound)]
-    problem, choices, labels = _as_problem(context, candidates, sound)
+    problem, choices, labels = _as_problem(context, candidates, layout, sound)
     rated = tuple(_rated(context, problem, choices, labels, index) for index in range(len(choices)))
     issues += [
         issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
@@ -127,13 +128,16 @@ def _unplaced(context: Context, layout: Layout) -> Iterator[Issue]:
 
 
 def _crowded(context: Context, layout: Layout) -> Iterator[Issue]:
-    least = context.handle_width
+    least = layout.handle_width or context.handle_width
     placed = [element for element in layout.elements if not element.anchor.beside]
     if len(placed) < 2:
         return
+    seen = states(layout.elements)
     spots = np.array([element.anchor.position for element in placed])
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2)
     for a, b in np.argwhere(np.triu(apart < least * (1.0 - _TOUCHING), 1)):
+        if not seen[placed[a].name] & seen[placed[b].name]:
+            continue
         between = f"{apart[a, b] / least:.2f} handle widths from {placed[b].name}"
         yield issue("LAYOUT_HANDLES_COLLIDE", placed[a].name, f"its handle is {between}")
 
@@ -163,10 +167,11 @@ def _sound(context: Context, layout: Layout) -> tuple[Element, ...]:
 
 
 def _as_problem(
-    context: Context, candidates: Candidates, elements: tuple[Element, ...]
+    context: Context, candidates: Candidates, layout: Layout, elements: tuple[Element, ...]
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which every element is one variable, its own anchor among the candidates."""
     index = {control.name: number for number, control in enumerate(context.rig.controls)}
+    seen, parts = states(layout.elements), _parts(layout)
     groups = tuple(
         Group(
             element.name,
@@ -175,6 +180,8 @@ def _as_problem(
             element.opposed,
             (),
             "",
+            part=element.name in parts,
+            states=seen[element.name],
         )
         for element in elements
     )
@@ -193,6 +200,13 @@ def _as_problem(
         tuple(choices[number] for number in kept),
         np.array(labels, dtype=np.int64),
     )
+
+
+def _parts(layout: Layout) -> frozenset[str]:
+    """Names of the elements all of whose controls a coarse element holds too."""
+    inner = inner_names(layout.elements)
+    outer = {m.control for element in layout.elements if element.name not in inner for m in element.members}
+    return frozenset(e.name for e in layout.elements if e.name in inner and outer >= {m.control for m in e.members})
 
 
 def _least(context: Context) -> float:
@@ -259,7 +273,7 @@ def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str
     handles = [variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)]
     nearest, distance = "", np.inf
     for other, spots in enumerate(handles):
-        if other != index:
+        if other != index and problem.together[index, other]:
             apart = float(np.linalg.norm(handles[index][:, None] - spots[None], axis=2).min())
             if apart < distance:
                 nearest, distance = problem.variables[other].name, apart

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.interpolate import RBFInterpolator
 
 from usdrigui.layout.precedent import Place, Precedent, kept_groups
+from usdrigui.levels import inner_names
 from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
 
 REACH = 4.0
@@ -61,11 +62,13 @@ def of_another(
     places = carried([element.anchor.position for element in layout.elements], theirs, ours, names)
     index = {control.name: number for number, control in enumerate(ours[0].controls)}
     found: dict[int, Place] = {}
-    for element, position in zip(renamed.elements, places, strict=True):
+    inner = inner_names(renamed.elements)
+    by_level = sorted(zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner)
+    for element, position in by_level:
         for member in element.members:
             if member.control in index and index[member.control] not in found:
                 found[index[member.control]] = Place(-1, position, element.anchor.beside)
-    return Precedent(kept_groups(renamed, ours[0]), found, price, REACH)
+    return Precedent(kept_groups(renamed, ours[0]), found, price=price, reach=REACH)
 
 
 def carried(

@@ -18,6 +18,7 @@ from pxr import Sdf, Tf, UsdGeom
 
 import usdrigui
 from usdrigui.errors import refuse
+from usdrigui.levels import inner_names
 from usdrigui.model import Element, Layout, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
@@ -221,6 +222,9 @@ def author_element(
     xform = author.prim(scope, names[element.name], "Xform", apis)
     xform.SetInfo("displayName", element.label)
     author.put(xform, "accessibility:default:label", "string", element.label)
+    if element.name in inner_names(layout.elements):
+        # Applications that know nothing of levels show the first one.
+        author.put(xform, "visibility", "token", "invisible")
     _author_element_api(xform, element, instances, names)
     _author_anchor_api(xform, element)
     parts = _part_names(drawn_parts(carriage, element, layout.handle_width), instances)
@@ -263,6 +267,7 @@ def _author_element_api(
             "side": element.side,
             "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
             "family": element.family,
+            "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
             "reason": element.reason,
         },
     )

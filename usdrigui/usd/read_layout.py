@@ -135,6 +135,7 @@ def _layout(scope: Usd.Prim) -> Layout:
     _check_equal(scope, "baseValues", get("baseControls"), get("baseValues"))
     elements = tuple(_element(prim) for prim in scope.GetAllChildren() if _has(prim, schema.ELEMENT))
     _check_unique(scope, [element.name for element in elements])
+    _check_levels(scope, elements)
     return Layout(
         root=str(scope.GetPath().GetParentPath()),
         elements=elements,
@@ -177,7 +178,7 @@ def _element(prim: Usd.Prim) -> Element:
     if unknown or not instances:
         what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
         raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
-    mirror = _targets(prim, schema.ELEMENT, "mirror")
+    mirror, members = (_targets(prim, schema.ELEMENT, each) for each in ("mirror", "members"))
     name = str(get("name")) or prim.GetName()
     return Element(
         name=name,
@@ -191,6 +192,7 @@ def _element(prim: Usd.Prim) -> Element:
         family=str(get("family")),
         reason=str(get("reason")),
         **_handle(prim),
+        inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
     )
 
 
@@ -363,6 +365,8 @@ def _pairs(prim: Usd.Prim, values: Any, count: int) -> tuple[tuple[int, int], ..
 
 
 def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
+
+
     lengths = [len(column) for column in columns]
     if len(set(lengths)) > 1:
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
@@ -380,3 +384,12 @@ def _strings(values: Any) -> list[str]:
 
 def _floats(values: Any) -> Floats:
     return np.array(values, dtype=np.float64)
+def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
+    known, coarse = {element.name for element in elements}, {element.name for element in elements if element.inner}
+    for element in elements:
+        for name in element.inner:
+            if name not in known or name in coarse:
+                what = "is coarse itself" if name in coarse else "is no element of the layout"
+                raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"{name!r}, a member of {element.name!r}, {what}")
+
+

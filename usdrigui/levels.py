@@ -1,0 +1,61 @@
+"""Which elements of a layout are visible together: coarse ones first, their members on demand.
+
+With nothing opened every element is visible that is not a member of a coarse one.  Opening a coarse element
+shows its members in its place, and opens the element on the other side of the character with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from usdrigui.errors import refuse
+from usdrigui.model import Element, Layout
+
+
+def inner_names(elements: Iterable[Element]) -> frozenset[str]:
+    """Names of the elements that are members of a coarse one, and so on the second level."""
+    return frozenset(name for element in elements for name in element.inner)
+
+
+def outer_first(elements: Iterable[Element]) -> tuple[Element, ...]:
+    """The elements of the first level, then those of the second, each in their order."""
+    found = tuple(elements)
+    inner = inner_names(found)
+    return tuple(sorted(found, key=lambda element: element.name in inner))
+
+
+def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
+    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th coarse one opened."""
+    found = tuple(elements)
+    opened = [
+        {coarse.name, coarse.mirror} & {each.name for each in found if each.inner} for coarse in found if coarse.inner
+    ]
+    return {
+        element.name: frozenset(
+            state for state, names in enumerate([set(), *opened]) if _is_visible(element.name, found, names)
+        )
+        for element in found
+    }
+
+
+def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = False) -> Layout:
+    """The layout with its visible elements only, when the coarse elements named are opened, or all of them.
+
+    Raises CONFIG_VALUE for a name that no coarse element bears.
+    """
+    coarse = {element.name: element for element in layout.elements if element.inner}
+    names = set(coarse) if everything else set(opened)
+    for name in sorted(names):
+        if name not in coarse:
+            known = ", ".join(sorted(coarse)) or "none"
+            raise refuse("CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}")
+    names |= {coarse[name].mirror for name in names} & set(coarse)
+    return replace(layout, elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)))
+
+
+def _is_visible(name: str, elements: tuple[Element, ...], opened: set[str]) -> bool:
+    if name in opened:
+        return False
+    holders = {element.name for element in elements if name in element.inner}
+    return not holders or bool(holders & opened)
