@@ -197,8 +197,11 @@ def _shares(shape: Shape, weights: Floats) -> Floats:
 
 def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
     """Blended offsets (m, p, 3) in mesh space for `shares` (m, k)."""
-    flat = shape.offsets.reshape(len(shape.weights), -1)
-    return (shares.astype(np.float32) @ flat).reshape(len(shares), -1, 3)
+    singles = shares.astype(np.float32)[:, :, None, None]
+    total: NDArray[np.floating] = singles[:, 0] * shape.offsets[0]
+    for row in range(1, len(shape.weights)):  # a matrix product would add in another order on each processor
+        total += singles[:, row] * shape.offsets[row]
+    return total
 
 
 def _blended(mesh: RigMesh, weights: Floats) -> Floats:
@@ -253,12 +256,15 @@ def _mesh_offsets(
 def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Singles:
     """Offsets (k, p, 3) from mesh space to root space by the linear part of the points' maps."""
     linear = maps[:, :3]
-    if len(linear) > 1:
-        turned = np.einsum("kpi,pij->kpj", offsets, linear[local].astype(np.float32))
-        return np.asarray(turned, dtype=np.float32)
-    if np.abs(linear[0] - np.eye(3)).max() <= SAME:
+    if len(linear) == 1 and np.abs(linear[0] - np.eye(3)).max() <= SAME:
         return offsets.astype(np.float32, copy=False)
-    return np.asarray(offsets @ linear[0].astype(np.float32), dtype=np.float32)
+    by_point = (linear[local] if len(linear) > 1 else linear).astype(np.float32)
+    turned = np.empty(offsets.shape, dtype=np.float32)
+    for j in range(3):  # one after the other: the same sums on every processor
+        turned[..., j] = offsets[..., 0] * by_point[:, 0, j]
+        turned[..., j] += offsets[..., 1] * by_point[:, 1, j]
+        turned[..., j] += offsets[..., 2] * by_point[:, 2, j]
+    return turned
 
 
 # --- joints ----------------------------------------------------------------------------------------

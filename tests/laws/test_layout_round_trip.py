@@ -9,6 +9,7 @@ from dataclasses import fields, replace
 import laid_out
 import makers
 import numpy as np
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pxr import Sdf
@@ -90,6 +91,8 @@ def close(first, second, where=""):
     elif hasattr(first, "__dataclass_fields__"):
         for each in fields(first):
             close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
+    elif isinstance(first, float):
+        assert first == pytest.approx(second, rel=1e-11, abs=1e-9), where
     else:
         assert first == second, where
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import math
 import os
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pxr import Sdf
 
@@ -119,3 +121,14 @@ def test_identifiers_are_ascii_and_unique(text, name):
     assert author.identifier(text, taken) == name
     assert author.identifier(text, taken) == f"{name}_2"
     assert all(Sdf.Path.IsValidIdentifier(each) for each in taken)
+
+
+def test_numbers_are_authored_without_the_digits_of_the_processor():
+    assert author.usd_value("double", 1.0 / 3.0) == 0.333333333333
+    assert author.usd_value("double", 0.1) == 0.1
+    assert list(author.usd_value("double[]", [-3.0, 1e-17, 2.0])) == [-3.0, 0.0, 2.0]
+    assert author.usd_value("double", 4e-310) == pytest.approx(4e-310, rel=1e-2)
+    assert author.usd_value("double", -math.inf) == -math.inf
+    assert tuple(author.usd_value("vector3f", [1.0, 3e-10, -1e-12])) == (1.0, 0.0, 0.0)
+    far = np.array([[1e7, 0.1, 0.0]])
+    np.testing.assert_allclose(author.usd_value("point3f[]", far), far, atol=0.1)

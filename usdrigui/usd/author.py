@@ -34,6 +34,12 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "string": str,
     "bool": bool,
 }
+_DIGITS = {
+    **{name: 9 for name in _ARRAYS if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")},
+    **dict.fromkeys(("point3f", "vector3f"), 9),
+    **dict.fromkeys(("vector3d[]", "double[]", "matrix4d", "double"), 12),
+}
+"""Significant digits authored of numbers of each type."""
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
@@ -125,10 +131,26 @@ def usd_value(type_name: str, value: Any) -> Any:
     """A Python or numpy value as the type that USD stores for `type_name`."""
     if type_name in _ARRAYS:
         kind, dtype = _ARRAYS[type_name]
-        return kind.FromNumpy(np.ascontiguousarray(value, dtype=dtype))
+        return kind.FromNumpy(np.ascontiguousarray(_settled(value, type_name), dtype=dtype))
     if type_name in _LISTS:
         return _LISTS[type_name]([str(each) for each in value])
-    return _SCALARS[type_name](value)
+    return _SCALARS[type_name](_settled(value, type_name))
+
+
+def _settled(value: Any, type_name: str) -> Any:
+    """Numbers without the last digits, which depend on the processor: sums are formed in another order on each.
+
+    Kept are 12 digits (9 in single precision) of the largest number of the value.
+    """
+    if type_name not in _DIGITS:
+        return value
+    numbers = np.asarray(value, dtype=np.float64)
+    largest = np.abs(numbers[np.isfinite(numbers)]).max(initial=0.0)
+    if largest == 0.0:
+        return value
+    decimals = min(_DIGITS[type_name] - int(np.ceil(np.log10(largest))), 290)  # ten to that power is finite
+    settled = np.round(numbers, decimals) + 0.0  # no -0
+    return settled if settled.ndim else settled.item()
 
 
 @functools.cache
