@@ -54,6 +54,15 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
     return replace(layout, elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)))
 
 
+def shown_of_all(layouts: Iterable[Layout], opened: Iterable[str], *, everything: bool = False) -> tuple[Layout, ...]:
+    """`shown` for several characters, each name being that of a coarse element of one of them at least."""
+    found, names = tuple(layouts), set(opened)
+    coarse = [names & {element.name for element in layout.elements if element.inner} for layout in found]
+    for name in sorted(names.difference(*coarse)):
+        shown(found[0], [name])
+    return tuple(shown(each, own, everything=everything) for each, own in zip(found, coarse, strict=True))
+
+
 def _is_visible(name: str, elements: tuple[Element, ...], opened: set[str]) -> bool:
     if name in opened:
         return False

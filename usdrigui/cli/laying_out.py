@@ -99,7 +99,7 @@ def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> Abstrac
 
 def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, ...]:
     """Write the report and the picture that were asked for; one line for each."""
-    from usdrigui import pipeline, report
+    from usdrigui import levels, pipeline, report
 
     lines = []
     if arguments.report is not None:
@@ -108,7 +108,7 @@ def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, 
     if arguments.preview is not None:
         from usdrigui.view import sheet
 
-        characters = [(each.rig, each.layout) for each in result.characters]
+        characters = [(each.rig, levels.shown(each.layout)) for each in result.characters]
         content = sheet.sheet_png(characters, labels=arguments.labels)
         lines.append(f"{pipeline.write_file(content, arguments.preview)} {arguments.preview}")
     return tuple(lines)

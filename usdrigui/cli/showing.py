@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from usdrigui.cli.options import command, settings_of
 from usdrigui.cli.outcomes import say
 from usdrigui.errors import Exit, refuse
+
+if TYPE_CHECKING:
+    from usdrigui.model import Layout, Rig
 
 
 def add_view(commands: Any) -> None:
@@ -28,6 +32,7 @@ def add_picture(commands: Any) -> None:
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="a .png, or a .gif that moves")
     parser.add_argument("--labels", action="store_true", help="name the elements")
+    _add_levels(parser)
     parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
 
 
@@ -36,7 +41,24 @@ def add_flat_picker(commands: Any) -> None:
     parser = command(commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls")
+    _add_levels(parser)
     parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
+
+
+def _add_levels(parser: Any) -> None:
+    """Which level of a layout with two is shown."""
+    group = parser.add_argument_group("levels", "of a layout with coarse elements and members")
+    group.add_argument("--level", type=int, choices=(1, 2), default=1, help="1: coarse elements (default); 2: members")
+    group.add_argument("--open", action="append", default=[], metavar="ELEMENT", help="this coarse element is opened")
+
+
+def _visible(characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Namespace) -> list[tuple[Rig, Layout]]:
+    """The characters with the elements that the options show."""
+    from usdrigui import levels
+
+    layouts = [layout for _, layout in characters]
+    seen = levels.shown_of_all(layouts, arguments.open, everything=arguments.level == 2)
+    return [(rig, layout) for (rig, _), layout in zip(characters, seen, strict=True)]
 
 
 def _view(arguments: argparse.Namespace) -> Exit:
@@ -63,10 +85,11 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     if arguments.output.suffix not in (".png", ".gif"):
         raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
+    characters = _visible(loaded.characters, arguments)
     if arguments.output.suffix == ".gif":
-        content = sheet.film_gif(loaded.characters, frames=arguments.frames)
+        content = sheet.film_gif(characters, frames=arguments.frames)
     else:
-        content = sheet.sheet_png(loaded.characters, labels=arguments.labels)
+        content = sheet.sheet_png(characters, labels=arguments.labels)
     state = pipeline.write_file(content, arguments.output)
     say(f"usdrigui: {state} {arguments.output}", arguments)
     return Exit.OK
@@ -79,7 +102,7 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
-    made = picker.picker(loaded.characters)
+    made = picker.picker(_visible(loaded.characters, arguments))
     if arguments.svg is not None:
         say(f"{pipeline.write_file(picker.to_svg(made).encode(), arguments.svg)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
