@@ -83,7 +83,7 @@ export class ControlList {
         title: control.label === control.name ? control.name : `${control.label} (${control.name})`,
         tabIndex: -1,
         'aria-label': control.label,
-        onclick: (event) => element && session.select([element], event.shiftKey ? 'toggle' : 'replace'),
+        onclick: (event) => element && session.reveal(element, event.shiftKey ? 'toggle' : 'replace'),
       },
       longName(control.label),
     );

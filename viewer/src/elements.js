@@ -13,9 +13,15 @@ export class Elements {
     this.list = character.layout.elements.map((element, index) => ({ ...element, index }));
     this.byControl = new Map();
     for (const element of this.list) {
-      for (const member of element.members) this.byControl.set(member.control, element);
+      for (const member of element.members) this.claim(member.control, element);
       this.prepare(element);
     }
+  }
+
+  /** A control's element is the coarse one, where it has a slider of its own besides. */
+  claim(control, element) {
+    const before = this.byControl.get(control);
+    if (!before?.inner.includes(element.name)) this.byControl.set(control, element);
   }
 
   /** Everything about an element that holds as long as its anchor does. */

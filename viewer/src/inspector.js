@@ -79,9 +79,20 @@ export class Inspector {
       { class: 'card', style: { borderLeftColor: COLOURS[element.side] } },
       make('div', { class: 'card-title' }, element.label),
       side ? make('div', { class: 'hint' }, side) : null,
+      this.levelButton(element),
       ...element.members.map(({ control }) => this.numberRow(control)),
       element.reason ? make('div', { class: 'hint' }, `${capitalised(element.reason)}.`) : null,
     );
+  }
+
+  /** Of a coarse element: show its members; of a member: show the coarse one again. */
+  levelButton(element) {
+    const coarse = this.session.levels.coarseOf(element);
+    if (!coarse.length) return null;
+    const [label, title] = element.inner.length
+      ? [`Open: ${element.inner.length} members`, 'Show its members in its place (M)']
+      : [`Close ${coarse.map((each) => each.label).join(', ')}`, 'Show it again in place of its members (M)'];
+    return make('button', { type: 'button', class: 'level', title, onclick: () => this.session.openOrClose([element]) }, label);
   }
 
   numberRow(index) {

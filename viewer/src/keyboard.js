@@ -12,6 +12,8 @@ export class Stops {
     this.nodes = session.elements.list.map((element) => this.makeStop(element));
     view.node.append(make('div', { class: 'stops', role: 'group', 'aria-label': 'Elements on the face' }, ...this.nodes));
     session.on('pose', () => this.speak());
+    session.on('options', () => this.leaveOut());
+    this.leaveOut();
     this.speak();
   }
 
@@ -30,6 +32,11 @@ export class Stops {
       onblur: () => session.setHover(null),
       onkeydown: (event) => this.key(event, element),
     });
+  }
+
+  /** Only what is shown can be visited. */
+  leaveOut() {
+    this.nodes.forEach((node, index) => (node.hidden = !this.session.isShown(this.session.elements.list[index])));
   }
 
   /** Keep what a screen reader says up to date, of the focused element only. */

@@ -39,7 +39,7 @@ export class Overlay {
     this.enlarged = width / (session.elements.width * perUnit);
     const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
     this.drawn = session.elements.list
-      .filter((element) => !session.hidden.has(element.index))
+      .filter((element) => session.isShown(element))
       .map((element) => {
         const away = hides && this.facesAway(element, camera);
         return this.arranged(element, project, away ? () => true : hides, width, before.get(element));

@@ -5,6 +5,7 @@ import { Deformer } from './deform.js';
 import { Elements } from './elements.js';
 import { Influence } from './heat.js';
 import { History } from './history.js';
+import { Levels } from './levels.js';
 
 export const DEFAULT_OPTIONS = {
   arrangement: 'face', // 'face': controls on the face; 'beside': on a copy of it, the clean face next to it
@@ -30,6 +31,7 @@ export class Session {
     this.controls = character.controls;
     this.deformer = new Deformer(character);
     this.elements = new Elements(character, this.deformer);
+    this.levels = new Levels(this.elements.list);
     this.rest = this.elements.rest;
     this.values = Float64Array.from(this.rest);
     this.influence = new Influence(character, this.deformer, this.rest);
@@ -184,6 +186,37 @@ export class Session {
     this.emit('options');
   }
 
+  /** Whether an element is shown: not hidden by hand, and on the level that is open. */
+  isShown(element) {
+    return !this.hidden.has(element.index) && this.levels.shows(element);
+  }
+
+  /** Show the members of the coarse elements among `elements` in their place or, of members, the coarse ones again. */
+  openOrClose(elements = this.selectedElements) {
+    const coarse = elements.filter((element) => element.inner.length);
+    const closing = elements.flatMap((element) => (element.inner.length ? [] : this.levels.coarseOf(element)));
+    if (!coarse.length && !closing.length) return false;
+    this.levels.toggle(coarse, true);
+    this.levels.toggle(coarse.length ? [] : closing, false);
+    this.select(this.elements.list.filter((each) => this.isShown(each) && this.replaced(each, coarse, closing)));
+    this.emit('options');
+    return true;
+  }
+
+  /** Select an element, and open a coarse one that it is a member of. */
+  reveal(element, mode) {
+    if (!this.levels.shows(element)) {
+      this.levels.toggle(this.levels.coarseOf(element).slice(0, 1), !element.inner.length);
+      this.emit('options');
+    }
+    this.select([element], mode);
+  }
+
+  /** Whether an element has come in place of what was opened, or closed. */
+  replaced(element, coarse, closing) {
+    return coarse.length ? coarse.some(({ inner }) => inner.includes(element.name)) : closing.includes(element);
+  }
+
   toggleLock(control) {
     if (!this.locks.delete(control)) this.locks.add(control);
     this.emit('options');
@@ -259,7 +292,9 @@ function twinsOf(elements, count) {
   for (const element of elements) {
     const mirror = named.get(element.mirror);
     if (!mirror || mirror === element || mirror.members.length !== element.members.length) continue;
-    element.members.forEach(({ control }, m) => (twins[control] = mirror.members[m].control));
+    element.members.forEach(({ control }, m) => {
+      if (!element.reversed?.includes(m)) twins[control] = mirror.members[m].control;
+    });
   }
   return twins;
 }

@@ -115,7 +115,7 @@ export class View {
   }
 
   shownElements() {
-    return this.session.elements.list.filter((element) => !this.session.hidden.has(element.index));
+    return this.session.elements.list.filter((element) => this.session.isShown(element));
   }
 
   /** Points to be in the picture. */

@@ -1,0 +1,91 @@
+"""A layout of two levels in the viewer: coarse handles first, their members in their place on demand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import makers
+import pytest
+from browser_pages import Viewer
+from viewer_layouts import peak_layout
+
+from usdrigui.view.page import page_html
+
+MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
+INNER = {"smile_L": ("sneer_L",), "smile_R": ("sneer_R",), "pucker": ("chin",)}
+
+
+@pytest.fixture(scope="module")
+def page_path(tmp_path_factory):
+    rig = makers.face()
+    layout = peak_layout(rig, mirrors=MIRRORS)
+    elements = tuple(replace(each, inner=INNER.get(each.name, ())) for each in layout.elements)
+    path = tmp_path_factory.mktemp("viewer") / "face.html"
+    path.write_text(page_html([(rig, replace(layout, elements=elements))], "face"))
+    return path
+
+
+@pytest.fixture
+def viewer(browser, page_path):
+    made = Viewer(browser, page_path)
+    yield made
+    assert made.trouble == []
+    made.close()
+
+
+def shown(viewer):
+    viewer.settle()
+    return {each["name"] for each in viewer.page.evaluate("usdrigui.elements()")}
+
+
+def select(viewer, name):
+    viewer.page.mouse.click(*viewer.on_page(viewer.element(name)["handle"]))
+    viewer.settle()
+
+
+def test_members_are_not_shown_at_first(viewer):
+    assert not {"sneer_L", "sneer_R", "chin"} & shown(viewer)
+    assert {"smile_L", "smile_R", "pucker", "brow_L"} <= shown(viewer)
+
+
+def test_opening_shows_the_members_on_both_sides_and_closing_hides_them(viewer):
+    first = shown(viewer)
+    select(viewer, "smile_L")
+    viewer.page.keyboard.press("m")
+    assert shown(viewer) == first - {"smile_L", "smile_R"} | {"sneer_L", "sneer_R"}
+    select(viewer, "sneer_L")
+    viewer.page.keyboard.press("m")
+    assert shown(viewer) == first
+
+
+def test_the_inspector_opens_and_closes(viewer):
+    select(viewer, "pucker")
+    viewer.page.get_by_role("button", name="Open: 1 members").click()
+    assert "chin" in shown(viewer)
+    assert "pucker" not in shown(viewer)
+    viewer.page.get_by_role("button", name="Close pucker").click()
+    assert "pucker" in shown(viewer)
+
+
+def test_a_member_works_like_any_handle(viewer):
+    select(viewer, "pucker")
+    viewer.page.keyboard.press("m")
+    viewer.settle()
+    chin = viewer.element("chin")
+    viewer.drag(chin["handle"], chin["tracks"][0][-1])
+    assert viewer.moved() == pytest.approx({"chin": 1.0}, abs=1e-3)
+
+
+def test_the_list_finds_a_member_and_tab_passes_by_what_is_not_shown(viewer):
+    stops = ".stops [data-element=chin]"
+    assert viewer.page.locator(stops).is_hidden()
+    viewer.page.locator("[data-control=chin] .name").click()
+    assert "chin" in shown(viewer)
+    assert not viewer.page.locator(stops).evaluate("(node) => node.hidden")
+
+
+def test_without_members_the_key_opens_nothing(viewer):
+    first = shown(viewer)
+    select(viewer, "brow_L")
+    viewer.page.keyboard.press("m")
+    assert shown(viewer) == first
