@@ -117,10 +117,15 @@ def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
 
 
 def _add_drive(drive: Drive, value: float, weights: Floats, moves: Floats) -> None:
-    at = np.array([value])
-    weights[drive.channels] += _interpolated(drive.values, drive.weights, at)[0]
-    for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
-        moves[row, drive.joints] += _interpolated(drive.values, table, at)[0]
+    # One value at a time, many times a second while posing: as `_interpolated`, without its arrays.
+    keys = drive.values
+    i = min(max(int(keys.searchsorted(value, side="right")) - 1, 0), len(keys) - 2)
+    share = (value - keys[i]) / (keys[i + 1] - keys[i])
+    if len(drive.channels):
+        weights[drive.channels] += (1.0 - share) * drive.weights[i] + share * drive.weights[i + 1]
+    if len(drive.joints):
+        for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
+            moves[row, drive.joints] += (1.0 - share) * table[i] + share * table[i + 1]
 
 
 def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:

@@ -41,6 +41,8 @@ from usdrigui.pose.reach import ends, paths_around, values_along
 from usdrigui.pose.subset import subset
 
 _CORRECTIONS = 2
+_ENOUGH = 1e-3
+"""Of the longest path: what the paths may be wrong by; a fraction of a pixel on the screen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +151,7 @@ def grab(
         cost,
         low,
         high,
-        _additive(rig, controls),
+        _additive(small, controls),
         length,
         feel,
     )
@@ -181,7 +183,7 @@ def solve(grip: Grip, targets: ArrayLike, toward: ArrayLike | None = None) -> Pu
         reached = deform(grip.rig, values)[grip.rows]
         # What the sum of paths leaves out, where joints and shapes act together, is added to the target.
         unforeseen = (reached - grip.positions) - grip.paths.moved(x).reshape(-1, 3)
-        if float(np.abs(unforeseen - missing).max()) <= 1e-4 * grip.length:
+        if float(np.abs(unforeseen - missing).max()) <= _ENOUGH * grip.length:
             break
         missing = unforeseen
     change = np.zeros(len(values))
@@ -197,15 +199,19 @@ def ranked(grip: Grip) -> Indices:
 
 
 def twins_of(rig: Rig, layout: Layout) -> Indices:
-    """(controls,) the twin of each control, as the layout's mirrored elements tell; itself where none."""
+    """(controls,) the twin of each control, as the layout's mirrored elements tell; itself where none.
+
+    Twins that go opposite ways are left to themselves: a pull does not tie eyes to squint.
+    """
     names = {control.name: index for index, control in enumerate(rig.controls)}
     elements = {element.name: element for element in layout.elements}
     twins = np.arange(len(rig.controls))
     for element in layout.elements:
         other = elements.get(element.mirror)
         if other is not None and len(other.members) == len(element.members):
-            for mine, theirs in zip(element.members, other.members, strict=True):
-                twins[names[mine.control]] = names[theirs.control]
+            for m, (mine, theirs) in enumerate(zip(element.members, other.members, strict=True)):
+                if m not in element.reversed:
+                    twins[names[mine.control]] = names[theirs.control]
     return twins
 
 

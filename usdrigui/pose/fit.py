@@ -14,6 +14,7 @@ Small enough to be rewritten in any language.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -47,9 +48,20 @@ class Lines(Record):
         """True when no path bends: then one linear problem is the whole problem."""
         return bool(self.knots.shape[1] == 2)
 
+    @cached_property
+    def last(self) -> Indices:
+        """(m,) first knot of the last piece of each path that has a length."""
+        last = (self.knots < self.knots[:, -1:]).sum(axis=1) - 1
+        return np.asarray(np.maximum(last, 0), dtype=np.int64)
+
+    @cached_property
+    def at_home(self) -> Floats:
+        """(r,) the rows at x = 0, all paths added up."""
+        return np.asarray(self._at(self.home).sum(axis=0))
+
     def moved(self, x: Floats) -> Floats:
         """(r,) change of the rows from home."""
-        return np.asarray((self._at(self.home + self.span * x[self.variable]) - self._at(self.home)).sum(axis=0))
+        return np.asarray(self._at(self.home + self.span * x[self.variable]).sum(axis=0) - self.at_home)
 
     def slopes(self, x: Floats, nudge: float = 0.0) -> Floats:
         """(r, variables) derivative of the rows, on the pieces a `nudge` (in units of x) further along."""
@@ -72,9 +84,8 @@ class Lines(Record):
 
     def _piece(self, values: Floats) -> Indices:
         """(m,) first knot of the piece on which each value lies; never a piece of no length."""
-        last = (self.knots < self.knots[:, -1:]).sum(axis=1) - 1
         low = (self.knots <= values[:, None]).sum(axis=1) - 1
-        return np.asarray(np.clip(low, 0, np.maximum(last, 0)), dtype=np.int64)
+        return np.asarray(np.minimum(np.maximum(low, 0), self.last), dtype=np.int64)
 
 
 def lines(knots: list[Floats], offsets: list[Floats], home: Floats, span: Floats, variable: Indices) -> Lines:
@@ -117,7 +128,7 @@ def bounded(rows: Floats, wanted: Floats, cost: Floats, low: Floats, high: Float
     """
     light = rows / cost
     u: Floats = wanted
-    enough = 1e-11 * (1.0 + float(np.abs(wanted).max(initial=0.0)))
+    enough = 1e-11 * (1.0 + float(np.abs(wanted).max(initial=0.0)) + float(np.abs(rows).max(initial=0.0)))
     for _ in range(_NEWTON_STEPS):
         at = u @ light
         x = np.minimum(np.maximum(at, low), high)
@@ -168,9 +179,15 @@ def _improved(
     further along or back: where a path bends, the least energy of one piece lies just short of the bend.
     """
     short = wanted - paths.moved(x)
+    tried: list[Floats] = []
     for nudge in (0.0,) if paths.straight else (0.0, _NUDGE, -_NUDGE):
         rows = paths.slopes(x, nudge)
+        if any(np.array_equal(rows, other) for other in tried):
+            continue
+        tried.append(rows)
         best = bounded(rows, short + rows @ x, cost, low, high)
+        if float(np.abs(best - x).max()) <= _TOLERANCE * (1.0 + float(np.abs(x).max())):
+            continue
         share = 1.0
         for _ in range(_HALVINGS):
             moved = x + share * (best - x)

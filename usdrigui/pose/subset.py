@@ -1,4 +1,4 @@
-"""A rig cut down to a few of its points, so that these can be posed in a fraction of a millisecond."""
+"""A rig cut down to a few of its points, and the joints that carry these, so that they can be posed quickly."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Indices, Rig, RigMesh, Shape
+from usdrigui.model import Control, Drive, Flags, Indices, Rig, RigMesh, Shape
 
 
 def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
     """The rig with only ``points`` (q,) of its meshes, and the row (q,) of each in what remains.
 
-    Controls, channels and joints stay as they are; meshes without any of the points, faces and the clip
-    are left out.  Points may repeat and come in any order.
+    Controls and channels keep their places; meshes without any of the points, joints that carry none of them,
+    what controls do elsewhere, faces and the clip are left out.  Points may repeat and come in any order.
     """
     starts = rig.starts
     kept, rows = np.unique(np.asarray(points, dtype=np.int64), return_inverse=True)
@@ -22,7 +22,51 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
         local = kept[(kept >= starts[index]) & (kept < starts[index + 1])] - starts[index]
         if len(local):
             meshes.append(_part(mesh, local))
-    return replace(rig, meshes=tuple(meshes), clip=None), rows.astype(np.int64)
+    return _with_drives(replace(rig, meshes=tuple(meshes), clip=None)), rows.astype(np.int64)
+
+
+def _with_drives(rig: Rig) -> Rig:
+    """The rig with only the joints that its meshes' points hang on, and what its controls do to these points."""
+    kept = np.zeros(len(rig.joints), dtype=bool)
+    for mesh in rig.meshes:
+        if mesh.skin is not None:
+            # Weightless influences name joints too, and tell which skeleton the skin is on.
+            kept[np.unique(mesh.skin.joints)] = True
+    for i in range(len(rig.joints) - 1, -1, -1):
+        if kept[i] and rig.joints[i].parent >= 0:
+            kept[rig.joints[i].parent] = True
+    place = np.where(kept, np.cumsum(kept) - 1, -1)
+    joints = tuple(
+        replace(joint, parent=int(place[joint.parent]) if joint.parent >= 0 else -1)
+        for joint, stays in zip(rig.joints, kept.tolist(), strict=True)
+        if stays
+    )
+    meshes = tuple(
+        mesh if mesh.skin is None else replace(mesh, skin=replace(mesh.skin, joints=place[mesh.skin.joints]))
+        for mesh in rig.meshes
+    )
+    acting = np.zeros(len(rig.channels), dtype=bool)
+    acting[[shape.channel for mesh in meshes for shape in mesh.shapes]] = True
+    controls = tuple(_acting(control, acting, place) for control in rig.controls)
+    return replace(rig, joints=joints, meshes=meshes, controls=controls)
+
+
+def _acting(control: Control, acting: Flags, place: Indices) -> Control:
+    """The control with its ``acting`` (channels,) and the joints whose ``place`` (joints,) is not -1."""
+    drive = control.drive
+    stays, weighs = place[drive.joints] >= 0, acting[drive.channels]
+    if stays.all() and weighs.all() and not len(drive.joints):
+        return control
+    kept = Drive(
+        drive.values,
+        drive.channels[weighs],
+        drive.weights[:, weighs],
+        place[drive.joints[stays]],
+        drive.rotations[:, stays],
+        drive.translations[:, stays],
+        drive.scales[:, stays],
+    )
+    return replace(control, drive=kept)
 
 
 def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
