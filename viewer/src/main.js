@@ -48,6 +48,7 @@ class App {
     this.timeline = new Timeline(this.session);
     this.list = new ControlList(this.session, this.view);
     this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
+    this.view.say = (text) => this.say(text);
     this.evaluation = new Evaluation(this);
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();

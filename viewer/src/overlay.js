@@ -370,10 +370,10 @@ export class Overlay {
   drawPlacing() {
     if (!this.placing) return;
     const { pen } = this;
-    const { from, to, free } = this.placing;
+    const { from, to, free, refused } = this.placing;
     pen.setLineDash([4, 4]);
     pen.lineWidth = 1.5;
-    pen.strokeStyle = free ? '#9aa0a8' : '#7ee787';
+    pen.strokeStyle = refused ? COLOURS.right : free ? '#9aa0a8' : '#7ee787';
     pen.beginPath();
     pen.moveTo(from[0], from[1]);
     pen.lineTo(to[0], to[1]);

@@ -4,6 +4,7 @@
 import { minus } from './camera.js';
 
 const LEAST_TRACK = 1.5; // handle widths: shorter tracks are drawn enlarged
+const LEAST_HEAT = 3; // of 255: what a control must move a point at which its element may stand
 
 export class Rearranging {
   constructor(view) {
@@ -22,12 +23,15 @@ export class Rearranging {
       begin: () => session.select([element]),
       drag: (_, __, to) => {
         place = to.column === view.controlsColumn ? view.pick(to) : null;
-        overlay.placing = { from, to: [to.x, to.y], free: !place };
+        const refused = place !== null && !this.holds(element, place.nearest);
+        overlay.placing = { from, to: [to.x, to.y], free: !place, refused };
         view.changed('overlay');
       },
       drop: (to) => {
         overlay.placing = null;
-        if (place) this.moveToSkin(element, place.nearest);
+        view.changed('overlay');
+        if (place && !this.holds(element, place.nearest)) view.say?.(`${element.label} does not move this point: drop it on the coloured area`);
+        else if (place) this.moveToSkin(element, place.nearest);
         else if (to.column) this.moveBeside(element, from, to);
       },
       undo: () => {
@@ -35,6 +39,11 @@ export class Rearranging {
         view.changed('overlay');
       },
     };
+  }
+
+  /** Whether every control of an element moves a point, so that the element can stand there. */
+  holds(element, point) {
+    return element.members.every(({ control }) => this.session.influence.ofControl(control)[point] >= LEAST_HEAT);
   }
 
   moveToSkin(element, point) {
