@@ -377,6 +377,7 @@ class Symmetry(Record):
     """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
     sources: tuple[str, ...]
     """(controls,) how each twin was decided: ``config``, ``geometry``, ``name`` or empty."""
+    reversed: Flags
     """(controls,) True where the mirror image is the twin going the other way: one rises as the other falls."""
 
 
@@ -637,10 +638,11 @@ class Element(Record):
     adapt: Literal["deform", "static"] = "deform"
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
-
+    reversed: tuple[int, ...] = ()
     """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
     inner: tuple[str, ...] = ()
     """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
+
 
 @dataclass(frozen=True, eq=False)
 class Layout(Record):

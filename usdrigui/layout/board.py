@@ -158,6 +158,7 @@ def _element(
         reason=entry.reason,
         adapt=context.settings.output.adapt,
         glyph=fitted_glyph(context, entry.controls, anchor, members, side == "right"),
+        reversed=tuple(m for m, each in enumerate(entry.controls) if len(row) == 2 and context.symmetry.reversed[each]),
     )
 
 

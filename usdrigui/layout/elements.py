@@ -132,14 +132,18 @@ def _on_face(context: Context, group: Group, choice: Choice, label: int) -> list
                 reason=group.reason,
                 adapt=said.adapt or context.settings.output.adapt,
                 glyph=fitted_glyph(context, controls, anchor, members, bool(mirror) and side == "right"),
+                reversed=_reversed(context, members) if mirror else (),
             )
         )
     return made
 
 
+def _reversed(context: Context, members: tuple[Member, ...]) -> tuple[int, ...]:
+    names = {control.name: i for i, control in enumerate(context.rig.controls)}
+    return tuple(m for m, member in enumerate(members) if context.symmetry.reversed[names[member.control]])
+
+
 def names_of_copies(context: Context, group: Group, choice: Choice) -> list[str]:
-
-
     """Names of the element and of its images."""
     given = [group.name, *group.image_names]
     names = [given[copy] or element_name(context, controls) for copy, controls in enumerate(choice.controls)]

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.layout.tracks import flattened
+from usdrigui.layout.visibility import screen
 from usdrigui.model import Floats
 
 if TYPE_CHECKING:
@@ -22,8 +23,12 @@ _KEPT = 0.85
 """A control wants the places where it keeps this share of its visible peak."""
 _AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
-_STEPS = 64
+_BLUR = np.linspace(0.5, 1.5, 5)
+"""Shares of that distance over which the count is averaged: an area may be gathered in a few points."""
+_STEPS = 32
 """Widths tried between the least and the largest."""
+_MANY = 2000
+"""Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the square."""
 
 
 def handle_width(context: Context) -> float:
@@ -38,19 +43,32 @@ def handle_width(context: Context) -> float:
     points, weights = _wanted(context)
     if settings.handle_crowd <= 0.0 or least >= most or not len(points):
         return most
+    if len(points) > _MANY:
+        frame = np.vstack([screen(context.views), context.views.directions[:1]])
+        points, weights = _gathered(points, weights, frame, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
     fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.handle_crowd)
     return float(widths[fits[-1]]) if len(fits) else least
 
 
 def around(points: Floats, weights: Floats, radii: Floats) -> Floats:
-    """(r,) mean number of controls, itself included, within each radius of a control.
+    """(r,) mean number of controls, itself included, within about each radius of a control.
 
     `points` (p, 3) are places, `weights` (p,) how many controls stand at each, in sum their number.
     """
     tree = cKDTree(points)
-    pairs = tree.count_neighbors(tree, radii, weights=(weights, weights))
-    return np.asarray(pairs / weights.sum(), dtype=np.float64)
+    pairs = tree.count_neighbors(tree, np.outer(radii, _BLUR).ravel(), weights=(weights, weights))
+    return np.asarray(pairs.reshape(len(radii), -1).mean(axis=1) / weights.sum(), dtype=np.float64)
+
+
+def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tuple[Floats, Floats]:
+    """Middles and weights of the cells of a grid that stands as the character does."""
+    along = points @ frame.T
+    cells = np.floor((along - along.min(axis=0)) / size).astype(np.int64)
+    cell = np.unique(cells, axis=0, return_inverse=True)[1].ravel()
+    total = np.bincount(cell, weights)
+    middles = np.stack([np.bincount(cell, weights * axis) / total for axis in points.T], axis=1)
+    return middles, total
 
 
 def _wanted(context: Context) -> tuple[Floats, Floats]:

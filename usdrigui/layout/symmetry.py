@@ -70,8 +70,8 @@ def find_symmetry(rig: Rig, trajectories: Trajectories, settings: Settings) -> S
         partner, distance = _partners(plane, trajectories, tolerance)
         middle = trajectories.base.mean(axis=0)
         normal, origin = plane.normal, middle - (middle @ plane.normal - plane.offset) * plane.normal
-    twins, sources = find_twins(rig, trajectories, partner, normal, settings)
-    return Symmetry(origin, normal, partner, distance, twins, sources)
+    twins, sources, turned = find_twins(rig, trajectories, partner, normal, settings)
+    return Symmetry(origin, normal, partner, distance, twins, sources, turned)
 
 
 def reflected(points: Floats, symmetry: Symmetry) -> Floats:

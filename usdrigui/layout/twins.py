@@ -1,6 +1,7 @@
 """Twin controls: which control is the mirror image of which (paper section 3.3, symmetric elements).
 
-Two controls are twins when one's motion, mirrored, is the other's.  Names are hints that decide only
+Two controls are twins when one's motion, mirrored, is the other's; or, of controls that go both ways, its
+reverse (the yaw of two eyes turned by the same joint axis).  Names are hints that decide only
 where the motions leave room; the configuration has the last word.
 """
 
@@ -12,7 +13,7 @@ from usdrigui.errors import refuse
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
 from usdrigui.layout.names import has_side, hints_at_twin
 from usdrigui.layout.remarks import control_index, remarks
-from usdrigui.model import Floats, Indices, Rig, Singles, Trajectories
+from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
 from usdrigui.settings import ControlSettings, Settings
 from usdrigui.surface import mesh_triangles, point_areas
 
@@ -24,17 +25,33 @@ _NAME_FLOOR = 0.3
 
 def find_twins(
     rig: Rig, trajectories: Trajectories, partner: Indices, normal: Floats, settings: Settings
-) -> tuple[Indices, tuple[str, ...]]:
-    """Twin of every control and how it was decided, as in `Symmetry.twins` and `Symmetry.sources`."""
+) -> tuple[Indices, tuple[str, ...], Flags]:
+    """Twin of every control, how it was decided, and whether it goes the other way, as in `Symmetry`."""
     count = len(rig.controls)
     twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
+    reversed_twins = np.zeros(count, dtype=bool)
     fixed = _configured(rig, settings, twins, sources)
     if normal.any():
+        areas = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
+        raw = agreements(motion_fields(trajectories, areas), partner, normal)
+        raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(trajectories.motions) if motion.control not in fixed]
-        for a, b, source in _matched(rig, trajectories, partner, normal, free, settings.symmetry.twin_similarity):
+        for a, b, source in _matched(rig, trajectories, raw, free, settings.symmetry.twin_similarity):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
-    return twins, tuple(sources)
+        reversed_twins = _reversed(trajectories, twins, raw)
+    return twins, tuple(sources), reversed_twins
+
+
+def _reversed(trajectories: Trajectories, twins: Indices, raw: Floats) -> Flags:
+    """(controls,) whether a control's mirror image is its twin going the other way."""
+    row = {motion.control: i for i, motion in enumerate(trajectories.motions)}
+    both_ways = {trajectories.motions[i].control for i in reversed_controls(trajectories)}
+    flags = np.zeros(len(twins), dtype=bool)
+    for control in both_ways:
+        twin = int(twins[control])
+        flags[control] = twin != control and twin in both_ways and raw[row[control], row[twin]] < 0.0
+    return flags
 
 
 def agreements(fields: Fields, partner: Indices, normal: Floats) -> Floats:
@@ -88,15 +105,13 @@ def _named_twin(own: int, name: str, said: ControlSettings, index: dict[str, int
 
 
 def _matched(
-    rig: Rig, trajectories: Trajectories, partner: Indices, normal: Floats, free: list[int], least: float
+    rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric), the best agreement first."""
-    areas = point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
-    raw = agreements(motion_fields(trajectories, areas), partner, normal)
-    raw = 0.5 * (raw + raw.T)
-    both_ways = reversed_controls(trajectories)
-    # A control that swings to both sides is symmetric when its mirror image is its own reverse.
-    raw[both_ways, both_ways] = np.abs(raw[both_ways, both_ways])
+    # A control that swings to both sides is symmetric when its mirror image is its own reverse, and so are two.
+    swings = np.zeros(len(raw), dtype=bool)
+    swings[list(reversed_controls(trajectories))] = True
+    raw = np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     ranked = []
     for i in free:

@@ -265,9 +265,10 @@ def _author_element_api(
             "controls": list(instances.values()),
             "opposed": element.opposed,
             "side": element.side,
+            "reversed": list(element.reversed),
             "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
-            "family": element.family,
             "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
+            "family": element.family,
             "reason": element.reason,
         },
     )

@@ -188,11 +188,12 @@ def _element(prim: Usd.Prim) -> Element:
         opposed=_pairs(prim, get("opposed"), len(instances)),
         anchor=_anchor(prim),
         side=get("side"),
+        reversed=_positions(prim, get("reversed"), len(instances)),
         mirror=_element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
         family=str(get("family")),
         reason=str(get("reason")),
-        **_handle(prim),
         inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
+        **_handle(prim),
     )
 
 
@@ -364,9 +365,14 @@ def _pairs(prim: Usd.Prim, values: Any, count: int) -> tuple[tuple[int, int], ..
     return pairs
 
 
+def _positions(prim: Usd.Prim, values: Any, count: int) -> tuple[int, ...]:
+    positions = tuple(int(each) for each in values)
+    if any(not 0 <= each < count for each in positions):
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:reversed", f"{positions} for {count} controls")
+    return positions
+
+
 def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
-
-
     lengths = [len(column) for column in columns]
     if len(set(lengths)) > 1:
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
@@ -378,12 +384,6 @@ def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
         raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}")
 
 
-def _strings(values: Any) -> list[str]:
-    return [str(value) for value in values]
-
-
-def _floats(values: Any) -> Floats:
-    return np.array(values, dtype=np.float64)
 def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     known, coarse = {element.name for element in elements}, {element.name for element in elements if element.inner}
     for element in elements:
@@ -393,3 +393,9 @@ def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
                 raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"{name!r}, a member of {element.name!r}, {what}")
 
 
+def _strings(values: Any) -> list[str]:
+    return [str(value) for value in values]
+
+
+def _floats(values: Any) -> Floats:
+    return np.array(values, dtype=np.float64)

@@ -226,6 +226,7 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "beside": anchor.beside,
         "side": element.side,
         "mirror": element.mirror,
+        "reversed": list(element.reversed),
         "inner": list(element.inner),
         "family": element.family,
         "reason": element.reason,
