@@ -9,9 +9,9 @@ from usdrigui.layout.candidates import candidates
 from usdrigui.layout.elements import layout
 from usdrigui.layout.groups import find_groups
 from usdrigui.layout.levels import levelled
+from usdrigui.layout.posed_symmetry import symmetry_at_pose
 from usdrigui.layout.precedent import NONE
 from usdrigui.layout.problem import layout_problem
-from usdrigui.layout.symmetry import find_symmetry
 from usdrigui.layout.terms import Context
 from usdrigui.layout.trajectory import trajectories
 from usdrigui.layout.visibility import find_views
@@ -35,7 +35,7 @@ class Line:
 def context_of(rig, settings=None, base_values=None, camera=None):
     settings = settings or Settings()
     found = trajectories(rig, settings.trajectories, base_values)
-    symmetry = find_symmetry(rig, found, settings)
+    symmetry = symmetry_at_pose(rig, found, settings, base_values)
     views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
     return Context(rig, found, symmetry, views, settings)
 

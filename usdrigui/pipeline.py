@@ -29,9 +29,9 @@ from usdrigui.layout import elements as elements_stage
 from usdrigui.layout import gain as gain_stage
 from usdrigui.layout import groups as groups_stage
 from usdrigui.layout import levels as levels_stage
+from usdrigui.layout import posed_symmetry as symmetry_stage
 from usdrigui.layout import problem as problem_stage
 from usdrigui.layout import review as review_stage
-from usdrigui.layout import symmetry as symmetry_stage
 from usdrigui.layout import trajectory as trajectory_stage
 from usdrigui.layout import visibility as visibility_stage
 from usdrigui.layout.terms import Context
@@ -195,7 +195,7 @@ def posed(
     if standing is not None:
         settings = additions_stage.as_drawn(standing, found, settings)
     with clock.stage("symmetry"):
-        symmetry = symmetry_stage.find_symmetry(rig, found, settings)
+        symmetry = symmetry_stage.symmetry_at_pose(rig, found, settings, base_values)
     with clock.stage("candidates"):
         views = visibility_stage.find_views(
             rig,
