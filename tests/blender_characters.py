@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import laid_out
 import numpy as np
 import skinned_stages
 from pxr import Sdf, Usd, UsdGeom
 from usdskel_oracle import Oracle
+from viewer_layouts import member_at
 
-from usdrigui.deform import channel_state
+from usdrigui.deform import channel_state, posed
+from usdrigui.model import Anchor, Element, Layout, Member
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
 from usdrigui.usd.rig import read_rigs
 
+SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"
 Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """Row-vector map from Y up to Z up."""
 
@@ -50,3 +55,78 @@ def usdskel_points(source, rig, values):
 def diagonal(points):
     """Length of the diagonal of the box around all points."""
     return float(np.linalg.norm(np.ptp(np.concatenate(list(points)), axis=0)))
+
+
+# --- the sample, laid out by hand ---------------------------------------------------------------------
+
+_ON_FACE = {
+    "jaw": ("patch", ("jawRight", "jawLeft", "jawOpen"), ((0, 1),), "Head", 641, "middle", ""),
+    "mouthSmileLeft": ("slider", ("mouthSmileLeft",), (), "Head", 1253, "left", "mouthSmileRight"),
+    "mouthSmileRight": ("slider", ("mouthSmileRight",), (), "Head", 2743, "right", "mouthSmileLeft"),
+    "browInnerUp": ("slider", ("browInnerUp",), (), "Head", 174, "middle", ""),
+    "browOuterUpLeft": ("slider", ("browOuterUpLeft",), (), "Brows", 44, "left", ""),
+    "cheekPuff": ("slider", ("cheekPuff",), (), "Head", 2028, "middle", ""),
+    "EyeLeft:ry": ("slider", ("EyeLeft:ry",), (), "EyeLeft", 166, "left", "EyeRight:ry"),
+    "EyeRight:ry": ("slider", ("EyeRight:ry",), (), "EyeRight", 166, "right", "EyeLeft:ry"),
+    "lidLeft": ("slider", ("eyeBlinkLeft", "eyeWideLeft"), ((0, 1),), "Lashes", 32, "left", ""),
+}
+"""Elements of the sample: kind, controls, opposed, mesh, point, side, mirror."""
+
+
+def sample(folder):
+    """The sample with a patch, sliders, a two-way slider and a joystick beside it; (layer, rig, source)."""
+    source = folder / "char.usda"
+    for name in ("char.usda", "char_geometry.usda"):
+        (folder / name).write_bytes((SAMPLE.parent / name).read_bytes())
+    (rig,) = read_rigs(source, Settings())
+    base = posed(rig)
+    elements = [_on_face(rig, base, name, *said) for name, said in _ON_FACE.items()]
+    layout = Layout(
+        root=rig.root,
+        elements=(*elements, _joystick(rig)),
+        left_off=(),
+        handle_width=0.44,
+        space="object",
+        view=np.array([0.0, 0.0, 1.0]),
+        plane_origin=np.zeros(3),
+        plane_normal=np.array([1.0, 0.0, 0.0]),
+        base_values=laid_out.defaults(rig),
+        method="hand",
+        status="stopped",
+        cost=0.0,
+        bound=-np.inf,
+        in_play=0.0,
+    )
+    target = folder / "char.rigui.usda"
+    write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    return target, rig, source
+
+
+def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror):
+    number = next(i for i, each in enumerate(rig.meshes) if each.path.endswith(f"/{mesh}"))
+    where, point = rig.meshes[number], int(rig.starts[number]) + local
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    toward = base.points[point] * (1.0, 0.0, 1.0)
+    anchor = Anchor(
+        where.path,
+        local,
+        len(where.points),
+        where.topology_hash,
+        base.points[point],
+        toward / np.linalg.norm(toward),
+        False,
+    )
+    members = tuple(member_at(rig, base, index[one], point, np.zeros(3)) for one in controls)
+    return Element(name, name, kind, members, opposed, anchor, side, mirror, "", "")
+
+
+def _joystick(rig):
+    where, place = rig.meshes[0], np.array([10.0, 10.0, -0.66])
+    anchor = Anchor(where.path, 0, len(where.points), where.topology_hash, place, np.array([0.0, 0.0, 1.0]), True)
+    members = []
+    for name, axis in (("Head:ry", (1.0, 0.0, 0.0)), ("Head:rx", (0.0, -1.0, 0.0))):
+        control = next(each for each in rig.controls if each.name == name)
+        values = np.array([control.minimum, control.default, control.maximum])
+        share = (values - control.default) / max(control.maximum, -control.minimum)
+        members.append(Member(name, values, place + 1.5 * share[:, None] * axis, 3.0, 1.0))
+    return Element("head", "head", "patch", tuple(members), (), anchor, "middle", "", "global", "moves the whole face")

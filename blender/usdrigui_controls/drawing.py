@@ -79,8 +79,9 @@ class _Batch:
             return
         shader = gpu.shader.from_builtin(_shader_name(bool(width)))
         columns = {
-            "pos": np.concatenate(self.points).astype(np.float32),
-            "color": np.concatenate(self.colours).astype(np.float32),
+            "pos": np.ascontiguousarray(np.concatenate(self.points), dtype=np.float32),
+            # Joined from broadcast rows numpy leaves it in column order, which Blender would misread.
+            "color": np.ascontiguousarray(np.concatenate(self.colours), dtype=np.float32),
         }
         batch = batch_for_shader(shader, primitive, columns)
         shader.bind()

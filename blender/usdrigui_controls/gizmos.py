@@ -66,16 +66,16 @@ class RigControls(bpy.types.Gizmo):
         self.grab = Grab(screen, item.drawing, item.placed, item.values, pointer)
         self.last = pointer
         if event.ctrl:
-            self._set(context, item.drawing.base, event)
+            self._set(context, item.drawing.base)
         return {"RUNNING_MODAL"}
 
     def modal(self, context, event, tweak):
-        """Follow the pointer; Shift for fine steps, Alt to move the twin along (or not)."""
+        """Follow the pointer; Shift for fine steps."""
         pointer = _pointer(event, _screen(context))
         if self.grab is None or event.ctrl or np.array_equal(pointer, self.last):
             return {"RUNNING_MODAL"}
         self.last = pointer
-        self._set(context, self.grab.to(pointer, fine="PRECISE" in tweak), event)
+        self._set(context, self.grab.to(pointer, fine=event.shift))
         return {"RUNNING_MODAL"}
 
     def exit(self, context, cancel):
@@ -91,13 +91,15 @@ class RigControls(bpy.types.Gizmo):
             if context.scene.tool_settings.use_keyframe_insert_auto:
                 character.insert_keys(changed)
             bpy.ops.ed.undo_push(message=f"Drag {item.element.label}")
+        else:
+            shown.toggle(item.holder, item.element, character.layout.elements)
         shown.touch()
 
-    def _set(self, context, values, event):
+    def _set(self, context, values):
         item = self.grabbed
         character = Character(bpy.data.objects[item.holder])
         changed = {member.control: float(v) for member, v in zip(item.element.members, values, strict=True)}
-        if context.scene.usdrigui.symmetric != event.alt:
+        if context.scene.usdrigui.symmetric:
             ranges = {each.name: (each.minimum, each.default, each.maximum) for each in character.layout.controls}
             changed = with_partners(changed, character.layout.partners(), ranges)
         character.set_values(changed)

@@ -24,7 +24,7 @@ class Settings(bpy.types.PropertyGroup):
     symmetric: bpy.props.BoolProperty(
         name="Symmetric",
         default=False,
-        description="Dragging a control moves its twin along; Alt while dragging inverts",
+        description="Dragging a control moves its twin along",
     )
     names: bpy.props.BoolProperty(
         name="Names",
@@ -230,8 +230,10 @@ def register():
     bpy.types.TOPBAR_MT_file_import.append(_file_menu)
     configuration = bpy.context.window_manager.keyconfigs.addon
     if configuration is not None:
-        keymap = configuration.keymaps.new(name="3D View", space_type="VIEW_3D")
-        _keymaps.append((keymap, keymap.keymap_items.new(KeyHovered.bl_idname, "I", "PRESS")))
+        # Blender's own I stands in the keymaps of the modes, which come before that of the view.
+        for mode in ("Object Mode", "Pose"):
+            keymap = configuration.keymaps.new(name=mode)
+            _keymaps.append((keymap, keymap.keymap_items.new(KeyHovered.bl_idname, "I", "PRESS")))
 
 
 def unregister():

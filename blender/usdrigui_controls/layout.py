@@ -99,6 +99,10 @@ class Element:
     skeleton: str
     side: str
     mirror: str
+    reversed: tuple[int, ...]
+    """Positions of members that mirror those of `mirror` with the opposite sign."""
+    inner: tuple[str, ...]
+    """For a coarse element, the names of those that are shown in its place when it is opened."""
     family: str
     reason: str
 
@@ -150,14 +154,14 @@ class Layout:
         """An element by its name, if there is one."""
         return next((each for each in self.elements if each.name == name), None)
 
-    def partners(self) -> dict[str, str]:
-        """The twin of each control that has one, from mirrored elements."""
+    def partners(self) -> dict[str, tuple[str, bool]]:
+        """The twin of each control that has one, and whether it goes the other way; from mirrored elements."""
         found = {}
         for element in self.elements:
             other = self.element(element.mirror)
             if other is not None and len(other.members) == len(element.members):
-                for mine, theirs in zip(element.members, other.members, strict=True):
-                    found[mine.control] = theirs.control
+                for i, (mine, theirs) in enumerate(zip(element.members, other.members, strict=True)):
+                    found[mine.control] = theirs.control, i in element.reversed
         return found
 
 

@@ -149,6 +149,8 @@ def _element(prim, instances):
         skeleton=skeleton,
         side=str(_get(prim, "rigUI:element:side", "none")),
         mirror=_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
+        reversed=tuple(int(i) for i in _get(prim, "rigUI:element:reversed", ())),
+        inner=tuple(_name(prim.GetStage().GetPrimAtPath(path)) for path in _targets(prim, "rigUI:element:members")),
         family=str(_get(prim, "rigUI:element:family", "")),
         reason=str(_get(prim, "rigUI:element:reason", "")),
     )

@@ -99,20 +99,22 @@ class Grab:
 def with_partners(changed, partners, ranges):
     """Values with those of twin controls added: the twin moves by the same share of its own range.
 
-    ``changed`` maps names to values, ``partners`` names to names, ``ranges`` names to (minimum, default,
-    maximum).  A control that was itself dragged keeps its value.
+    ``changed`` maps names to values, ``partners`` names to (name, whether it goes the other way), ``ranges``
+    names to (minimum, default, maximum).  A control that was itself dragged keeps its value.
     """
     found = dict(changed)
     for name, value in changed.items():
-        twin = partners.get(name, name)
+        twin, other_way = partners.get(name, (name, False))
         if twin not in changed:
-            found[twin] = _same_share(value, ranges[name], ranges[twin])
+            found[twin] = _same_share(value, ranges[name], ranges[twin], other_way)
     return found
 
 
-def _same_share(value, mine, theirs):
+def _same_share(value, mine, theirs, other_way):
     """The value as far from the default towards its end, measured in the twin's range."""
     low, rest, high = mine
-    end, other = (high, theirs[2]) if value >= rest else (low, theirs[0])
+    rising = value >= rest
+    end = high if rising else low
     share = (value - rest) / (end - rest) if end != rest else 0.0
+    other = theirs[2] if rising != other_way else theirs[0]
     return min(max(theirs[1] + share * (other - theirs[1]), theirs[0]), theirs[2])

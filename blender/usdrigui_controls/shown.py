@@ -25,6 +25,8 @@ class Item:
     """(members,)"""
 
 
+opened = set()
+"""(holder, name) of the coarse elements whose members are shown in their place."""
 _anchors = {}
 _items = []
 _dirty = True
@@ -64,11 +66,31 @@ def _placed(context):
         except (LayoutError, ReferenceError, KeyError):
             _anchors.pop(holder.name, None)
             continue
+        hidden = _folded(holder.name, anchors.elements)
         for element, drawing, where in zip(anchors.elements, anchors.drawings, placed, strict=True):
-            if where is not None and (element.mesh or settings.board):
+            if where is not None and element.name not in hidden and (element.mesh or settings.board):
                 mine = np.array([values[member.control] for member in element.members])
                 found.append(Item(holder.name, element, drawing, where, mine))
     return found
+
+
+def toggle(holder, element, elements):
+    """Open a coarse element, its mirror with it; or close the one that an element is a member of."""
+    coarse = element if element.inner else next((each for each in elements if element.name in each.inner), None)
+    if coarse is not None:
+        both = {(holder, coarse.name), *([(holder, coarse.mirror)] if coarse.mirror else [])}
+        opened.symmetric_difference_update(both)
+        touch()
+
+
+def _folded(holder, elements):
+    """Names of the elements that the levels hide: members of closed ones, and opened ones themselves."""
+    hidden = set()
+    for element in elements:
+        if element.inner:
+            is_open = (holder, element.name) in opened
+            hidden.update([element.name] if is_open else element.inner)
+    return hidden
 
 
 def _anchors_of(character):

@@ -1,0 +1,17 @@
+"""Import a layer as anybody would, without the extension, and save where its handles are over time."""
+
+import bpy
+import numpy as np
+from scene import job, world_points
+
+task = job()
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.wm.usd_import(filepath=task["layer"], import_guide=True)
+handles = [each for each in bpy.data.objects if each.type == "MESH" and each.name.startswith("handle")]
+saved = {}
+for frame in task["frames"]:
+    bpy.context.scene.frame_set(frame)
+    for handle in handles:
+        saved[f"{handle.parent.name}_{frame}"] = world_points(handle).mean(axis=0)
+saved["frames"] = np.array([bpy.context.scene.frame_start, bpy.context.scene.frame_end])
+np.savez(task["result"], **saved)

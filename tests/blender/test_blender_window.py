@@ -1,0 +1,178 @@
+"""The controls in Blender's own window, under a real mouse: what an animator does, step by step."""
+
+from __future__ import annotations
+
+import sys
+
+import blender_characters as characters
+import blender_window
+import numpy as np
+import pytest
+from pxr import Usd
+
+pytestmark = pytest.mark.skipif(
+    bool(blender_window.LACKING), reason=f"not installed: {', '.join(blender_window.LACKING)}"
+)
+METRES_Z_UP = np.array([[0.01, 0, 0, 0], [0, 0, -0.01, 0], [0, 0.01, 0, 0], [0, 0, 0, 1]])
+
+
+@pytest.fixture(scope="module")
+def window(tmp_path_factory, extension):
+    """Blender showing the sample."""
+    folder = tmp_path_factory.mktemp("window")
+    layer, rig, _ = characters.sample(folder)
+    sys.path.insert(0, str(extension))
+    try:
+        from usdrigui_controls.layout import to_json
+        from usdrigui_controls.reading import read_layouts
+    finally:
+        sys.path.remove(str(extension))
+    (layout,) = read_layouts(Usd.Stage.Open(str(layer)))
+    opened = blender_window.Window(folder, extension, blender_window.described(rig, METRES_Z_UP), to_json(layout))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(autouse=True)
+def at_rest(window):
+    """The character at rest, seen from the front, nothing switched on."""
+    window.ask(
+        "look((0, -0.07, 0.0), 0.32)\n"
+        "one = character()\n"
+        "one.set_values({name: control.base for name, control in one.controls.items()})\n"
+        "bpy.context.scene.tool_settings.use_keyframe_insert_auto = False\n"
+        "for name, value in (('symmetric', False), ('show', True), ('opacity', 0.8)):\n"
+        "    setattr(bpy.context.scene.usdrigui, name, value)\n"
+        "bpy.ops.ed.undo_push(message='rest')"
+    )
+    window.hover((60, 400))
+
+
+def away(window):
+    """The controls that are not at rest."""
+    return {name: value for name, value in window.values().items() if abs(value) > 1e-3}
+
+
+def ends(window, element, member=0):
+    """The element's handle, and the far end of one of its tracks, in pixels."""
+    track = np.array(window.ask(f"result = track({element!r}, {member})"))
+    return np.array(window.ask("result = handles()")[element]), track[-1]
+
+
+def test_a_patch_follows_the_mouse_and_its_handle_ends_under_it(window):
+    start, end = ends(window, "jaw", 2)
+    goal = start + 0.8 * (end - start)
+    window.drag(start, goal)
+    assert away(window) == {"jawOpen": pytest.approx(0.8, abs=0.1)}
+    at = np.array(window.ask("result = handles()")["jaw"])
+    assert np.linalg.norm(at - goal) < 2.5
+    picture = np.asarray(window.picture("jaw"))
+    assert picture[round(at[1]), round(at[0]), :3].min() > 180, "the handle in hand is white"
+
+
+def test_two_controls_in_one_drag(window):
+    start, down = ends(window, "jaw", 2)
+    _, right = ends(window, "jaw", 0)
+    goal = start + 0.6 * (down - start) + 0.5 * (right - start)
+    window.drag(start, goal)
+    assert away(window) == {"jawOpen": pytest.approx(0.6, abs=0.2), "jawRight": pytest.approx(0.5, abs=0.1)}
+    assert np.linalg.norm(np.array(window.ask("result = handles()")["jaw"]) - goal) < 2.5
+
+
+def test_undo_and_redo(window):
+    start, end = ends(window, "mouthSmileLeft")
+    window.drag(start, end)
+    after = away(window)
+    assert after == {"mouthSmileLeft": pytest.approx(1.0, abs=0.05)}
+    window.key("ctrl+z")
+    assert away(window) == {}
+    assert np.allclose(window.ask("result = handles()")["mouthSmileLeft"], start, atol=0.01)
+    window.key("ctrl+shift+z")
+    assert away(window) == pytest.approx(after)
+
+
+def test_escape_takes_the_drag_back(window):
+    start, end = ends(window, "browInnerUp")
+    window.drag(start, end, release=False)
+    assert "browInnerUp" in away(window)
+    window.key("Escape")
+    window.xdotool("mouseup", 1)
+    window.settle()
+    assert away(window) == {}
+
+
+def test_a_symmetric_drag_moves_the_twin_along(window):
+    window.ask("bpy.context.scene.usdrigui.symmetric = True")
+    start, end = ends(window, "mouthSmileLeft")
+    window.drag(start, start + 0.7 * (end - start))
+    both = away(window)
+    assert both.keys() == {"mouthSmileLeft", "mouthSmileRight"}
+    assert both["mouthSmileLeft"] == pytest.approx(both["mouthSmileRight"]) == pytest.approx(0.7, abs=0.1)
+    window.picture("symmetric")
+
+
+def test_shift_drags_finely(window):
+    start, end = ends(window, "browOuterUpLeft")
+    window.drag(start, end, keys=("shift",))
+    assert 0.0 < away(window)["browOuterUpLeft"] < 0.4
+
+
+def test_a_bone_turns_under_its_handle(window):
+    start, end = ends(window, "EyeLeft:ry")
+    window.drag(start, end)
+    turned = away(window)
+    assert turned.keys() == {"EyeLeft:ry"}
+    assert abs(turned["EyeLeft:ry"]) > 10.0
+    assert window.ask("result = abs(character().bone_of('/Char/Skeleton', 'Neck/Head/EyeLeft').rotation_quaternion[2]) > 0.05")
+    window.picture("eye")
+
+
+def test_a_joystick_beside_the_face_moves_two_bones_axes(window):
+    name = "head"
+    start, end = ends(window, name, 0)
+    _, other = ends(window, name, 1)
+    window.drag(start, start + 0.5 * (end - start) + 0.5 * (other - start))
+    assert away(window).keys() == {"Head:ry", "Head:rx"}
+    window.picture("joystick")
+
+
+def test_auto_keys_and_the_key_i_over_a_handle(window):
+    keys = (
+        "block = bpy.data.objects['Head'].data.shape_keys\n"
+        "curves = block.animation_data.action.fcurves if block.animation_data else []\n"
+        "result = {each.data_path: [list(point.co) for point in each.keyframe_points] for each in curves}"
+    )
+    window.ask("bpy.context.scene.tool_settings.use_keyframe_insert_auto = True\nbpy.context.scene.frame_set(7)")
+    start, end = ends(window, "cheekPuff")
+    window.drag(start, start + 0.9 * (end - start))
+    (frame, value), *none = window.ask(keys)['key_blocks["cheekPuff"].value']
+    assert (frame, value, none) == (7.0, pytest.approx(window.values()["cheekPuff"]), [])
+    window.ask("bpy.context.scene.frame_set(9)")
+    start, _ = ends(window, "browInnerUp")
+    assert 'key_blocks["browInnerUp"].value' not in window.ask(keys)
+    window.hover(start)
+    window.key("i")
+    assert window.ask(keys)['key_blocks["browInnerUp"].value'][0][0] == 9.0
+
+
+def test_hidden_controls_are_neither_drawn_nor_caught(window):
+    start, end = ends(window, "mouthSmileLeft")
+    blue = np.asarray(window.picture("shown"))[round(start[1]), round(start[0]), :3].astype(int)
+    assert blue[2] > blue[0] + 60, "a handle of the character's left is blue"
+    window.ask("bpy.context.scene.usdrigui.show = False")
+    window.ask("view_region()[0].tag_redraw()")
+    window.hover((60, 400))
+    skin = np.asarray(window.picture("hidden"))[round(start[1]), round(start[0]), :3].astype(int)
+    assert np.ptp(skin) < 25
+    window.drag(start, end)
+    assert away(window) == {}
+    window.key("Escape")
+
+
+def test_opacity(window):
+    start, _ = ends(window, "mouthSmileLeft")
+    full = np.asarray(window.picture("opaque"))[round(start[1]), round(start[0]), :3].astype(int)
+    window.ask("bpy.context.scene.usdrigui.opacity = 0.2\nview_region()[0].tag_redraw()")
+    window.settle(0.5)
+    faint = np.asarray(window.picture("faint"))[round(start[1]), round(start[0]), :3].astype(int)
+    assert np.ptp(faint) < 0.6 * np.ptp(full)

@@ -1,0 +1,83 @@
+"""Our layers in programs that know nothing of us: Blender's importer, Hydra Storm, the USD inside bpy."""
+
+from __future__ import annotations
+
+import blender_characters as characters
+import numpy as np
+import usd_versions
+from PIL import Image
+from pxr import Usd, UsdGeom, UsdSkel
+
+from usdrigui.usd.read_layout import read_layout
+
+CLOSE = 1e-5
+FRAMES = [1, 9, 24, 37, 48]
+
+EXPOSED = """
+import sys
+import bpy
+bpy.utils.expose_bundled_modules()
+"""
+
+
+def test_imported_handles_move_with_the_animation(run_inside, bpy_python, tmp_path):
+    layer, rig, source = characters.sample(tmp_path)
+    found = run_inside([bpy_python], "plain_import", layer=str(layer), frames=FRAMES)
+    place = characters.to_world(source, rig)
+    expected = anchors(layer, rig, FRAMES)
+    size = characters.diagonal([place(mesh.points) for mesh in rig.meshes])
+    assert found["frames"].tolist() == [1, 48]
+    moved = 0.0
+    for name, points in expected.items():
+        at = np.array([found[f"{name}_{frame}"] for frame in FRAMES])
+        assert np.abs(at - place(points)).max() < CLOSE * size, name
+        moved = max(moved, float(np.ptp(at, axis=0).max()))
+    assert moved > 0.02 * size
+
+
+def anchors(layer, rig, frames):
+    """By prim name, the deformed anchors (frames, 3) of the elements on the face in root space, by UsdSkel."""
+    stage = Usd.Stage.Open(str(layer))
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
+    found = {}
+    for element in read_layout(layer)[0].elements:
+        if not element.anchor.beside:
+            points = stage.GetPrimAtPath(element.anchor.mesh).GetAttribute("points")
+            found[element.name.replace(":", "_")] = root_points(stage, rig, element, points, frames)
+    return found
+
+
+def root_points(stage, rig, element, points, frames):
+    root, mesh = (stage.GetPrimAtPath(path) for path in (rig.root, element.anchor.mesh))
+    at = []
+    for frame in frames:
+        cache = UsdGeom.XformCache(frame)
+        to_root = cache.GetLocalToWorldTransform(mesh) * cache.GetLocalToWorldTransform(root).GetInverse()
+        at.append(to_root.Transform(points.Get(frame)[element.anchor.point]))
+    return np.array(at)
+
+
+def test_storm_draws_guides_on_demand_and_they_move(run_inside, bpy_python, tmp_path):
+    layer, _, _ = characters.sample(tmp_path)
+    run_inside(
+        [bpy_python], "storm", {"MESA_NO_ERROR": "1"}, layer=str(layer), eye=[0.0, -1.0, 60.0], frames=[1, 24]
+    )
+    shown = {
+        name: np.asarray(Image.open(tmp_path / f"{name}.png").convert("RGB")).astype(int)
+        for name in ("plain1", "guides1", "plain24", "guides24")
+    }
+    coloured = {name: np.ptp(picture, axis=2) > 60 for name, picture in shown.items()}
+    assert np.abs(shown["plain1"] - shown["plain24"]).max() > 60, "the character moves"
+    for frame in (1, 24):
+        only_guides = coloured[f"guides{frame}"] & ~coloured[f"plain{frame}"]
+        assert only_guides.sum() > 100
+    assert (coloured["guides1"] != coloured["guides24"]).sum() > 100, "the guides move with it"
+
+
+def test_the_usd_inside_bpy_reads_our_layers_with_and_without_the_schema(bpy_python, tmp_path, monkeypatch):
+    samples = usd_versions.write_samples(tmp_path)
+    monkeypatch.setattr(usd_versions, "READER", EXPOSED + usd_versions.READER)
+    for name, (root, expected) in samples.items():
+        for plugin in (False, True):
+            said = usd_versions.complaint(bpy_python, tmp_path / name, root, expected, plugin)
+            assert said == "", (name, plugin)
