@@ -119,9 +119,11 @@ def test_displacement_alone_takes_every_peak():
         line.context.rig.controls[motion.control].name: motion.arc_length.max()
         for motion in line.context.trajectories.motions
     }
-    for element in line.layout.elements:
-        for member in element.members:
-            assert member.arc_length == pytest.approx(peaks[member.control], rel=1e-6)
+    members = [member for element in line.layout.elements for member in element.members]
+    assert {member.control for member in members} == set(shapes)
+    assert not any(element.anchor.beside for element in line.layout.elements)
+    for member in members:
+        assert member.arc_length == pytest.approx(peaks[member.control], rel=1e-6)
 
 
 def test_pairs_mirror_exactly_where_the_mesh_does(plain):

@@ -16,9 +16,13 @@ pytestmark = [
 def test_every_control_is_laid_out_or_left_off(name):
     line = line_of(name)
     laid = [member.control for element in line.layout.elements for member in element.members]
-    left = [each.control for each in line.layout.left_off]
-    assert sorted(laid + left) == sorted([*(control.name for control in line.context.rig.controls), *left])
-    assert len(set(laid)) == len(laid)
+    left = {each.control: each for each in line.layout.left_off}
+    controls = [control.name for control in line.context.rig.controls]
+    moving = {controls[motion.control] for motion in line.context.trajectories.motions}
+    assert sorted(laid) == sorted(moving), "one member each, and only for what moves something"
+    assert set(controls) - moving <= set(left)
+    assert not moving & set(left)
+    assert all(each.stage and each.reason for each in left.values())
     names = [element.name for element in line.layout.elements]
     assert len(set(names)) == len(names)
 

@@ -263,6 +263,7 @@ def test_exclude_rename_and_label(tmp_path):
     rig = read(head(tmp_path / "char.usda"), config)
     assert [(each.name, each.label, each.source) for each in rig.controls] == [("grin", "Grin!", "smile")]
     assert [(each.control, each.stage) for each in rig.left_off] == [("frown", "config")]
+    assert [each.name for each in rig.excluded] == ["frown"]
 
 
 def test_names_of_left_off_controls_are_known(tmp_path):

@@ -406,6 +406,19 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
         assert element.anchor.position[1] == pytest.approx(other.anchor.position[1])
 
 
+def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own():
+    line = chain.lay_out(
+        rig_with(whole=np.full_like(POINTS, 0.2)),
+        chain.settings(controls={"chin": {"place": "beside"}, "whole": {"place": "beside"}}),
+    )
+    families = {name: element.family for name, element in chain.by_name(line).items() if element.anchor.beside}
+    assert families == {"chin": "requested", "whole": "global"}
+    assert "configuration" in chain.by_name(line)["chin"].reason
+    heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
+    # A heading stands between them: a row of 2.4 widths for it and one for the element.
+    assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.handle_width)
+
+
 def test_a_crowded_face_sends_the_least_telling_controls_to_the_board():
     crowd = {
         f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)

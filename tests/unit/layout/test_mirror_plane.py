@@ -9,6 +9,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.layout.names import common_label, has_side, hints_at_twin
 from usdrigui.layout.symmetry import find_symmetry, plane_distance, reflected
 from usdrigui.layout.trajectory import trajectories
+from usdrigui.pose import direct
 from usdrigui.settings import Settings
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
@@ -114,6 +115,35 @@ def test_a_control_that_swings_both_ways_is_symmetric():
     one_way, both = (makers.rig(points, quads, shapes, ranges={"swing": (low, 1.0)}) for low in (0.0, -1.0))
     assert names(one_way, symmetry_of(one_way))["swing"] == ""
     assert names(both, symmetry_of(both))["swing"] == "swing"
+
+
+def eyes(low):
+    """Two eyes that both look to the character's left as their control rises, and a mouth."""
+    points, quads = makers.mask()
+    shapes = {f"yaw_{side}": makers.bump(points, (x, 0.3), (1, 0, 0), 0.2) for side, x in (("L", 0.35), ("R", -0.35))}
+    shapes["mid"] = makers.bump(points, (0, -0.5), (0, 0, 1))
+    return makers.rig(points, quads, shapes, ranges={"yaw_L": (low, 1.0), "yaw_R": (low, 1.0)})
+
+
+def test_twins_of_opposite_sign_are_found_where_both_go_both_ways():
+    symmetry = symmetry_of(eyes(-1.0))
+    assert names(eyes(-1.0), symmetry) == {"yaw_L": "yaw_R", "yaw_R": "yaw_L", "mid": "mid"}
+    assert symmetry.reversed.tolist() == [True, True, False]
+    assert names(eyes(0.0), symmetry_of(eyes(0.0)))["yaw_L"] == ""
+    assert not symmetry_of(makers.face()).reversed.any()
+
+
+def test_elements_of_reversed_twins_mirror_each_other_and_say_so():
+    line = chain.lay_out(eyes(-1.0))
+    left, right = (chain.by_name(line)[name] for name in ("yaw_L", "yaw_R"))
+    assert (left.mirror, right.mirror) == ("yaw_R", "yaw_L")
+    assert (left.reversed, right.reversed) == ((0,), (0,))
+    assert np.abs(left.anchor.position * [-1.0, 1.0, 1.0] - right.anchor.position).max() < 1e-6
+    assert np.abs(left.members[0].track * [-1.0, 1.0, 1.0] - right.members[0].track[::-1]).max() < 1e-5
+    # A symmetric pull does not tie them: it would make the eyes squint.
+    assert direct.twins_of(line.context.rig, line.layout).tolist() == [0, 1, 2]
+    forced = chain.lay_out(eyes(-1.0), chain.settings(controls={"yaw_L": {"twin": "none"}}))
+    assert chain.by_name(forced)["yaw_L"].reversed == ()
 
 
 def test_left_and_right_shapes_may_differ_and_weak_ones_need_the_name():

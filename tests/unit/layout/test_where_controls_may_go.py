@@ -1,5 +1,7 @@
 """Visibility, pruning, and which controls belong beside the face."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
@@ -240,6 +242,32 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
 
 
 # --- the configuration ------------------------------------------------------------------------------
+
+
+def test_coverage_is_the_share_of_the_face_for_small_controls_too():
+    found = chosen(rig_with(whole=np.full_like(POINTS, 0.2)))
+    assert found("whole").coverage == pytest.approx(1.0)
+    assert 0.0 < found("sneer_L").coverage < found("brow_L").coverage < 0.5
+    assert found("sneer_L").coverage == pytest.approx(found("sneer_R").coverage, rel=0.05)
+
+
+def test_excluding_a_control_calls_no_other_one_global():
+    """A control that moves the lower half is large beside small ones, unless the other half has its own."""
+    half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
+    upper = {f"up{i}": makers.bump(POINTS, (x, 0.75), (0, 0, 1), 0.45) for i, x in enumerate((-0.4, 0.0, 0.4))}
+    whole = rig_with(half=half, **upper)
+    without = [control for control in whole.controls if not control.name.startswith("up")]
+    left_out = tuple(control for control in whole.controls if control.name.startswith("up"))
+    gone = replace(whole, controls=tuple(without))
+    assert not chosen(whole)("half").globally
+    assert chosen(gone)("half").globally
+    excluded = replace(gone, excluded=left_out)
+    assert not chosen(excluded)("half").globally
+    assert chosen(excluded)("half").coverage == pytest.approx(chosen(whole)("half").coverage)
+    names = [control.name for control in excluded.controls]
+    context = chain.context_of(excluded)
+    assert len(context.trajectories.excluded) == 3
+    assert {names[motion.control] for motion in context.trajectories.motions} == set(names)
 
 
 def test_place_beside_and_exclude():
