@@ -68,18 +68,24 @@ class Window:
         told = self.await_file("told.json", 60)
         answer = json.loads(told.read_text())
         told.unlink()
-        log = (self.folder / "blender.log").read_text()
-        assert "error" not in answer and "Traceback" not in log, answer.get("error", log)
+        assert "error" not in answer, answer["error"]
+        self.check_log()
         return answer["result"]
 
     def await_file(self, name: str, seconds: float) -> Path:
         """Wait for a file of Blender's; fails with its log."""
         until = time.monotonic() + seconds
         while not (self.folder / name).exists():
-            log = (self.folder / "blender.log").read_text()
-            assert self.blender.poll() is None and time.monotonic() < until and "Traceback" not in log, log
+            self.check_log()
+            assert time.monotonic() < until, f"no {name} after {seconds} s"
             time.sleep(0.02)
         return self.folder / name
+
+    def check_log(self) -> None:
+        """Fail when Blender has ended, or said that something broke."""
+        log = (self.folder / "blender.log").read_text()
+        assert self.blender.poll() is None, log
+        assert "Traceback" not in log, log
 
     def xdotool(self, *arguments: object) -> None:
         """Real events."""

@@ -365,6 +365,12 @@ _CODES: dict[str, Code] = {
         "Process the asset again with `usdrigui process` and view the new layer.",
     ),
     # --- schema and layer ------------------------------------------------------------------------
+    "EXTENSION_MISSING": Code(
+        "error",
+        "The Blender extension's files were not installed with the package.",
+        "Install usdrigui again, from a wheel or a complete checkout.",
+        Exit.USAGE,
+    ),
     "SCHEMA_MISSING": Code(
         "error",
         "The schema's folder was not installed with the package.",

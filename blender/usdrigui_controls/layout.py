@@ -192,7 +192,7 @@ def from_json(text: str) -> Layout:
     """The layout that `to_json` wrote.  Raises LayoutError when it is none."""
     try:
         return _record(Layout, json.loads(text))
-    except (ValueError, TypeError, KeyError) as error:
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise LayoutError(f"the controls stored in this file cannot be read: {error!r}") from error
 
 

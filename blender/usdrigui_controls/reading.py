@@ -44,9 +44,10 @@ def _layout(scope):
     version = _get(scope, "rigUI:layout:version", VERSION)
     if version > VERSION:
         raise LayoutError(f"{scope.GetPath()} keeps version {version} of the contract; this add-on knows {VERSION}")
-    base = dict(
-        zip(_get(scope, "rigUI:layout:baseControls", ()), _get(scope, "rigUI:layout:baseValues", ()), strict=True)
-    )
+    names, values = (_get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues"))
+    if len(names) != len(values):
+        raise LayoutError(f"{scope.GetPath()} names {len(names)} controls and {len(values)} values of the base pose")
+    base = dict(zip((str(name) for name in names), values, strict=True))
     root = scope.GetParent()
     controls, elements = {}, []
     for prim in scope.GetAllChildren():

@@ -123,7 +123,9 @@ def test_a_bone_turns_under_its_handle(window):
     turned = away(window)
     assert turned.keys() == {"EyeLeft:ry"}
     assert abs(turned["EyeLeft:ry"]) > 10.0
-    assert window.ask("result = abs(character().bone_of('/Char/Skeleton', 'Neck/Head/EyeLeft').rotation_quaternion[2]) > 0.05")
+    assert window.ask(
+        "result = abs(character().bone_of('/Char/Skeleton', 'Neck/Head/EyeLeft').rotation_quaternion[2]) > 0.05"
+    )
     window.picture("eye")
 
 

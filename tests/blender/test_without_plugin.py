@@ -20,19 +20,30 @@ bpy.utils.expose_bundled_modules()
 """
 
 
-def test_imported_handles_move_with_the_animation(run_inside, bpy_python, tmp_path):
+def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, bpy_python, tmp_path):
     layer, rig, source = characters.sample(tmp_path)
-    found = run_inside([bpy_python], "plain_import", layer=str(layer), frames=FRAMES)
-    place = characters.to_world(source, rig)
     expected = anchors(layer, rig, FRAMES)
-    size = characters.diagonal([place(mesh.points) for mesh in rig.meshes])
+    where = {
+        element.name.replace(":", "_"): (element.anchor.mesh.rpartition("/")[2], element.anchor.point)
+        for element in read_layout(layer)[0].elements
+        if not element.anchor.beside
+    }
+    found = run_inside([bpy_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where)
+    place = characters.to_world(source, rig)
+    close = CLOSE * characters.diagonal([place(mesh.points) for mesh in rig.meshes])
     assert found["frames"].tolist() == [1, 48]
-    moved = 0.0
+    travelled, exact = 0.0, 0
     for name, points in expected.items():
-        at = np.array([found[f"{name}_{frame}"] for frame in FRAMES])
-        assert np.abs(at - place(points)).max() < CLOSE * size, name
-        moved = max(moved, float(np.ptp(at, axis=0).max()))
-    assert moved > 0.02 * size
+        handle = np.array([found[f"{name}_{frame}"] for frame in FRAMES])
+        skin = np.array([found[f"anchor_{name}_{frame}"] for frame in FRAMES])
+        assert np.abs(handle - skin).max() < close, name
+        # Blender leaves in-betweens out: where the skin itself is where UsdSkel has it, so is the handle.
+        right = np.abs(skin - place(points)).max(axis=1) < close
+        assert np.abs(handle - place(points))[right].max() < close, name
+        exact += int(right.sum())
+        travelled = max(travelled, float(np.ptp(handle, axis=0).max()))
+    assert exact >= 0.7 * len(expected) * len(FRAMES)
+    assert travelled > 1000 * close
 
 
 def anchors(layer, rig, frames):
@@ -59,9 +70,7 @@ def root_points(stage, rig, element, points, frames):
 
 def test_storm_draws_guides_on_demand_and_they_move(run_inside, bpy_python, tmp_path):
     layer, _, _ = characters.sample(tmp_path)
-    run_inside(
-        [bpy_python], "storm", {"MESA_NO_ERROR": "1"}, layer=str(layer), eye=[0.0, -1.0, 60.0], frames=[1, 24]
-    )
+    run_inside([bpy_python], "storm", {"MESA_NO_ERROR": "1"}, layer=str(layer), eye=[0.0, -1.0, 60.0], frames=[1, 24])
     shown = {
         name: np.asarray(Image.open(tmp_path / f"{name}.png").convert("RGB")).astype(int)
         for name in ("plain1", "guides1", "plain24", "guides24")

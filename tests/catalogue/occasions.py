@@ -23,8 +23,10 @@ from typing import Any
 import numpy as np
 import smallest
 
+import usdrigui
 from usdrigui import pipeline, rays
 from usdrigui.cli import main
+from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue
 from usdrigui.layout import trajectory
 from usdrigui.settings import Settings, SolveSettings
@@ -341,6 +343,11 @@ def _schema_gone(folder: Path, patch: Any) -> Found:
     return refused(schema.schema_path)
 
 
+def _extension_gone(folder: Path, patch: Any) -> Found:
+    patch.setattr(usdrigui, "__file__", str(folder / "usdrigui" / "__init__.py"))
+    return refused(blender_extension.extension_files)
+
+
 def _schema_late(*_: object) -> Found:
     program = (
         "from pxr import Usd; keep = Usd.SchemaRegistry()\n"
@@ -423,6 +430,7 @@ OCCASIONS: Mapping[str, Occasion] = {
     "SOURCE_UNREFERABLE": lambda folder, _: refused(
         lambda: layer.relative_asset_path(folder / "a@@@b.usda", folder / "out.usda")
     ),
+    "EXTENSION_MISSING": _extension_gone,
     "SCHEMA_MISSING": _schema_gone,
     "SCHEMA_TOO_LATE": _schema_late,
     "VIEW_MISMATCH": _empty_page,

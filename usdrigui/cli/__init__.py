@@ -10,6 +10,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from usdrigui import __version__
 from usdrigui.cli.attaching import add_attach, add_detach
@@ -62,7 +63,18 @@ def _parser() -> argparse.ArgumentParser:
     add_detach(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
     schema.set_defaults(run=_schema_path)
+    blender = commands.add_parser("blender-extension", help="write the extension that shows layouts in Blender")
+    blender.add_argument("output", type=Path, nargs="?", default=Path("usdrigui_controls.zip"), metavar="ZIP")
+    blender.set_defaults(run=_blender_extension)
     return parser
+
+
+def _blender_extension(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.clients.blender_extension import write_extension
+
+    write_extension(arguments.output)
+    print(f"usdrigui: written {arguments.output}: install it from disk in Blender's preferences")
+    return Exit.OK
 
 
 def _schema_path(arguments: argparse.Namespace) -> Exit:

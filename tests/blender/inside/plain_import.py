@@ -11,6 +11,8 @@ handles = [each for each in bpy.data.objects if each.type == "MESH" and each.nam
 saved = {}
 for frame in task["frames"]:
     bpy.context.scene.frame_set(frame)
+    for name, (mesh, point) in task["anchors"].items():
+        saved[f"anchor_{name}_{frame}"] = world_points(bpy.data.objects[mesh])[point]
     for handle in handles:
         saved[f"{handle.parent.name}_{frame}"] = world_points(handle).mean(axis=0)
 saved["frames"] = np.array([bpy.context.scene.frame_start, bpy.context.scene.frame_end])

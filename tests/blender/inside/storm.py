@@ -23,10 +23,12 @@ def gl_context():
     assert egl.eglBindAPI(0x30A2)
     wanted = (ctypes.c_int * 5)(0x3040, 0x0008, 0x3033, 0x0001, 0x3038)
     config, count = ctypes.c_void_p(), ctypes.c_int()
-    assert egl.eglChooseConfig(display, wanted, ctypes.byref(config), 1, ctypes.byref(count)) and count.value
+    assert egl.eglChooseConfig(display, wanted, ctypes.byref(config), 1, ctypes.byref(count))
+    assert count.value
     version = (ctypes.c_int * 7)(0x3098, 4, 0x30FB, 5, 0x30FD, 2, 0x3038)
     made = ctypes.c_void_p(egl.eglCreateContext(display, config, None, version))
-    assert made.value and egl.eglMakeCurrent(display, None, None, made), "no OpenGL 4.5"
+    assert made.value, "no OpenGL 4.5"
+    assert egl.eglMakeCurrent(display, None, None, made)
 
 
 def main(task):

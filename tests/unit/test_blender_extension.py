@@ -1,0 +1,252 @@
+"""The Blender extension as far as it goes without Blender: its archive, its mathematics, its reading of layers."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import subprocess
+import sys
+import zipfile
+
+import laid_out
+import numpy as np
+import pytest
+import skinned_stages
+from pxr import Sdf, Usd
+
+import usdrigui
+from usdrigui.clients import blender_extension
+from usdrigui.errors import RigUIError
+from usdrigui.pose import drag as ours
+from usdrigui.pose.evaluate import elements_at, prepare
+from usdrigui.settings import OutputSettings, Settings
+from usdrigui.usd.layer import stage_metadata, write_layout
+from usdrigui.usd.rig import read_rigs
+
+ROOMS = ("layout", "reading", "screen", "following", "joints", "maths.drag")
+
+
+@pytest.fixture(scope="module")
+def extension(tmp_path_factory):
+    """The rooms of the built extension that need no Blender, by name."""
+    folder = tmp_path_factory.mktemp("built")
+    blender_extension.write_extension(folder / "one.zip")
+    zipfile.ZipFile(folder / "one.zip").extractall(folder)
+    sys.path.insert(0, str(folder))
+    yield {room: importlib.import_module(f"usdrigui_controls.{room}") for room in ROOMS}
+    sys.path.remove(str(folder))
+    for name in [name for name in sys.modules if name.startswith("usdrigui_controls")]:
+        del sys.modules[name]
+
+
+@pytest.fixture(scope="module")
+def laid(tmp_path_factory):
+    source = skinned_stages.character(tmp_path_factory.mktemp("char") / "char.usda", moved=True, meshes=2)
+    (rig,) = read_rigs(source, Settings())
+    layout = laid_out.layout_of(rig, beside=("chin",), groups=[("brow_L", "smile_L"), ("chin",), ("jaw:open",)])
+    target = source.with_name("char.rigui.usda")
+    write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
+    return rig, layout, target
+
+
+# --- the archive --------------------------------------------------------------------------------------
+
+
+def test_the_archive_is_the_same_every_time_and_whole(tmp_path):
+    for name in ("one.zip", "two.zip"):
+        blender_extension.write_extension(tmp_path / name)
+    assert (tmp_path / "one.zip").read_bytes() == (tmp_path / "two.zip").read_bytes()
+    names = zipfile.ZipFile(tmp_path / "one.zip").namelist()
+    inside = {name.removeprefix("usdrigui_controls/") for name in names}
+    assert {"__init__.py", "blender_manifest.toml", "maths/drag.py", "maths/fit.py", "maths/rotation.py"} <= inside
+
+
+def test_it_brings_nothing_of_ours_and_says_one_version():
+    files = blender_extension.extension_files()
+    for name, content in files.items():
+        imported = re.findall(r"^\s*(?:from|import) (\w+)", content.decode(), re.MULTILINE)
+        assert not {"usdrigui", "scipy", "highspy", "networkx"} & set(imported), name
+    manifest, start = files["blender_manifest.toml"].decode(), files["__init__.py"].decode()
+    version = re.search(r'^version = "([\d.]+)"', manifest, re.MULTILINE)[1]
+    assert f'"version": ({", ".join(version.split("."))})' in start
+    assert version == usdrigui.__version__
+
+
+def test_without_its_sources_there_is_no_archive(tmp_path, monkeypatch):
+    monkeypatch.setattr(usdrigui, "__file__", str(tmp_path / "usdrigui" / "__init__.py"))
+    with pytest.raises(RigUIError, match="EXTENSION_MISSING"):
+        blender_extension.write_extension(tmp_path / "one.zip")
+    assert not (tmp_path / "one.zip").exists()
+
+
+def test_importing_it_needs_neither_blender_nor_usdrigui(tmp_path):
+    blender_extension.write_extension(tmp_path / "one.zip")
+    program = "import sys, usdrigui_controls.screen, usdrigui_controls.following; print('usdrigui' in sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={"PYTHONPATH": str(tmp_path / "one.zip")},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.strip() == "False"
+
+
+# --- mathematics --------------------------------------------------------------------------------------
+
+
+def test_the_copied_drag_is_ours(extension):
+    rng = np.random.default_rng(3)
+    for _ in range(60):
+        count = int(rng.integers(1, 5))
+        tracks = [rng.normal(200, 80, (int(rng.integers(2, 7)), 2)) for _ in range(count)]
+        values = [np.sort(rng.uniform(-1, 1, len(track))) for track in tracks]
+        base = np.array([rng.choice(each) for each in values])
+        pointer = rng.normal(200, 100, 2)
+        mine = ours.drag(tracks, values, base, base, pointer)
+        assert np.array_equal(extension["maths.drag"].drag(tracks, values, base, base, pointer), mine)
+
+
+def front(extension, width=400.0, height=300.0):
+    """A view along -z without perspective: one unit is ten pixels."""
+    matrix = np.diag([20.0 / width, 20.0 / height, -0.01, 1.0])
+    return extension["screen"].Screen(matrix, width, height, np.array([0.0, 0.0, 1.0]), False)
+
+
+def test_pixels_and_their_world_vectors(extension):
+    screen = front(extension)
+    assert screen.project([[0, 0, 0], [1, 2, 3]]) == pytest.approx(np.array([[200, 150], [210, 130]]))
+    right, up = screen.axes_at(np.array([1.0, 2.0, 3.0]))
+    assert right == pytest.approx([0.1, 0, 0])
+    assert up == pytest.approx([0, 0.1, 0])
+
+
+def test_points_behind_the_viewer_are_nowhere(extension):
+    matrix = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]], dtype=np.float64)
+    screen = extension["screen"].Screen(matrix, 100, 100, np.zeros(3), True)
+    assert np.isfinite(screen.project([[0, 0, -1]])).all()
+    assert np.isnan(screen.project([[0, 0, 1]])).all()
+
+
+def placed(extension, at, normal=(0, 0, 1)):
+    at, normal = np.array(at, dtype=np.float64), np.array(normal, dtype=np.float64)
+    return extension["following"].Placed((np.array([at, at + (2.0, 0, 0)]),), (), at, normal, 1.0)
+
+
+def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):
+    screen, pick = front(extension), extension["screen"].pick
+    shown = [placed(extension, (0, 0, 0)), placed(extension, (1, 0, 0)), placed(extension, (0.8, 0, 0), (0, 0, -1))]
+    assert pick(screen, [*shown, None], np.array([203.0, 150.0]), [3.0] * 4) == 0
+    assert pick(screen, [*shown, None], np.array([206.5, 150.0]), [3.0] * 4) == 1
+    assert pick(screen, [*shown, None], np.array([230.0, 150.0]), [3.0] * 4) == -1
+    assert pick(screen, [*shown, None], np.array([230.0, 150.0]), [3.0, 40.0, 3.0, 3.0]) == 1
+    assert pick(screen, [], np.array([0.0, 0.0]), []) == -1
+
+
+def slider(extension, low=0.0, high=1.0):
+    return extension["following"].Drawing(
+        values=(np.array([low, high]),),
+        tracks=(np.array([[0.0, 0, 0], [2.0, 0, 0]]),),
+        areas=(),
+        triangles=(),
+        position=np.zeros(3),
+        normal=np.array([0.0, 0, 1]),
+        follows=True,
+        enlarged=False,
+        base=np.array([low]),
+        ranges=np.array([[low, high]]),
+    )
+
+
+def test_a_grab_follows_the_pointer_from_where_it_took_hold(extension):
+    grab = extension["screen"].Grab(
+        front(extension), slider(extension), placed(extension, (0, 0, 0)), [0.0], (203.0, 149.0)
+    )
+    assert grab.to((213.0, 149.0)) == pytest.approx([0.5])
+    assert grab.to((233.0, 149.0)) == pytest.approx([1.0])
+    grab = extension["screen"].Grab(
+        front(extension), slider(extension), placed(extension, (0, 0, 0)), [0.5], (210.0, 150.0)
+    )
+    assert grab.to((220.0, 150.0), fine=True) == pytest.approx([0.55])
+
+
+def test_twins_move_by_the_same_share_and_some_the_other_way(extension):
+    ranges = {"a": (0.0, 0.0, 1.0), "b": (0.0, 0.0, 2.0), "l": (-20.0, 0.0, 40.0), "r": (-40.0, 0.0, 20.0)}
+    partners = {"a": ("b", False), "b": ("a", False), "l": ("r", True)}
+    with_partners = extension["screen"].with_partners
+    assert with_partners({"a": 0.25}, partners, ranges) == {"a": 0.25, "b": 0.5}
+    assert with_partners({"a": 0.25, "b": 2.0}, partners, ranges) == {"a": 0.25, "b": 2.0}
+    assert with_partners({"l": 20.0}, partners, ranges) == {"l": 20.0, "r": -20.0}
+    assert with_partners({"l": -5.0}, partners, ranges) == {"l": -5.0, "r": pytest.approx(5.0)}
+    assert with_partners({"c": 1.0}, partners, {**ranges, "c": (0, 0, 1)}) == {"c": 1.0}
+
+
+def test_joint_moves_survive_the_way_through_a_bone(extension):
+    rng = np.random.default_rng(8)
+    rotations = importlib.import_module("usdrigui_controls.maths.rotation").rotations
+    for _ in range(20):
+        bind, rest = np.eye(4), np.eye(4)
+        bind[:3, :3], bind[3, :3] = rotations(rng.normal(size=3)), rng.normal(size=3)
+        rest[:3, :3], rest[3, :3] = np.diag(rng.uniform(0.5, 2, 3)) @ rotations(rng.normal(size=3)), rng.normal(size=3)
+        frame = extension["joints"].JointFrame(bind, rest)
+        move = rng.normal(size=(3, 3)) * 0.6
+        assert frame.move(*frame.basis(move)) == pytest.approx(move, abs=1e-9)
+
+
+# --- reading ------------------------------------------------------------------------------------------
+
+
+def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, laid):
+    rig, layout, layer = laid
+    (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
+    assert found == extension["layout"].from_json(extension["layout"].to_json(found))
+    assert found.root == layout.root
+    assert found.handle_width == pytest.approx(layout.handle_width)
+    assert [each.name for each in found.elements] == [each.name for each in layout.elements]
+    for mine, theirs in zip(found.elements, layout.elements, strict=True):
+        assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.beside)
+        for one, other in zip(mine.members, theirs.members, strict=True):
+            assert one.control == other.control
+            assert one.values == pytest.approx(other.values)
+            assert np.array(one.track) == pytest.approx(other.track, abs=1e-5)
+    assert {mesh.path: mesh.points for mesh in found.meshes} == {mesh.path: len(mesh.points) for mesh in rig.meshes}
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "message"),
+    [("rigUI:layout:version", 99, "version 99"), ("rigUI:layout:baseValues", [1.0], "1 values")],
+)
+def test_what_cannot_be_understood_is_refused(extension, laid, name, value, message):
+    stage = Usd.Stage.Open(str(laid[2]))
+    stage.SetEditTarget(stage.GetSessionLayer())
+    scope = stage.GetPrimAtPath(f"{laid[1].root}/RigUI")
+    kind = Sdf.ValueTypeNames.Int if isinstance(value, int) else Sdf.ValueTypeNames.DoubleArray
+    scope.CreateAttribute(name, kind).Set(value)
+    with pytest.raises(extension["layout"].LayoutError, match=message):
+        extension["reading"].read_layouts(stage)
+
+
+def test_text_that_is_no_layout_is_refused(extension):
+    for text in ("", "{}", "[1]", '{"root": 1}'):
+        with pytest.raises(extension["layout"].LayoutError):
+            extension["layout"].from_json(text)
+
+
+def test_a_stage_without_layout_has_none(extension):
+    assert extension["reading"].read_layouts(Usd.Stage.CreateInMemory()) == ()
+
+
+def test_placing_agrees_with_our_own_evaluation_at_the_base_pose(extension, laid):
+    rig, layout, layer = laid
+    (found,) = extension["reading"].read_layouts(Usd.Stage.Open(str(layer)))
+    controls = {control.name: control for control in found.controls}
+    expected = elements_at(prepare(rig, layout), layout.base_values)
+    for element, ours_at in zip(found.elements, expected, strict=True):
+        drawing = extension["following"].drawing_of(element, controls)
+        still = np.eye(4)
+        point = np.array(element.position) if element.follows else None
+        site = extension["following"].Site(point, np.zeros(3), still, still, still)
+        where = extension["following"].place(drawing, site, drawing.base)
+        assert where.handle == pytest.approx(ours_at.handle, abs=1e-4)
+        for mine, theirs in zip(where.tracks, ours_at.tracks, strict=True):
+            assert mine == pytest.approx(theirs, abs=1e-4)
