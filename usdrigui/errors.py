@@ -502,6 +502,11 @@ _CODES: dict[str, Code] = {
     "ANIMATION_MISSING": Code(
         "error", "The character has no animation that could be shown.", "Bind a SkelAnimation with time samples to it."
     ),
+    "CLIP_UNKNOWN_CONTROL": Code(
+        "warning",
+        "An animation moves blend shapes for which the character has no control.",
+        "Give the animations of this character, or correct their blendShapes.",
+    ),
     "LAYOUT_MESH_GONE": Code(
         "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
     ),

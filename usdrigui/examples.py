@@ -10,13 +10,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from usdrigui.animation import performances
 from usdrigui.errors import refuse
 from usdrigui.layout.additions import standing_layout
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
 from usdrigui.layout.trajectory import trajectories as find_trajectories
 from usdrigui.layout.transfer import of_another
-from usdrigui.model import Layout, Rig, Trajectories
+from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.child import LayoutsResult, read_layouts_isolated, read_rigs_isolated
 
@@ -31,6 +32,8 @@ class ExampleLayers:
     """Its anchors and groups are kept unless leaving them gains more than ``objective.keep_price``."""
     like: Path | None = None
     """The layout of another character, over that character, to be imitated; not together with `previous`."""
+    animations: tuple[Path, ...] = ()
+    """Controls that these use often matter more."""
     base: Path | None = None
     """The asset's own layout, which stays: only controls that it lacks are laid out; not together with the others."""
 
@@ -45,6 +48,8 @@ class Examples:
     """Elements of `previous` that a stronger layer has corrected: they are fixed."""
     like: tuple[tuple[Rig, Layout], ...] = ()
     """Other characters with their layouts."""
+    clips: tuple[Performance, ...] = ()
+    """Animations to heed."""
     base: LayoutsResult | None = None
     """Layouts that stand, with the paths of their own layer."""
 
@@ -63,11 +68,12 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
         raise refuse("CONFIG_VALUE", "--like", "a layout is either this character's previous one or another's")
     if layers.base and (layers.fixed or layers.previous or layers.like):
         raise refuse("CONFIG_VALUE", "--base", "keeps everything as it is, and goes with no other layout")
+    clips = performances(layers.animations, settings)
     base = read_layouts_isolated(layers.base, settings) if layers.base else None
     fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
     like = _characters(layers.like, settings) if layers.like else ()
-    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like, base)
+    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like, clips, base)
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
 
 from usdrigui.errors import Issue
 
@@ -38,6 +38,44 @@ class ControlFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class UseFacts:
+    """How much animations use one control."""
+
+    control: str
+    use: float
+    """Mean activity over all frames, from 0 to 1."""
+    active: float
+    """Share of the frames in which it is off its default by a twentieth of its way or more."""
+    importance: float
+    """What `process --animation` takes for it."""
+
+
+@dataclass(frozen=True, slots=True)
+class TogetherFacts:
+    """Controls that animations move together."""
+
+    controls: tuple[str, ...]
+    agreement: float
+    """Least weighted Jaccard index of any two of them (pairs of twins taken as one)."""
+    suggestion: Literal["group", "pose", ""]
+    """``group``: they share a place, and could share an element. ``pose``: they do not; a coarse control could move
+    them all. Empty where neither can be."""
+
+
+@dataclass(frozen=True, slots=True)
+class AnimationFacts:
+    """What animations tell of one character."""
+
+    clips: tuple[str, ...]
+    frames: int
+    controls: tuple[UseFacts, ...]
+    """The most used first; poses are not told of."""
+    together: tuple[TogetherFacts, ...]
+    configuration: str
+    """All of it as lines of a configuration."""
+
+
+@dataclass(frozen=True, slots=True)
 class CharacterFacts:
     """One SkelRoot."""
 
@@ -50,6 +88,8 @@ class CharacterFacts:
     controls: tuple[ControlFacts, ...]
     groups: tuple[str, ...]
     """Elements that would carry several controls, and suggestions, one line each."""
+    animation: AnimationFacts | None = None
+    """Where animations were given."""
 
 
 @dataclass(frozen=True, slots=True)

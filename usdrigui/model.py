@@ -260,6 +260,25 @@ class Glyph(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Performance(Record):
+    """One SkelAnimation, sampled frame by frame, whatever character it is of."""
+
+    source: str
+    """Name of its file."""
+    path: str
+    """Prim path."""
+    times: Floats
+    """(f,) time codes, evenly spaced."""
+    tokens: tuple[str, ...]
+    weights: Floats
+    """(f, len(tokens)) blend-shape weights."""
+    joints: tuple[str, ...]
+    """Joint tokens."""
+    rotations: Floats
+    """(f, len(joints), 3, 3) local rotations."""
+
+
+@dataclass(frozen=True, eq=False)
 class Rig(Record):
     """A character under one SkelRoot: everything the layout needs, and no USD object."""
 

@@ -11,14 +11,15 @@ from __future__ import annotations
 import functools
 import os
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from usdrigui import animation
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, rigs_over, with_fixed
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
@@ -138,7 +139,8 @@ def process(
     """Lay out every character of `asset` and write the layer.
 
     Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
-    search, which then ends with the best layout so far; `examples` are existing layouts to heed.  Raises
+    search, which then ends with the best layout so far; `examples` are existing layouts and animations to
+    heed.  Raises
     `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = _Clock(progress)
@@ -166,14 +168,27 @@ def process(
     )
 
 
-def inspect(asset: Path, settings: Settings, *, progress: Watch | None = None) -> Inspection:
-    """What the stages before the search find out about `asset`; writes nothing."""
+def inspect(
+    asset: Path, settings: Settings, *, progress: Watch | None = None, animations: Sequence[Path] = ()
+) -> Inspection:
+    """What the stages before the search find out about `asset`, and what `animations` tell of its controls;
+    writes nothing.
+    """
     clock = _Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
+        clips = animation.performances(animations, settings)
     found = [posed(rig, settings, clock, source.cameras) for rig in source.rigs]
-    issues = tuple(each for ready in found for each in _issues(ready))
-    return Inspection(str(asset), tuple(map(_facts, found)), issues, clock.seconds)
+    issues = [each for ready in found for each in _issues(ready)]
+    characters = []
+    for ready in found:
+        facts = _facts(ready)
+        if clips:
+            told, heard = animation.animation_facts(ready.context, ready.candidates, clips)
+            facts = replace(facts, animation=told)
+            issues += heard
+        characters.append(facts)
+    return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
 
 def posed(
@@ -196,6 +211,7 @@ def posed(
         settings = additions_stage.as_drawn(standing, found, settings)
     with clock.stage("symmetry"):
         symmetry = symmetry_stage.symmetry_at_pose(rig, found, settings, base_values)
+    settings = animation.heeded(rig, symmetry, settings, examples.clips)
     with clock.stage("candidates"):
         views = visibility_stage.find_views(
             rig,

@@ -43,6 +43,9 @@ class ControlSettings:
     inner_anchor: str = ""
     """The same for the slider that the control has of its own when `levels.groups` makes its element coarse."""
     adapt: Literal["", "deform", "static"] = ""
+    importance: float | None = None
+    """How much its place matters beside other controls': a factor on its displacement. None is 1, or what the
+    animations given with `--animation` tell."""
     glyph: str = ""
     """Curve or mesh to draw as its handle: ``/PRIM`` of the asset, or ``FILE</PRIM>`` with a file named from the
     asset's folder. The stage's up axis comes out of the face."""
@@ -285,6 +288,17 @@ class LikeSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class AnimationSettings:
+    """What is made of animation given with `--animation`."""
+
+    weight: float = 0.5
+    """How much use counts: a control that is never used has the importance 1 - weight, one of the mean use 1, one
+    used twice as much 1 + weight; three times is the most that counts."""
+    together: float = 0.8
+    """Least agreement (weighted Jaccard index of the activities) of controls that are said to move together."""
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """Everything that a run can be told."""
 
@@ -301,6 +315,7 @@ class Settings:
     joints: Mapping[str, JointSettings] = field(default_factory=dict)
     like: LikeSettings = field(default_factory=LikeSettings)
     levels: LevelSettings = field(default_factory=LevelSettings)
+    animation: AnimationSettings = field(default_factory=AnimationSettings)
 
 
 PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
@@ -368,9 +383,14 @@ _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
         "solve.sample": (1e-6, 1.0),
         "solve.seed": (0, 2**62),
         "output.min_track": (0.0, 1e6),
+        "animation.weight": (0.0, 1.0),
+        "animation.together": (0.0, 1.0),
     }
 )
 """Least and largest value of each number; what lies outside has no meaning and would only fail later."""
+
+
+_MOST_IMPORTANT = 100.0
 
 
 def load(
@@ -421,6 +441,10 @@ def _check_bounds(settings: Settings) -> None:
         value = getattr(getattr(settings, part), name)
         if not least <= value <= largest:
             raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
+    for name, said in settings.controls.items():
+        if said.importance is not None and not 0.0 <= said.importance <= _MOST_IMPORTANT:
+            what = f"expected 0 to {_MOST_IMPORTANT:g}, got {said.importance:g}"
+            raise refuse("CONFIG_VALUE", f'controls."{name}".importance', what)
 
 
 def _plain(value: Any) -> Any:

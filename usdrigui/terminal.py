@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from usdrigui.clients.batch.jobs import Row
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
-    from usdrigui.inspection import ControlFacts, Inspection
+    from usdrigui.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
     from usdrigui.layout.difference import Change, Difference
     from usdrigui.layout.review import ElementReview
     from usdrigui.pipeline import Event, LayerReview
@@ -90,10 +90,21 @@ class Screen:
             self._out.print(_facts_table(character.controls))
             for line in character.groups:
                 self._out.print(f"  {line}")
+            if character.animation is not None:
+                self._animation(character.animation)
         if not self._quiet:
             self._issues(found.issues)
         count = sum(len(character.controls) for character in found.characters)
         self._out.print(f"usdrigui: inspected {found.asset}: {count} controls; nothing was written")
+
+    def _animation(self, found: AnimationFacts) -> None:
+        self._out.print(f"animation: {len(found.clips)} clips, {found.frames} frames")
+        self._out.print(_use_table(found.controls))
+        for each in found.together:
+            self._out.print(f"  together ({each.agreement:.2f}): {', '.join(each.controls)}", soft_wrap=True)
+        self._out.print("as a configuration:")
+        for line in found.configuration.splitlines():
+            self._out.print(line, soft_wrap=True)
 
     @contextmanager
     def batch_progress(self, count: int) -> Iterator[Callable[[Row], None]]:
@@ -265,6 +276,13 @@ def _facts_table(controls: Sequence[ControlFacts]) -> Table:
             ", ".join(facts.flags),
         )
         table.add_row(*map(_cell, cells))
+    return table
+
+
+def _use_table(controls: Sequence[UseFacts]) -> Table:
+    table = _table("control", "use", "active", "importance")
+    for each in controls:
+        table.add_row(*map(_cell, (each.control, f"{each.use:.3f}", _percent(each.active), f"{each.importance:.2f}")))
     return table
 
 

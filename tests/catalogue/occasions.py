@@ -193,6 +193,13 @@ def _bare(folder: Path) -> Path:
     return folder / "char.rigui.usda"
 
 
+def _stray_animation(folder: Path, _: Any) -> Found:
+    take = folder / "take.usda"
+    weights = "token[] blendShapes = ['wing']\nfloat[] blendShapeWeights.timeSamples = {0: [0], 1: [1]}"
+    take.write_text(f'#usda 1.0\ndef SkelAnimation "Take" {{\n{weights}\n}}\n'.replace("'", '"'))
+    return command("inspect", smallest.character(folder), "--animation", take)
+
+
 def _based(*changes: tuple[str, str]) -> Occasion:
     """The character of another path or name, over the layout that it had."""
 
@@ -453,6 +460,7 @@ OCCASIONS: Mapping[str, Occasion] = {
     "GLYPH_TYPE": _glyph('def Xform "Star" {}'),
     "GLYPH_EMPTY": _glyph('def Mesh "Star" {}'),
     "FIXED_IMPOSSIBLE": _configured('[controls.smile]\nanchor = "/Char/Face#5"\n'),
+    "CLIP_UNKNOWN_CONTROL": _stray_animation,
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),

@@ -27,6 +27,7 @@ def add_process(commands: Any) -> None:
     parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")
     parser.add_argument("--base", type=Path, metavar="LAYER", help="the asset's layout: only place what the shot adds")
+    _add_animation(parser, "controls that these use often matter more")
     parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -39,7 +40,13 @@ def add_inspect(commands: Any) -> None:
     """Add ``inspect`` to the commands."""
     parser = command(commands, "inspect", _inspect, "list the controls without solving")
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
+    _add_animation(parser, "tell which controls these use, and which they move together")
     add_settings(parser)
+
+
+def _add_animation(parser: Any, summary: str) -> None:
+    told = f"{summary}: files with SkelAnimations, CHAR itself among them"
+    parser.add_argument("--animation", type=Path, nargs="+", action="extend", default=[], metavar="CLIP", help=told)
 
 
 def _process(arguments: argparse.Namespace) -> Exit:
@@ -48,7 +55,11 @@ def _process(arguments: argparse.Namespace) -> Exit:
 
     settings = settings_of(arguments)
     examples = ExampleLayers(
-        fixed=arguments.fixed, previous=arguments.previous, like=arguments.like, base=arguments.base
+        fixed=arguments.fixed,
+        previous=arguments.previous,
+        like=arguments.like,
+        animations=tuple(arguments.animation),
+        base=arguments.base,
     )
     screen = screen_of(arguments)
     with Interruption() as interruption, _progress(screen, arguments) as shown:
@@ -81,7 +92,7 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
     settings = settings_of(arguments)
     screen = screen_of(arguments)
     with screen.progress() as shown:
-        found = pipeline.inspect(arguments.asset, settings, progress=shown)
+        found = pipeline.inspect(arguments.asset, settings, progress=shown, animations=arguments.animation)
     if arguments.json:
         sys.stdout.write(inspection.to_json(found))
     else:

@@ -71,6 +71,14 @@ def suggested_groups(context: Context, candidates: Candidates) -> tuple[tuple[st
     return tuple(tuple(grouping.names[i] for i in found.motions) for found in grouping.patches(free))
 
 
+def share_a_place(context: Context, candidates: Candidates, names: Sequence[str]) -> bool:
+    """Whether controls could be one element: none is beside the face, and some point suits them all."""
+    grouping = _Grouping(context, candidates)
+    motions = [i for i in grouping.sets if grouping.names[i] in names]
+    on_face = not any(grouping.family[i] for i in motions)
+    return len(motions) == len(names) and on_face and grouping.may_share(tuple(motions))
+
+
 def _free(merged: Iterable[_Merged], grouping: _Grouping) -> set[int]:
     taken = {i for each in merged for i in each.motions}
     return set(grouping.sets) - taken
@@ -155,7 +163,7 @@ class _Grouping:
         one_way = sorted(free - set(self.context.both_ways))
         for a in one_way:
             for b in one_way:
-                if a < b and self._may_share((a, b)) and self._opposed(a, b):
+                if a < b and self.may_share((a, b)) and self._opposed(a, b):
                     ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
                     # Of several opposites the one of like amount is meant: look down and up, not down and wide.
                     score = float(table.cosine[a, b] * ratio**0.25)
@@ -211,7 +219,7 @@ class _Grouping:
             for second in seconds:
                 if (first.motions >= second.motions and second in firsts) or set(first.motions) & set(second.motions):
                     continue
-                if not self._may_share((*first.motions, *second.motions)):
+                if not self.may_share((*first.motions, *second.motions)):
                     continue
                 shared, across = self._crossing(first, second)
                 if shared >= least and across <= _ACROSS:
@@ -282,7 +290,7 @@ class _Grouping:
         jaccard = both / np.maximum(size[:, None] + size[None, :] - both, 1.0)
         for i, j in np.argwhere(np.triu(jaccard > least, 1)):
             a, b = keys[i], keys[j]
-            if len(a) + len(b) <= most and self._may_share(a + b):
+            if len(a) + len(b) <= most and self.may_share(a + b):
                 images = [(tuple(self._image(a)), tuple(self._image(b))), (a, b)]
                 known = {tuple(sorted(key)) for key in keys}
                 if all(tuple(sorted(key)) in known for key in images[0]):
@@ -312,7 +320,7 @@ class _Grouping:
         image = self._image(motions)
         return [motions] if set(image) == set(motions) else [motions, image]
 
-    def _may_share(self, motions: tuple[int, ...]) -> bool:
+    def may_share(self, motions: tuple[int, ...]) -> bool:
         """Whether these motions stand in one place: same family, a common candidate, and a mirror image
         that is the same set or has nothing in common with it."""
         if len({self.family[i] for i in motions}) > 1:

@@ -163,11 +163,12 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
+        worth = weight * _importance(context, controls)
         for control in controls:
             motion = context.trajectories.motions[sets[control].motion]
             reach = _displacements(context, motion, choice.sources[:, copy]) / _unit(context, motion)
             linear = _looked_up(sets[control], choice.anchors[:, copy])
-            worst = np.maximum(worst, np.where(reach > 0.0, linear - weight * reach, np.inf))
+            worst = np.maximum(worst, np.where(reach > 0.0, linear - worth * reach, np.inf))
             least = np.minimum(least, reach)
         cost += worst
         displacement += least
@@ -175,6 +176,12 @@ def _labels(context: Context, sets: dict[int, CandidateSet], index: int, group: 
         away = off_plane(context, choice.anchors[:, 0])
         cost += away - away.min(initial=np.inf) if len(away) else away
     return choice, cost, displacement
+
+
+def _importance(context: Context, controls: tuple[int, ...]) -> float:
+    """Of an element: that of its most important control."""
+    found = (context.said[control].importance for control in controls)
+    return max(1.0 if each is None else each for each in found)
 
 
 def _displacements(context: Context, motion: Motion, sources: Indices) -> Floats:

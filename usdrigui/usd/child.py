@@ -22,12 +22,12 @@ from pathlib import Path
 from typing import IO, Any, Literal
 
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
-from usdrigui.model import Floats, Layout, Record, Rig
+from usdrigui.model import Floats, Layout, Performance, Record, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.source import SourceFile, admit, check_unchanged
 
-Task = Literal["rigs", "layouts", "faults"]
+Task = Literal["rigs", "layouts", "clips", "faults"]
 
 _KEPT_TEXT = 1 << 16
 """Bytes kept of what the child prints: USD can complain without end."""
@@ -127,6 +127,7 @@ class Answer:
     rigs: ReadResult | None = None
     layouts: LayoutsResult | None = None
     faults: FaultsResult | None = None
+    performances: tuple[Performance, ...] = ()
     refusal: Issue | None = None
     exit_code: int = 0
 
@@ -158,6 +159,16 @@ def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None 
     admit(path, limits.size)
     result = _answer("layouts", path, settings, limits).layouts
     if result is None:
+        raise _garbled(path)
+    return result
+
+
+def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:
+    """As `usdrigui.usd.clips.read_performances`, in a child; raises as `read_rigs_isolated`."""
+    limits = limits or Limits.of(settings)
+    admit(path, limits.size)
+    result = _answer("clips", path, settings, limits).performances
+    if not result:
         raise _garbled(path)
     return result
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
+from usdrigui.model import Performance
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.child import Answer, FaultsResult, LayoutsResult, Limits, ReadResult, Request
@@ -48,6 +49,8 @@ def answer(request: Request) -> Answer:
     try:
         if request.task == "layouts":
             return Answer(layouts=_layouts(path))
+        if request.task == "clips":
+            return Answer(performances=_performances(path))
         if request.task == "faults":
             return Answer(faults=_faults(path))
         return Answer(rigs=_rigs(path, request.settings))
@@ -108,6 +111,12 @@ def _layouts(path: Path) -> LayoutsResult:
         stage = next(iter(stages.GetAllStages()))
         sources = _sources(path, stages.GetAllStages())
         return LayoutsResult(layouts, source_of(path), edited_elements(stage), sources, standing_prims(stage))
+
+
+def _performances(path: Path) -> tuple[Performance, ...]:
+    from usdrigui.usd.clips import read_performances
+
+    return read_performances(path)
 
 
 def _faults(path: Path) -> FaultsResult:
@@ -226,6 +235,7 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
 
 def _load() -> None:
     """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
+    import usdrigui.usd.clips
     import usdrigui.usd.faults
     import usdrigui.usd.layer
     import usdrigui.usd.read_layout

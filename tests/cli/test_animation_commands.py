@@ -1,0 +1,152 @@
+"""`inspect --animation` and `process --animation`: what is told, what can be pasted, what it changes."""
+
+import json
+import tomllib
+
+import numpy as np
+import pytest
+import skinned_stages
+from pxr import Gf, Usd, UsdSkel, Vt
+
+from usdrigui.cli import main
+from usdrigui.usd.read_layout import read_layout
+
+RAMP = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
+LATER = RAMP[::-1]
+MOVES = {"chin": RAMP, "jaw:open": RAMP, "brow_L": LATER, "brow_R": LATER, "pucker": LATER, "smile_L": 0.1 * RAMP}
+
+
+def performed(path, moves, prim="/Take", turn=None):
+    """A file with one SkelAnimation; `turn` (frames,) degrees about x of the jaw."""
+    stage = Usd.Stage.CreateNew(str(path))
+    animation = UsdSkel.Animation.Define(stage, prim)
+    animation.CreateBlendShapesAttr(list(moves))
+    for time, row in enumerate(np.stack(list(moves.values()), axis=1)):
+        animation.CreateBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(row.astype(np.float32)), time)
+    if turn is not None:
+        animation.CreateJointsAttr(["Hips/Head/Jaw"])
+        for time, angle in enumerate(turn):
+            rotation = Gf.Rotation((1, 0, 0), float(angle)).GetQuat()
+            animation.CreateRotationsAttr().Set(Vt.QuatfArray([Gf.Quatf(rotation)]), time)
+    stage.GetRootLayer().Save()
+    return path
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    made = tmp_path_factory.mktemp("animated")
+    skinned_stages.character(made / "char.usda")
+    performed(made / "take.usda", MOVES)
+    return made
+
+
+def run(capsys, *arguments, expected=0):
+    capsys.readouterr()
+    assert main([*map(str, arguments), "--json"]) == expected
+    return json.loads(capsys.readouterr().out)
+
+
+def test_use_and_what_moves_together_are_told(folder, capsys):
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
+    found = told["characters"][0]["animation"]
+    assert found["clips"] == ["take.usda/Take"]
+    assert found["frames"] == 10
+    use = {each["control"]: each for each in found["controls"]}
+    assert use["chin"]["use"] == pytest.approx(0.3)
+    assert use["chin"]["active"] == pytest.approx(0.5)
+    assert use["smile_R"]["active"] == 0.0
+    sets = {frozenset(each["controls"]): each for each in found["together"]}
+    assert set(sets) == {frozenset({"chin", "jaw:open"}), frozenset({"brow_L", "brow_R", "pucker"})}
+    assert sets[frozenset({"chin", "jaw:open"})]["suggestion"] == "group"
+    assert sets[frozenset({"brow_L", "brow_R", "pucker"})]["suggestion"] == "pose"
+    assert all(each["agreement"] == pytest.approx(1.0) for each in found["together"])
+
+
+def test_the_configuration_can_be_pasted(folder, tmp_path, capsys):
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
+    text = told["characters"][0]["animation"]["configuration"]
+    parsed = tomllib.loads(text)
+    assert parsed["groups"]["groups"] == {"chin_jaw:open": ["chin", "jaw:open"]}
+    assert parsed["poses"]["brow_L_brow_R_pucker"]["weights"] == {"brow_L": 1.0, "brow_R": 1.0, "pucker": 1.0}
+    pasted = tmp_path / "pasted.toml"
+    pasted.write_text(text)
+    out = tmp_path / "pasted.rigui.usda"
+    run(capsys, "process", folder / "char.usda", "--config", pasted, "-o", out)
+    (layout,) = read_layout(out)
+    elements = {element.name: element for element in layout.elements}
+    assert {member.control for member in elements["chin_jaw:open"].members} == {"chin", "jaw:open"}
+    assert set(elements["brow_L_brow_R_pucker"].inner) == {"brow_L", "brow_R", "pucker"}
+    main(["inspect", str(folder / "char.usda"), "--animation", str(folder / "take.usda")])
+    assert '\n[groups.groups]\n"chin_jaw:open" = ["chin", "jaw:open"]' in capsys.readouterr().out
+
+
+def test_process_takes_the_importance_that_inspect_prints(folder, tmp_path, capsys):
+    """Given the animation, or the lines pasted from it: the same layout."""
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
+    text = told["characters"][0]["animation"]["configuration"]
+    pasted = tmp_path / "importance.toml"
+    pasted.write_text(text[text.index("[controls.") :])
+    one, two = tmp_path / "one.rigui.usda", tmp_path / "two.rigui.usda"
+    run(capsys, "process", folder / "char.usda", "--animation", folder / "take.usda", "-o", one)
+    run(capsys, "process", folder / "char.usda", "--config", pasted, "-o", two)
+    assert one.read_bytes() == two.read_bytes()
+    plain = run(capsys, "process", folder / "char.usda", "--dry-run")
+    heeded = run(capsys, "process", folder / "char.usda", "--dry-run", "--animation", folder / "take.usda")
+    assert heeded["characters"][0]["solution"]["cost"] != plain["characters"][0]["solution"]["cost"]
+    none = ("--set", "animation.weight=0")
+    unweighted = run(capsys, "process", folder / "char.usda", "--dry-run", "--animation", folder / "take.usda", *none)
+    assert unweighted["characters"][0]["solution"]["cost"] == plain["characters"][0]["solution"]["cost"]
+
+
+def test_turning_joints_count_too(folder, tmp_path, capsys):
+    take = performed(tmp_path / "jaw.usda", {"chin": RAMP}, turn=20.0 * RAMP)
+    asset = skinned_stages.character(tmp_path / "hinged.usda", animated_joints=("Hips/Head/Jaw",))
+    told = run(capsys, "inspect", asset, "--animation", take)
+    use = {each["control"]: each["use"] for each in told["characters"][0]["animation"]["controls"]}
+    assert use["Jaw:rx"] > 0.1
+
+
+def test_the_assets_own_animation_will_do(tmp_path, capsys):
+    asset = skinned_stages.character(tmp_path / "char.usda")
+    stage = Usd.Stage.Open(str(asset))
+    animation = UsdSkel.Animation(stage.GetPrimAtPath("/World/Char/Anim"))
+    tokens = list(animation.GetBlendShapesAttr().Get())
+    for time, value in enumerate(RAMP):
+        row = [float(value) if token == "chin" else 0.0 for token in tokens]
+        animation.GetBlendShapeWeightsAttr().Set(Vt.FloatArray(row), time)
+    stage.GetRootLayer().Save()
+    told = run(capsys, "inspect", asset, "--animation", asset)
+    (first, *_) = told["characters"][0]["animation"]["controls"]
+    assert first["control"] == "chin"
+
+
+# --- refusals ----------------------------------------------------------------------------------------
+
+
+def test_a_file_without_animation_is_refused(folder, tmp_path, capsys):
+    still = performed(tmp_path / "still.usda", {"chin": RAMP[:1]})
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", still, expected=1)
+    assert told["issues"][0]["code"] == "ANIMATION_MISSING"
+
+
+def test_animation_of_somebody_else_is_refused(folder, tmp_path, capsys):
+    other = performed(tmp_path / "other.usda", {"wing": RAMP})
+    for command in ("inspect", "process"):
+        told = run(capsys, command, folder / "char.usda", "--animation", other, expected=1)
+        assert told["issues"][0]["code"] == "CLIP_UNKNOWN_CONTROL"
+
+
+def test_strays_are_warned_of(folder, tmp_path, capsys):
+    some = performed(tmp_path / "some.usda", {"wing": RAMP, "chin": RAMP})
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", some, "--strict", expected=1)
+    assert ("CLIP_UNKNOWN_CONTROL", "warning") in {(each["code"], each["severity"]) for each in told["issues"]}
+
+
+def test_a_missing_file_is_refused(folder, capsys):
+    told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "nothing.usda", expected=3)
+    assert told["issues"][0]["code"] == "FILE_NOT_FOUND"
+
+
+def test_an_importance_below_zero_is_refused(folder, capsys):
+    told = run(capsys, "inspect", folder / "char.usda", "--set", "controls.chin={importance=-1}", expected=2)
+    assert told["issues"][0]["code"] == "CONFIG_VALUE"
