@@ -88,6 +88,34 @@ def ends(track):
     return [(track[0][axis], track[-1][axis]) for axis in (0, 1)]
 
 
+# --- pulling in symmetry -----------------------------------------------------------------------------
+
+
+def test_a_symmetric_pull_never_moves_the_jaw_to_one_side(viewer):
+    start = viewer.page.evaluate(
+        """() => {
+          const { view, session } = usdrigui.app;
+          const project = view.camera.projector(view.controlsColumn);
+          let best = [Infinity, null];
+          const { points } = session.deformer;
+          for (let i = 0; i < points.length; i += 3) {
+            const off = Math.hypot(points[i], points[i + 1] + 0.62);
+            if (off < best[0]) best = [off, project(points.subarray(i, i + 3)).slice(0, 2)];
+          }
+          return best[1];
+        }"""
+    )
+    viewer.option("handles", False)
+    viewer.drag(start, [start[0] + 25, start[1] - 12])
+    assert viewer.moved(0.02).keys() >= {"jawLeft"}
+    viewer.page.keyboard.press("Control+z")
+    viewer.option("symmetric", True)
+    viewer.drag(start, [start[0] + 25, start[1] - 12])
+    moved = viewer.moved(0.02)
+    assert "chin" in moved
+    assert not {"jawLeft", "jawRight"} & moved.keys()
+
+
 # --- time --------------------------------------------------------------------------------------------
 
 

@@ -3,6 +3,8 @@
 
 import { determinant3 } from './matrix.js';
 
+const GOOD_WAY = 64; // of 255: a quarter of the way that the point goes that moves most
+
 export class Influence {
   constructor(character, deformer, rest) {
     this.character = character;
@@ -10,6 +12,7 @@ export class Influence {
     this.rest = rest;
     this.known = new Map();
     this.peaks = new Map();
+    this.sideways = new Map();
   }
 
   /** The longest way that a control moves any point over its range, in scene units. */
@@ -36,6 +39,25 @@ export class Influence {
     ));
   }
 
+  /** Share of a control's motion that goes to one side, 0 to 1: its mean along `normal` over its mean length. */
+  sidewaysOf(index, normal) {
+    if (this.sideways.has(index)) return this.sideways.get(index);
+    const { minimum, maximum } = this.character.controls[index];
+    const [still, low, high] = this.pointsAt(index, [this.rest[index], minimum, maximum]);
+    const share = Math.max(sideways(still, low, normal), sideways(still, high, normal));
+    this.sideways.set(index, share);
+    return share;
+  }
+
+  /** Whether a control moves joints, and by these at least half of the character's points a good way. */
+  isWide(index) {
+    if (!this.character.controls[index].drive.turns) return false;
+    const heat = this.ofControl(index);
+    let warm = 0;
+    for (const value of heat) if (value > GOOD_WAY) warm++;
+    return warm > 0.5 * heat.length;
+  }
+
   /** 0 to 255 per point: displacement at the stronger end of the range, relative to the control's largest. */
   ofControl(index) {
     if (!this.known.has(index)) this.known.set(index, this.measure(index));
@@ -51,19 +73,10 @@ export class Influence {
 
   measure(index) {
     const control = this.character.controls[index];
-    const { deformer } = this;
-    const values = Float64Array.from(this.rest);
-    const shown = deformer.points;
-    const at = (value) => {
-      values[index] = value;
-      deformer.points = new Float32Array(shown.length);
-      return deformer.pose(values);
-    };
-    const still = at(this.rest[index]);
+    const ends = [...new Set([control.minimum, control.maximum])].filter((end) => end !== this.rest[index]);
+    const [still, ...poses] = this.pointsAt(index, [this.rest[index], ...ends]);
     const squares = new Float32Array(still.length / 3);
-    for (const end of new Set([control.minimum, control.maximum])) {
-      if (end === this.rest[index]) continue;
-      const moved = at(end);
+    for (const moved of poses) {
       for (let point = 0, i = 0; point < squares.length; point++, i += 3) {
         const x = moved[i] - still[i];
         const y = moved[i + 1] - still[i + 1];
@@ -71,10 +84,23 @@ export class Influence {
         squares[point] = Math.max(squares[point], x * x + y * y + z * z);
       }
     }
-    deformer.points = shown;
     const most = squares.reduce((a, b) => Math.max(a, b), 0);
     if (this.character.controls[index].drive.turns) this.peaks.set(index, Math.sqrt(most));
     return Uint8Array.from(squares, (square) => (most > 0 ? Math.round(255 * Math.sqrt(square / most)) : 0));
+  }
+
+  /** All points with control `index` at each of `ends` and the others at rest; what is shown stays as it is. */
+  pointsAt(index, ends) {
+    const { deformer } = this;
+    const shown = deformer.points;
+    const values = Float64Array.from(this.rest);
+    const found = ends.map((end) => {
+      values[index] = end;
+      deformer.points = new Float32Array(shown.length);
+      return deformer.pose(values);
+    });
+    deformer.points = shown;
+    return found;
   }
 
   /** Controls that move a point of the skin, strongest first: [{control, distance, share}]. */
@@ -100,6 +126,18 @@ export class Influence {
       .sort((a, b) => b.distance - a.distance || a.control - b.control)
       .map((each) => ({ ...each, share: each.distance / most }));
   }
+}
+
+/** The sum of all motion along `normal`, as a share of the sum of its lengths. */
+function sideways(still, moved, normal) {
+  let along = 0;
+  let length = 0;
+  for (let i = 0; i < still.length; i += 3) {
+    const [x, y, z] = [moved[i] - still[i], moved[i + 1] - still[i + 1], moved[i + 2] - still[i + 2]];
+    along += x * normal[0] + y * normal[1] + z * normal[2];
+    length += Math.hypot(x, y, z);
+  }
+  return length > 0 ? Math.abs(along) / length : 0;
 }
 
 const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);

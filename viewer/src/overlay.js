@@ -282,7 +282,11 @@ export class Overlay {
     pen.font = '600 11px system-ui, sans-serif';
     pen.textAlign = 'left';
     pen.fillStyle = '#9aa0a8';
+    const rows = this.drawn.filter(({ element }) => element.beside);
     for (const [family, { left, top }] of this.names) {
+      // Seen from afar there is no room between the rows of the board for its headings.
+      const taken = rows.some(({ element, handle }) => element.family !== family && Math.abs(handle[1] - top + 20) < 12);
+      if (taken) continue;
       pen.globalAlpha = 0.9 * this.session.options.opacity;
       pen.fillText(familyName(family).toUpperCase(), left - 6, top - 16);
     }

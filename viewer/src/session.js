@@ -279,9 +279,20 @@ export class Session {
       if (twin >= 0 && twin < index) continue;
       const group = twin > index ? [index, twin] : [index];
       if (group.some((control) => this.locks.has(control))) continue;
-      if (wide || !WIDE.has(this.elements.byControl.get(index)?.family)) groups.push(group);
+      if (this.options.symmetric && twin < 0 && this.crosses(index)) continue;
+      if (wide || !this.isWide(index)) groups.push(group);
     }
     return groups;
+  }
+
+  /** Whether a control moves the whole face, or repeats what others do together. */
+  isWide(index) {
+    return WIDE.has(this.elements.byControl.get(index)?.family) || this.influence.isWide(index);
+  }
+
+  /** Whether a control without a twin moves the face to one side, which alone is not symmetric. */
+  crosses(index) {
+    return this.influence.sidewaysOf(index, this.character.layout.planeNormal) > 0.5;
   }
 }
 
