@@ -1,0 +1,34 @@
+"""Which neighbours in a fan span a parallelogram: those at half a turn or less (paper section 3.2)."""
+
+import numpy as np
+import pytest
+
+from usdrigui.layout.fans import fan_order, sectors
+
+UP = np.array([0.0, 0.0, 1.0])
+
+
+def at(*degrees, lift=0.0):
+    turn = np.radians(degrees)
+    return np.stack([np.cos(turn), np.sin(turn), np.full(len(turn), lift)], axis=1)
+
+
+@pytest.mark.parametrize("lift", [0.0, 0.7], ids=["in-the-plane", "out-of-it"])
+@pytest.mark.parametrize(
+    ("degrees", "expected"),
+    [
+        ((0, 60, 120), {(0, 1), (1, 2)}),
+        ((120, 0, 60), {(1, 2), (2, 0)}),
+        ((0, 120, 240), {(0, 1), (1, 2), (2, 0)}),
+        ((0, 200), {(1, 0)}),
+        ((10, 100, 150, 190), {(0, 1), (1, 2), (2, 3), (3, 0)}),
+        ((10, 100, 150, 189), {(0, 1), (1, 2), (2, 3)}),
+    ],
+)
+def test_only_neighbours_at_half_a_turn_or_less_span_a_parallelogram(degrees, expected, lift):
+    assert set(sectors(at(*degrees, lift=lift), UP)) == expected
+
+
+def test_the_order_runs_round_and_begins_behind_the_widest_gap():
+    assert fan_order(at(300, 20, 80), UP) == (0, 1, 2)
+    assert fan_order(at(80, 300, 20), UP) == (1, 2, 0)
