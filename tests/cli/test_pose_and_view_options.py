@@ -1,0 +1,111 @@
+"""`usdrigui process` with --time, --view and --space: what the written layer then holds."""
+
+import json
+
+import laid_out
+import numpy as np
+import pytest
+import skinned_stages
+from pxr import Gf, Usd, UsdGeom, UsdSkel
+
+from usdrigui.cli import main
+from usdrigui.usd.read_layout import base_controls, layout_scopes, read_layout
+
+JAW = "Hips/Head/Jaw"
+
+
+@pytest.fixture(scope="module")
+def character(tmp_path_factory):
+    """A character whose jaw turns and whose shapes open between frames 1 and 20, and a camera on its left."""
+    path = skinned_stages.character(tmp_path_factory.mktemp("posed") / "char.usda", animated_joints=(JAW,))
+    stage = Usd.Stage.Open(str(path))
+    animation = UsdSkel.Animation(stage.GetPrimAtPath("/World/Char/Anim"))
+    tokens = list(animation.GetBlendShapesAttr().Get())
+    for time, share in ((1.0, 0.0), (20.0, 1.0)):
+        weights = [0.4 * share if token in ("chin", "brow_L") else 0.0 for token in tokens]
+        animation.GetBlendShapeWeightsAttr().Set(weights, time)
+    camera = UsdGeom.Camera.Define(stage, "/World/Cam")
+    camera.AddTransformOp().Set(Gf.Matrix4d().SetLookAt((9, 1, 0), (0, 0, 0), (0, 1, 0)).GetInverse())
+    stage.Save()
+    return path
+
+
+def processed(character, tmp_path, *arguments):
+    """The layout in the layer that the command writes, and the stage of that layer."""
+    # A name of its own: USD keeps layers that are open.
+    target = tmp_path / f"layout{len(list(tmp_path.iterdir()))}.usda"
+    assert main(["process", str(character), "-o", str(target), "--quiet", *arguments]) == 0
+    stage = Usd.Stage.Open(str(target))
+    (layout,) = read_layout(stage)
+    return layout, stage
+
+
+def on_face(layout):
+    return [element for element in layout.elements if not element.anchor.beside]
+
+
+def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character, tmp_path):
+    layout, stage = processed(character, tmp_path, "--time", "20")
+    assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(layout.root)))
+    elements = on_face(layout)
+    assert len(elements) >= 8
+    moved = 0.0
+    for element in elements:
+        there = laid_out.root_points(stage, element.anchor.mesh, layout.root, 20.0)[element.anchor.point]
+        rest = laid_out.root_points(stage, element.anchor.mesh, layout.root, 1.0)[element.anchor.point]
+        assert np.abs(element.anchor.position - there).max() < 1e-5
+        moved = max(moved, float(np.linalg.norm(there - rest)))
+    assert moved > 0.02
+    (scope,) = layout_scopes(stage)
+    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
+    assert values["chin"] == values["brow_L"] == pytest.approx(0.4)
+    assert values["smile_L"] == 0.0
+
+
+def test_without_a_time_they_rest_in_the_neutral_pose(character, tmp_path):
+    layout, stage = processed(character, tmp_path)
+    (scope,) = layout_scopes(stage)
+    values = dict(zip(base_controls(scope), layout.base_values.tolist(), strict=True))
+    assert values["chin"] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("view", "toward"), [("side", (1, 0, 0)), ("90,0", (1, 0, 0)), ("/World/Cam", (9 / 82**0.5, 1 / 82**0.5, 0))]
+)
+def test_a_view_is_recorded_and_only_what_it_sees_holds_elements(character, tmp_path, view, toward):
+    layout, _ = processed(character, tmp_path, "--view", view)
+    assert layout.view == pytest.approx(np.array(toward), abs=1e-5)
+    elements = on_face(layout)
+    assert elements
+    front, _ = processed(character, tmp_path, "--view", "front")
+    # The near half of the face hides the far one: what stands there is the image of what is seen.
+    assert all(element.anchor.position[0] > -0.1 for element in elements if not element.mirror)
+    names = {element.name: element for element in elements}
+    assert all(names[element.mirror].anchor.position[0] > 0.1 for element in elements if element.name.endswith("_R"))
+    assert min(float(each.anchor.position[0]) for each in on_face(front) if not each.mirror) < -0.1
+
+
+def test_a_flat_layout_keeps_handles_apart_in_the_picture(character, tmp_path):
+    size = ("--set", "objective.handle_size=0.12", "--set", "objective.handle_crowd=0")
+    flat, _ = processed(character, tmp_path, "--space", "view", "--view", "55,0", *size)
+    assert flat.space == "view"
+    assert nearest(flat) >= flat.handle_width * (1.0 - 1e-5)
+    solid, _ = processed(character, tmp_path, "--view", "55,0", *size)
+    assert solid.space == "object"
+    assert nearest(solid) < flat.handle_width
+
+
+def nearest(layout):
+    """Least distance of two handles as the layout's viewer sees them."""
+    spots = np.array([element.anchor.position for element in on_face(layout)])
+    spots = spots - np.outer(spots @ layout.view, layout.view)
+    apart = np.linalg.norm(spots[:, None] - spots[None], axis=2)
+    return float(apart[np.triu_indices(len(spots), 1)].min())
+
+
+@pytest.mark.parametrize("view", ["nowhere", "/World/Nothing", "1,2,3"])
+def test_a_view_that_does_not_exist_is_a_usage_error(character, tmp_path, view, capsys):
+    target = tmp_path / "out.usda"
+    assert main(["process", str(character), "-o", str(target), "--view", view, "--json"]) == 2
+    assert json.loads(capsys.readouterr().out)["issues"][0]["code"] == "CONFIG_VALUE"
+    assert not target.exists()
