@@ -66,6 +66,7 @@ _ON_FACE = {
     "browInnerUp": ("slider", ("browInnerUp",), (), "Head", 174, "middle", ""),
     "browOuterUpLeft": ("slider", ("browOuterUpLeft",), (), "Brows", 44, "left", ""),
     "cheekPuff": ("slider", ("cheekPuff",), (), "Head", 2028, "middle", ""),
+    "cheekSquintLeft": ("slider", ("cheekSquintLeft",), (), "Head", 357, "left", ""),
     "EyeLeft:ry": ("slider", ("EyeLeft:ry",), (), "EyeLeft", 166, "left", "EyeRight:ry"),
     "EyeRight:ry": ("slider", ("EyeRight:ry",), (), "EyeRight", 166, "right", "EyeLeft:ry"),
     "lidLeft": ("slider", ("eyeBlinkLeft", "eyeWideLeft"), ((0, 1),), "Lashes", 32, "left", ""),
@@ -117,7 +118,8 @@ def _on_face(rig, base, name, kind, controls, opposed, mesh, local, side, mirror
         False,
     )
     members = tuple(member_at(rig, base, index[one], point, np.zeros(3)) for one in controls)
-    return Element(name, name, kind, members, opposed, anchor, side, mirror, "", "")
+    inner = ("cheekSquintLeft",) if name == "cheekPuff" else ()
+    return Element(name, name, kind, members, opposed, anchor, side, mirror, "", "", inner=inner)
 
 
 def _joystick(rig):

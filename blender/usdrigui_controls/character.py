@@ -48,9 +48,9 @@ def bind(layout, objects):
 
 def unbind(holder):
     """Forget the controls of a character."""
-    mine = [name for name in holder if name in (LAYOUT, _MESHES, _ARMATURES) or name.startswith(_VALUE)]
-    for name in mine:
-        del holder[name]
+    for name in list(holder.keys()):
+        if name in (LAYOUT, _MESHES, _ARMATURES) or name.startswith(_VALUE):
+            del holder[name]
 
 
 def holders(scene):

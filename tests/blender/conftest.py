@@ -45,12 +45,12 @@ def run_inside(tmp_path, extension):
         path, result = tmp_path / f"{script}.json", tmp_path / f"{script}.npz"
         path.write_text(json.dumps({"extension": str(extension), "result": str(result), **job}))
         done = subprocess.run(
-            [*command, str(INSIDE / f"{script}.py"), str(path)],
+            [*command, str(INSIDE / f"{script}.py"), *(["--"] if "-P" in command else []), str(path)],
             capture_output=True,
             text=True,
             timeout=300,
             check=False,
-            env={**os.environ, "PYTHONPATH": "", **(environment or {})},
+            env={**os.environ, "PYTHONPATH": str(INSIDE), **(environment or {})},
         )
         assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
         assert "Traceback" not in done.stderr, done.stderr[-3000:]

@@ -178,3 +178,25 @@ def test_opacity(window):
     window.settle(0.5)
     faint = np.asarray(window.picture("faint"))[round(start[1]), round(start[0]), :3].astype(int)
     assert np.ptp(faint) < 0.6 * np.ptp(full)
+
+
+def test_ctrl_and_a_press_put_an_element_back(window):
+    window.ask("character().set_values({'mouthSmileLeft': 0.6, 'browInnerUp': 0.5})")
+    start, _ = ends(window, "mouthSmileLeft")
+    window.drag(start, start + (3.0, 0.0), keys=("ctrl",))
+    assert away(window) == {"browInnerUp": pytest.approx(0.5)}
+    window.key("ctrl+z")
+    assert away(window)["mouthSmileLeft"] == pytest.approx(0.6)
+
+
+def test_a_click_opens_a_coarse_element_and_closes_it_again(window):
+    start, _ = ends(window, "cheekPuff")
+    assert "cheekSquintLeft" not in window.ask("result = handles()")
+    window.drag(start, start, steps=1)
+    shown = window.ask("result = handles()")
+    assert "cheekPuff" not in shown
+    window.drag(shown["cheekSquintLeft"], shown["cheekSquintLeft"], steps=1)
+    shown = window.ask("result = handles()")
+    assert "cheekPuff" in shown
+    assert "cheekSquintLeft" not in shown
+    assert away(window) == {}

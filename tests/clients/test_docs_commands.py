@@ -12,7 +12,7 @@ import skinned_stages
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-PAGES = ("getting-started.md", "many-assets.md", "pickers.md", "publish.md")
+PAGES = ("blender.md", "getting-started.md", "many-assets.md", "pickers.md", "publish.md")
 
 
 def blocks(page):

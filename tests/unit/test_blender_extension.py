@@ -130,7 +130,7 @@ def test_points_behind_the_viewer_are_nowhere(extension):
 
 def placed(extension, at, normal=(0, 0, 1)):
     at, normal = np.array(at, dtype=np.float64), np.array(normal, dtype=np.float64)
-    return extension["following"].Placed((np.array([at, at + (2.0, 0, 0)]),), (), at, normal, 1.0)
+    return extension["following"].Placed((np.array([at, np.add(at, (2.0, 0, 0))]),), (), at, normal, 1.0)
 
 
 def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):

@@ -1,0 +1,56 @@
+"""Install the archive as users do, import, key, save and open again; and load a layout by the menu."""
+
+import importlib
+
+import bpy
+import numpy as np
+from scene import job
+
+task = job()
+if bpy.app.version >= (4, 2, 0):
+    bpy.ops.preferences.addon_enable(module="bl_pkg")
+    bpy.ops.extensions.package_install_files(filepath=task["archive"], repo="user_default", enable_on_install=True)
+    module = "bl_ext.user_default.usdrigui_controls"
+else:
+    bpy.ops.preferences.addon_install(filepath=task["archive"])
+    bpy.ops.preferences.addon_enable(module="usdrigui_controls")
+    module = "usdrigui_controls"
+assert module in bpy.context.preferences.addons
+assert hasattr(bpy.types.Scene, "usdrigui")
+
+if "layer" in task:
+    rooms = {name: importlib.import_module(f"{module}.{name}") for name in ("character", "interface", "importing")}
+
+    def character():
+        """The only one in the scene."""
+        (holder,) = rooms["character"].holders(bpy.context.scene)
+        return rooms["character"].Character(holder)
+
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=False)
+    for each in list(bpy.data.objects):
+        bpy.data.objects.remove(each)
+    bpy.ops.wm.usd_import(filepath=task["layer"])
+    for frame, value in ((60, 0.25), (70, 0.75)):
+        bpy.context.scene.frame_set(frame)
+        character().set_values({"mouthSmileLeft": value, "EyeLeft:ry": 10 * value})
+        character().insert_keys(["mouthSmileLeft", "EyeLeft:ry"])
+    bpy.ops.wm.save_as_mainfile(filepath=task["result"] + ".blend")
+    bpy.ops.wm.open_mainfile(filepath=task["result"] + ".blend")
+    keyed = []
+    for frame in (60, 70):
+        bpy.context.scene.frame_set(frame)
+        keyed.append([character().values()[name] for name in ("mouthSmileLeft", "EyeLeft:ry")])
+    bpy.context.scene.frame_set(60)
+    bpy.ops.usdrigui.reset(everything=True)
+    rest = np.abs(list(character().values().values())).max()
+    bpy.ops.usdrigui.remove_layout()
+    assert not rooms["character"].holders(bpy.context.scene)
+    assert bpy.ops.usdrigui.load_layout(filepath=task["layer"]) == {"FINISHED"}
+    loaded = len(character().layout.elements)
+    try:
+        bpy.ops.usdrigui.load_layout(filepath=task["source"])
+        refused = ""
+    except RuntimeError as error:
+        refused = str(error)
+    np.savez(task["result"], keyed=keyed, rest=rest, loaded=loaded, refused=refused)
+    bpy.ops.preferences.addon_disable(module=module)

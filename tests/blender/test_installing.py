@@ -1,0 +1,33 @@
+"""The archive through Blender's own installers, and what lasts in a saved file."""
+
+from __future__ import annotations
+
+import shutil
+
+import blender_characters as characters
+import numpy as np
+import pytest
+
+from usdrigui.clients.blender_extension import write_extension
+
+
+@pytest.fixture
+def archive(tmp_path):
+    write_extension(tmp_path / "usdrigui_controls.zip")
+    return str(tmp_path / "usdrigui_controls.zip")
+
+
+def test_install_import_key_save_and_load(run_inside, bpy_python, archive, tmp_path):
+    layer, _, source = characters.sample(tmp_path)
+    home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home")}
+    found = run_inside([bpy_python], "installed", home, archive=archive, layer=str(layer), source=str(source))
+    assert found["keyed"] == pytest.approx(np.array([[0.25, 2.5], [0.75, 7.5]]), abs=1e-4)
+    assert found["rest"] < 1e-4
+    assert found["loaded"] == 11
+    assert "no rig UI layout" in str(found["refused"])
+
+
+@pytest.mark.skipif(shutil.which("blender") is None, reason="blender is not installed")
+def test_install_in_the_blender_on_the_path(run_inside, archive, tmp_path):
+    home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home"), "HOME": str(tmp_path / "home")}
+    run_inside(["blender", "-b", "--factory-startup", "-P"], "installed", home, archive=archive)
