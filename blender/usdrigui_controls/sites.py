@@ -54,6 +54,7 @@ class _Bones:
         bones = armature.data.bones
         self.names = [bone.name for bone in bones]
         self.rest = {bone.name: _matrix(bone.matrix_local) for bone in bones}
+        self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
         self.parents = {bone.name: bone.parent.name if bone.parent else "" for bone in bones}
         self.joints = {each.path: each.path.rpartition("/")[2] for each in rests.joints}
         self.frames = {name: character.frame(skeleton, joint) for joint, name in self.joints.items()}
@@ -61,7 +62,7 @@ class _Bones:
         self.base = {}
         for name in self.names:
             parent = self.parents[name]
-            local = np.linalg.inv(self.rest[parent]) @ self.rest[name] if parent else self.rest[name]
+            local = self.unbound[parent] @ self.rest[name] if parent else self.rest[name]
             above = self.base[parent] if parent else np.eye(4)
             self.base[name] = above @ local @ self.base_bases.get(name, np.eye(4))
 
@@ -94,7 +95,7 @@ class _Bones:
         if not influences:
             return np.eye(4)
         total = sum(weight for _, weight in influences)
-        return sum(weight / total * matrices[name] @ np.linalg.inv(self.rest[name]) for name, weight in influences)
+        return sum(weight / total * matrices[name] @ self.unbound[name] for name, weight in influences)
 
     def below(self, name, top):
         """Whether a bone is ``top`` or hangs on it."""

@@ -181,9 +181,11 @@ def test_opacity(window):
 
 
 def test_ctrl_and_a_press_put_an_element_back(window):
-    window.ask("character().set_values({'mouthSmileLeft': 0.6, 'browInnerUp': 0.5})")
+    window.ask(
+        "character().set_values({'mouthSmileLeft': 0.6, 'browInnerUp': 0.5})\nbpy.ops.ed.undo_push(message='posed')"
+    )
     start, _ = ends(window, "mouthSmileLeft")
-    window.drag(start, start + (3.0, 0.0), keys=("ctrl",))
+    window.drag(start, np.add(start, (3.0, 0.0)), keys=("ctrl",))
     assert away(window) == {"browInnerUp": pytest.approx(0.5)}
     window.key("ctrl+z")
     assert away(window)["mouthSmileLeft"] == pytest.approx(0.6)
