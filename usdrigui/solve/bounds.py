@@ -80,7 +80,11 @@ class Edge:
 class Dual:
     """Multipliers of all tables and the bound that they prove."""
 
-    def __init__(self, unary: Sequence[Floats], tables: Sequence[Table], forbidden: float) -> None:
+    def __init__(
+        self, unary: Sequence[Floats], tables: Sequence[Table], forbidden: float, constant: float = 0.0
+    ) -> None:
+        self.constant = constant
+        """Part of the cost of every solution."""
         sizes = [len(each) for each in unary]
         self.unary = list(unary)
         self.theta = [each.copy() for each in unary]
@@ -101,7 +105,7 @@ class Dual:
         for edge in self.edges:
             if edge.ends in known:
                 for side in (0, 1):
-                    self._give(edge, side, known[edge.ends].given[side][parents[edge.ends[side]]])
+                    self.move(edge, side, known[edge.ends].given[side][parents[edge.ends[side]]])
 
     def sweep(self) -> None:
         """One pass over the variables and one back."""
@@ -116,7 +120,7 @@ class Dual:
 
     def cost(self, chosen: Indices) -> float:
         """Cost of a solution."""
-        total = sum(float(each[at]) for each, at in zip(self.unary, chosen, strict=True))
+        total = self.constant + sum(float(each[at]) for each, at in zip(self.unary, chosen, strict=True))
         return total + sum(
             float(edge.against(0, int(chosen[edge.ends[1]]))[chosen[edge.ends[0]]]) for edge in self.edges
         )
@@ -127,7 +131,7 @@ class Dual:
         With `member` (groups of variables, -1 for none) the excess uses nothing that belongs to another
         group, so that what those groups gain may be added to it.
         """
-        total = 0.0
+        total = self.constant
         excess = []
         for theta in self.theta:
             least = theta.min(initial=np.inf)
@@ -163,10 +167,11 @@ class Dual:
             return
         share = self.theta[variable] / max(len(ahead), len(near) - len(ahead))
         for edge, side in ahead:
-            self._give(edge, side, -share)
-            self._give(edge, 1 - side, edge.toward(1 - side) - edge.given[1 - side])
+            self.move(edge, side, -share)
+            self.move(edge, 1 - side, edge.toward(1 - side) - edge.given[1 - side])
 
-    def _give(self, edge: Edge, side: int, amount: Floats) -> None:
+    def move(self, edge: Edge, side: int, amount: Floats) -> None:
+        """Move costs from a table to the linear costs of one of its ends."""
         edge.give(side, amount)
         self.theta[edge.ends[side]] += amount
 

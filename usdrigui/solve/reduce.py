@@ -10,6 +10,8 @@ import numpy as np
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem
 from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, whole
 from usdrigui.solve.bounds import Dual
+from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
+from usdrigui.solve.crowding import Costs, places, tightened
 from usdrigui.solve.groups import LARGEST, decode, group_gains
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
@@ -21,8 +23,12 @@ MEMBERS = 10
 NEAR = 0.02
 SLOW = 0.1
 SMALL = 0.05
-FRUSTRATED = 0.5
+FRUSTRATED = 0.7
 """Share of the missing bound that the blocks' own solution must leave before groups are searched."""
+FEW = 300
+"""Blocks left from which on they are searched at their true costs."""
+FAR = 20.0
+"""Spots are priced while the bound is this many allowed gaps away; nearer, groups alone are quicker."""
 BYTES_PER_PAIR = 120
 SWEEPS = 8
 
@@ -32,8 +38,10 @@ class Residual:
     """What is left of a problem: blocks that no bound could discard, with the multipliers found."""
 
     blocks: Blocks
-    pool: Pool
     near: list[NearPairs]
+    costs: Costs
+    cells: Cells
+    """Crowded spots and their prices; they are worked into the dual."""
     dual: Dual
     bound: float
     """Lower bound on every solution of the unreduced problem that costs less than the cut-off."""
@@ -43,6 +51,11 @@ class Residual:
     """(variables,) entries of the best solution known of the problem that the blocks bound from below."""
     value: float
     """Its cost there: at best the bound can rise to this before blocks are split."""
+
+    @property
+    def pool(self) -> Pool:
+        """Costs and places of the blocks."""
+        return self.costs.pool
 
     @property
     def exact(self) -> bool:
@@ -63,7 +76,7 @@ def reduce(
     residual = _bounded(problem, labels, blocks, forbidden, watch, None, None)
     nodes, share = NODES, NEAR
     while True:
-        residual = _examined(labels, residual, watch, nodes, improve)
+        residual = _examined(labels, residual, watch, nodes, problem.overlap.radius, improve)
         alive = residual.room <= watch.cut
         if not _all_keep(residual, alive):
             watch.found(STEP, bound=watch.cut)
@@ -82,7 +95,7 @@ def reduce(
 
 
 def _examined(
-    labels: Labels, residual: Residual, watch: Watch, nodes: int, improve: Callable[[Indices], None]
+    labels: Labels, residual: Residual, watch: Watch, nodes: int, radius: float, improve: Callable[[Indices], None]
 ) -> Residual:
     """Tell of the bound, raise it by groups where splitting no longer would, and try the blocks' solution."""
     watch.found(STEP, bound=min(residual.bound, watch.cut))
@@ -91,7 +104,13 @@ def _examined(
     splitting = residual.value - residual.bound <= FRUSTRATED * missing and not residual.exact
     if watch.closed() or watch.stopped() or splitting:
         return residual
-    residual = _grouped(residual, watch, nodes)
+    if len(residual.room) > FEW:
+        if missing > FAR * watch.settings.gap * abs(watch.cut):
+            residual = _priced(residual, radius, watch)
+        if not watch.closed():
+            residual = _grouped(residual, watch, nodes)
+    else:
+        residual = _without_prices(residual, watch, nodes)
     improve(_representatives(labels, residual))
     watch.found(STEP, bound=min(residual.bound, watch.cut))
     return residual
@@ -126,9 +145,9 @@ def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) ->
 
 def _planned(residual: Residual, parts: Indices) -> float:
     """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, and the
-    tables of two rounds in both directions; and the matrices of a group under search."""
+    tables of two rounds in both directions; the matrices of a group under search; and the pairs of cells."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    return (BYTES_PER_PAIR * pairs + 4 * 8 * LARGEST**2) / 2**20
+    return (BYTES_PER_PAIR * pairs + 4 * 8 * LARGEST**2 + MOST_BYTES) / 2**20
 
 
 def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:
@@ -139,6 +158,36 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
     near[residual.pool.start[:-1] + residual.chosen] = True
     near = several & near[alive]
     return near if near.any() else several
+
+
+def _priced(residual: Residual, radius: float, watch: Watch) -> Residual:
+    """The residual with the bound raised by prices on crowded spots."""
+    where = places(residual.pool, radius)
+    dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, watch.cut, watch)
+    bound, excess = dual.parts()
+    if bound <= residual.bound:
+        return residual
+    chosen, value = decode(dual, watch.settings.seed)
+    watch.found(STEP, bound=min(bound, watch.cut))
+    room = np.maximum(residual.room, bound + np.concatenate(excess))
+    return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value)
+
+
+def _without_prices(residual: Residual, watch: Watch, nodes: int) -> Residual:
+    """The residual with what the search proves on the true costs: of few blocks left, that is more than what any
+    prices prove."""
+    if not len(residual.cells.count):
+        return _grouped(residual, watch, nodes)
+    dual = residual.costs.dual(no_cells())
+    dual.start_from(residual.dual, [np.arange(len(each)) for each in dual.theta])
+    for _ in range(2 * SWEEPS):
+        dual.sweep()
+    bound, excess = dual.parts()
+    chosen, value = decode(dual, watch.settings.seed)
+    room = np.maximum(residual.room, bound + np.concatenate(excess))
+    plain = replace(residual, cells=no_cells(), dual=dual, bound=bound, room=room, chosen=chosen, value=value)
+    plain = _grouped(plain, watch, nodes)
+    return replace(residual, bound=max(plain.bound, residual.bound), room=plain.room, chosen=plain.chosen)
 
 
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
@@ -176,9 +225,9 @@ def _bounded(
         near = near_blocks(problem, pool, watch)
     else:
         near = refined(problem, pool, older.near, parent, watch)
-    tables = pair_tables(problem, pool, near, candidate)
-    unary = [pool.cost[a:b].copy() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
-    dual = Dual(unary, tables, forbidden)
+    costs = Costs(pool, pool.cost, tuple(pair_tables(problem, pool, near, candidate)), forbidden)
+    cells = inherited(older.cells, parent) if older is not None and parent is not None else no_cells()
+    dual = costs.dual(cells)
     if older is not None and parent is not None:
         ends = zip(pool.start[:-1], pool.start[1:], older.pool.start[:-1], strict=True)
         dual.start_from(older.dual, [parent[a:b] - old for a, b, old in ends])
@@ -187,4 +236,4 @@ def _bounded(
     watch.spend(1000 + SWEEPS * (dual.size // 16 + 64 * len(dual.edges)))
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
-    return Residual(blocks, pool, near, dual, bound, bound + np.concatenate(excess), chosen, value)
+    return Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)

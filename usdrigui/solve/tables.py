@@ -136,7 +136,7 @@ def pair_tables(problem: LayoutProblem, pool: Pool, near: list[NearPairs], candi
     if not keys:
         return []
     key, cost = _summed(np.concatenate(keys), np.concatenate(costs), single=len(keys) == 1)
-    return _split(pool, key // count, key % count, cost)
+    return split_tables(pool, key // count, key % count, cost)
 
 
 def _summed(keys: Indices, costs: Floats, *, single: bool) -> tuple[Indices, Floats]:
@@ -149,7 +149,7 @@ def _summed(keys: Indices, costs: Floats, *, single: bool) -> tuple[Indices, Flo
     return keys[first], np.add.reduceat(costs, first)
 
 
-def _split(pool: Pool, first: Indices, second: Indices, costs: Floats) -> list[Table]:
+def split_tables(pool: Pool, first: Indices, second: Indices, costs: Floats) -> list[Table]:
     """One table per pair of variables from sparse entries."""
     pair = pool.variable[first] * pool.count + pool.variable[second]
     order = np.argsort(pair, kind="stable")

@@ -1,0 +1,122 @@
+"""Prices on crowded spots: a solution never costs more with them, bounds hold, and faults are caught."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from layout_problems import crowd
+
+from usdrigui.model import LayoutProblem
+from usdrigui.settings import SolveSettings
+from usdrigui.solve import cells, solve
+from usdrigui.solve.assignment import forbidden_price
+from usdrigui.solve.blocks import all_labels, block_pool, singles
+from usdrigui.solve.bounds import Dual
+from usdrigui.solve.cells import Cells, cells_of, inherited, members, no_cells
+from usdrigui.solve.crowding import Costs, places, tightened
+from usdrigui.solve.tables import near_blocks, pair_tables
+from usdrigui.solve.watch import Watch
+
+
+def costs_of(problem: LayoutProblem) -> Costs:
+    labels = all_labels(problem)
+    pool = block_pool(labels, singles(labels))
+    near = near_blocks(problem, pool, Watch(SolveSettings()))
+    return Costs(
+        pool, pool.cost, tuple(pair_tables(problem, pool, near, labels.label)), forbidden_price(problem, labels)
+    )
+
+
+def every_cost(dual: Dual) -> np.ndarray:
+    """Cost of every solution, in order of the product of the entries."""
+    solutions = itertools.product(*(range(len(each)) for each in dual.unary))
+    return np.array([dual.cost(np.array(each)) for each in solutions])
+
+
+def random_cells(costs: Costs, generator: np.random.Generator) -> Cells:
+    size = len(costs.pool.cost)
+    sets = [np.flatnonzero(generator.random(size) < generator.uniform(0.1, 0.9)) for _ in range(4)]
+    return cells_of(sets, generator.integers(1, 4, 4), generator.uniform(0, 0.5, 4))
+
+
+@settings(max_examples=60, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.integers(0, 10**6))
+def test_no_solution_costs_more_with_prices(seed: int, other: int) -> None:
+    costs = costs_of(crowd(seed, variables=4, candidates=4))
+    with_prices = costs.dual(random_cells(costs, np.random.default_rng(other)))
+    assert (every_cost(with_prices) <= every_cost(costs.dual(no_cells())) + 1e-9).all()
+
+
+@settings(max_examples=30, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.integers(0, 10**6))
+def test_bound_and_excess_hold_for_the_true_costs(seed: int, other: int) -> None:
+    costs = costs_of(crowd(seed, variables=4, candidates=4))
+    true = every_cost(costs.dual(no_cells())).reshape([len(each) for each in costs.dual(no_cells()).unary])
+    dual = costs.dual(random_cells(costs, np.random.default_rng(other)))
+    for _ in range(3):
+        bound, excess = dual.parts()
+        assert bound <= true.min() + 1e-9
+        for at, each in enumerate(excess):
+            least = true.min(axis=tuple(k for k in range(true.ndim) if k != at))
+            assert (bound + each <= least + 1e-9).all()
+        dual.sweep()
+
+
+def overcharged() -> int:
+    """Solutions that cost more with prices than without, over a few problems."""
+    found = 0
+    for seed in range(5):
+        costs = costs_of(crowd(seed, variables=4, candidates=4))
+        with_prices = costs.dual(random_cells(costs, np.random.default_rng(seed)))
+        found += int((every_cost(with_prices) > every_cost(costs.dual(no_cells())) + 1e-9).sum())
+    return found
+
+
+def test_a_count_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert overcharged() == 0
+    wrong = property(lambda self: -float((self.price * self.count * (self.count - 1) / 2).sum()))
+    monkeypatch.setattr(Cells, "constant", wrong)
+    assert overcharged() > 0
+
+
+def test_a_forgotten_rebate_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cells, "_rebates", lambda *_: [])
+    assert overcharged() > 0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_prices_raise_the_bound_of_a_crowd(seed: int) -> None:
+    problem = crowd(seed, variables=5, candidates=24)
+    optimum = solve(problem, SolveSettings()).cost
+    costs = costs_of(problem)
+    dual = costs.dual(no_cells())
+    for _ in range(30):
+        dual.sweep()
+    before = dual.bound()
+    where = places(costs.pool, problem.overlap.radius)
+    better, prices = tightened(costs, where, dual, no_cells(), optimum, Watch(SolveSettings()))
+    assert better.bound() <= optimum + 1e-9
+    assert better.bound() > before + 0.3 * (optimum - before)
+    assert len(prices.count) > 0
+    again, _ = tightened(costs, where, dual, no_cells(), optimum, Watch(SolveSettings()))
+    assert again.bound() == better.bound()
+
+
+def test_cells_are_inherited_by_the_parts_of_their_entries() -> None:
+    old = cells_of([np.array([0, 2]), np.array([1]), np.array([2, 3])], [1, 2, 1], [0.5, 0.25, 0.0])
+    new = inherited(old, np.array([0, 0, 2, 3, 3]))
+    assert [each.tolist() for each in members(new)] == [[0, 1, 2]]
+    assert (new.count.tolist(), new.price.tolist()) == ([1.0], [0.5])
+
+
+def test_stopped_ascent_keeps_an_honest_bound() -> None:
+    problem = crowd(2, variables=5, candidates=50)
+    optimum = solve(problem, SolveSettings()).cost
+    for limit in (30_000, 100_000, 300_000):
+        found = solve(problem, replace(SolveSettings(), work_limit=limit))
+        assert found.bound <= optimum + 1e-9
