@@ -7,6 +7,7 @@
 
 import { alongTrack } from './elements.js';
 
+const STRAY = 4; // pixels from the line within which a drag keeps to the branch that it is on
 const LEAST = 24; // pixels that a line is given when it is shorter than a quarter of this on the screen
 
 /**
@@ -44,7 +45,9 @@ function screenAxis(element, members, controls, rest, values, project, origin) {
     const [x, y] = project(at);
     return [x - origin[0], y - origin[1]];
   });
-  const axis = { controls: indices, points: stretched(points), values: corners.map(({ set }) => set) };
+  // Of several axes one that is seen end-on must not take what the others are dragged along.
+  const shown = element.axes.length > 1 ? points : stretched(points);
+  const axis = { controls: indices, points: shown, values: corners.map(({ set }) => set) };
   axis.start = parameterOf(axis, indices.map((control) => values[control]));
   return axis;
 }
@@ -112,7 +115,7 @@ function parameterOf(axis, wanted) {
   return best[1];
 }
 
-/** Nearest point of the polyline, walking downhill from parameter `start`. */
+/** Nearest point of the polyline, walking downhill from parameter `start`; another branch where it is twice as near. */
 function nearest(axis, target, start) {
   const last = axis.points.length - 2;
   const on = (i) => {
@@ -129,6 +132,12 @@ function nearest(axis, target, start) {
       if (next.off > best.off + 1e-9) break;
       best = next;
     }
+  }
+  if (best.off < STRAY) return best.t;
+  // Another branch of a bend, or the other end of an opposed pair that goes the same way on the screen.
+  for (let i = 0; i <= last; i++) {
+    const other = on(i);
+    if (other.off < 0.5 * best.off) best = other;
   }
   return best.t;
 }
