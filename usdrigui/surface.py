@@ -194,4 +194,5 @@ def _row_keys(cells: Indices) -> Indices:
 
 def _graph(pairs: Indices, lengths: Floats | None, count: int) -> csr_array:
     weights = np.ones(len(pairs)) if lengths is None else lengths
-    return csr_array((weights, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
+    first, second = pairs.astype(np.int32).T  # the only index type that every graph routine of scipy takes
+    return csr_array((weights, (first, second)), shape=(count, count))
