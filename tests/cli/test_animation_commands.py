@@ -98,7 +98,7 @@ def test_process_takes_the_importance_that_inspect_prints(folder, tmp_path, caps
     assert unweighted["characters"][0]["solution"]["cost"] == plain["characters"][0]["solution"]["cost"]
 
 
-def test_turning_joints_count_too(folder, tmp_path, capsys):
+def test_turning_joints_count_too(tmp_path, capsys):
     take = performed(tmp_path / "jaw.usda", {"chin": RAMP}, turn=20.0 * RAMP)
     asset = skinned_stages.character(tmp_path / "hinged.usda", animated_joints=("Hips/Head/Jaw",))
     told = run(capsys, "inspect", asset, "--animation", take)

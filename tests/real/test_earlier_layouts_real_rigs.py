@@ -1,40 +1,16 @@
 """Layouts over the life of real rigs: fixed, kept, and carried to a head of other topology."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from laid_out_again import lay_out, read
 
-from usdrigui import pipeline
-from usdrigui.examples import Examples
 from usdrigui.layout.difference import difference
-from usdrigui.layout.elements import layout as elements_of
 from usdrigui.model import RigMesh, Shape
 from usdrigui.settings import load
-from usdrigui.solve import solve
-from usdrigui.usd.child import read_rigs_isolated
-
-ASSETS = Path(__file__).resolve().parents[2].parent / "shared" / "assets"
-SETTINGS = load({"solve": {"gap": 1e-2, "threads": 1}})
 
 pytestmark = pytest.mark.real
-
-
-def read(name):
-    path = ASSETS / name
-    if not path.is_file():
-        pytest.skip(f"needs {path}")
-    return read_rigs_isolated(path, SETTINGS).rigs[0]
-
-
-def lay_out(rig, settings=SETTINGS, **examples):
-    ready = pipeline.posed(rig, settings, examples=Examples(**examples))
-    found = solve(ready.problem, settings.solve)
-    made = elements_of(
-        ready.context, ready.candidates, ready.groups, ready.problem, ready.choices, found, ready.base_values
-    )
-    return ready, found, made
 
 
 def anchors(layout):

@@ -118,7 +118,8 @@ def _share_due(precedent: Precedent, place: Place, anchors: Indices, base: Float
         return np.ones(len(anchors))
     if precedent.reach > 0.0:
         apart = np.linalg.norm(base[anchors] - place.position, axis=1)
-        return np.asarray(np.minimum(1.0, apart / (precedent.reach * width)))
+        # Counted from the nearest candidate: where none is near, the nearest are still to be preferred.
+        return np.asarray(np.minimum(1.0, (apart - apart.min()) / (precedent.reach * width)))
     here = anchors == place.point
     if not here.any():
         # The mesh has other points, or the control no longer moves that one: the nearest place stands for it.

@@ -28,8 +28,13 @@ _POWERS = (2.0, 12.0)
 _ROUNDS = 20
 _OUTLIER = 4.0
 """Landmarks further off than this many times the median do not shape the warp."""
-_SMOOTHING = 1e-3
-"""Of the warp; small, as landmarks are averages over whole regions."""
+_SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
+"""Of the warp, from one that passes through every landmark to hardly more than an affine map."""
+_FOLDS = 8
+_NO_WORSE = 1.1
+"""The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times the best one."""
+_FAR_OFF = 3.0
+"""Landmarks that a warp misses by more than this many times the median miss count no more than so."""
 _FLAT = 1e-3
 """Least share of the largest spread that landmarks have in their second direction: fewer lie on a line."""
 
@@ -84,7 +89,7 @@ def carried(
     trusted = weights > 0.0
     if trusted.sum() < _LEAST_FOR_WARP:
         return aligned
-    return np.asarray(aligned + _warp(similarity(source[trusted]), target[trusted])(aligned), dtype=np.float64)
+    return _warped(similarity(source[trusted]), target[trusted], aligned)
 
 
 # --- landmarks ---------------------------------------------------------------------------------------
@@ -152,13 +157,47 @@ def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
     return _Similarity(scale, rotation, to_middle - scale * rotation @ from_middle)
 
 
-def _warp(source: Floats, target: Floats) -> RBFInterpolator:
-    """A smooth displacement field that takes aligned landmarks to where they belong."""
-    unit = float(np.linalg.norm(source - source.mean(axis=0), axis=1).max())
-    _, first = np.unique(np.round(source / unit, 6), axis=0, return_index=True)
-    return RBFInterpolator(
-        source[first], (target - source)[first], kernel="linear", smoothing=_SMOOTHING * unit, degree=0
+def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
+    """`points` (k, 3) under the smooth warp that takes aligned landmarks to where they belong.
+
+    How far two characters' controls correspond differs from pair to pair: copies of one head agree to the point,
+    two makers' rigs only on the whole.  So the landmarks themselves choose the smoothness, each predicted from
+    the others (cross-validation, and the smoothest of the models that do about as well as the best).
+    """
+    fold = np.arange(len(source)) // len(_POWERS) % _FOLDS
+    missed = np.zeros((len(_SMOOTHINGS), len(source)))
+    for number in range(_FOLDS):
+        out = fold == number
+        for row, smoothing in enumerate(_SMOOTHINGS):
+            found = _thin_plate(source[~out], target[~out], smoothing, source[out])
+            missed[row, out] = np.linalg.norm(found - target[out], axis=1)
+    middle = np.median(missed, axis=1, keepdims=True)
+    error = np.minimum(missed, _FAR_OFF * middle).mean(axis=1)
+    chosen = int(np.flatnonzero(error <= _NO_WORSE * error.min()).max())
+    return _thin_plate(source, target, _SMOOTHINGS[chosen], points)
+
+
+def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats) -> Floats:
+    """`points` moved as a thin-plate spline moves `source` to `target`; in units of the source's own size."""
+    middle = source.mean(axis=0)
+    unit = float(np.linalg.norm(source - middle, axis=1).max())
+    _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
+    if len(first) < _LEAST_FOR_SIMILARITY or not _solid(source[first]):
+        return points
+    moved = RBFInterpolator(
+        (source[first] - middle) / unit,
+        (target - source)[first],
+        kernel="thin_plate_spline",
+        smoothing=smoothing,
+        degree=1,
     )
+    return np.asarray(points + moved((points - middle) / unit), dtype=np.float64)
+
+
+def _solid(points: Floats) -> bool:
+    """Whether the points span more than a plane: only then they say what an affine map does."""
+    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(values[2] > _FLAT * values[0])
 
 
 def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:

@@ -1,0 +1,35 @@
+"""Real rigs laid out with earlier layouts to heed, as the pipeline does but without files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from usdrigui import pipeline
+from usdrigui.examples import Examples
+from usdrigui.layout.elements import layout as elements_of
+from usdrigui.settings import load
+from usdrigui.solve import solve
+from usdrigui.usd.child import read_rigs_isolated
+
+ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
+SETTINGS = load({"solve": {"gap": 1e-2, "threads": 1}})
+
+
+def read(name):
+    """The rig of a file; skips the test where it is not there."""
+    path = ASSETS / name
+    if not path.is_file():
+        pytest.skip(f"needs {path}")
+    return read_rigs_isolated(path, SETTINGS).rigs[0]
+
+
+def lay_out(rig, settings=SETTINGS, **examples):
+    """The problem, its solution and the layout; `examples` as of `usdrigui.examples.Examples`."""
+    ready = pipeline.posed(rig, settings, examples=Examples(**examples))
+    found = solve(ready.problem, settings.solve)
+    made = elements_of(
+        ready.context, ready.candidates, ready.groups, ready.problem, ready.choices, found, ready.base_values
+    )
+    return ready, found, made
