@@ -66,7 +66,7 @@ def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tu
     along = points @ frame.T
     cells = np.floor((along - along.min(axis=0)) / size).astype(np.int64)
     cell = np.unique(cells, axis=0, return_inverse=True)[1].ravel()
-    total = np.bincount(cell, weights)
+    total = np.bincount(cell, weights).astype(np.float64)
     middles = np.stack([np.bincount(cell, weights * axis) / total for axis in points.T], axis=1)
     return middles, total
 
