@@ -556,6 +556,10 @@ class ExtraPairs(Record):
 
 Status = Literal["optimal", "stopped"]
 
+GAP_FLOOR = 1e-3
+"""Cost below which gaps are no longer relative: a thousandth of what one element's place is worth. Without it the
+gap of a problem whose best cost is zero could never close."""
+
 
 @dataclass(frozen=True, eq=False)
 class Assignment(Record):
@@ -575,8 +579,8 @@ class Assignment(Record):
 
     @property
     def gap(self) -> float:
-        """(cost - bound) / |cost|."""
-        return max(0.0, self.cost - self.bound) / max(abs(self.cost), 1e-12)
+        """(cost - bound) / |cost|; costs nearer to zero than `GAP_FLOOR` count as that."""
+        return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
 
     @property
     def gap_in_play(self) -> float:

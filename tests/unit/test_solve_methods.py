@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from layout_problems import crowd, random_problem, renumbered
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import LayoutProblem
+from usdrigui.model import ExtraPairs, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, save_problem, solve
@@ -144,3 +144,22 @@ def test_other_files_are_refused(tmp_path: Path) -> None:
     for name in ("text", "other", "short"):
         with pytest.raises(RigUIError, match="PROBLEM_FILE"):
             load_problem(tmp_path / f"{name}.npz")
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"first_labels": np.array([-1])},
+        {"second_labels": np.array([10**6])},
+        {"second": 99},
+        {"costs": np.array([-1.0])},
+    ],
+)
+def test_explicit_costs_of_no_candidates_are_refused(tmp_path: Path, wrong: dict[str, object]) -> None:
+    problem = crowd(0, variables=2, candidates=3)
+    good = ExtraPairs(0, 1, np.array([0]), np.array([0]), np.array([1.0]))
+    save_problem(tmp_path / "a.npz", replace(problem, extra=(good,)))
+    assert len(load_problem(tmp_path / "a.npz").extra) == 1
+    save_problem(tmp_path / "a.npz", replace(problem, extra=(replace(good, **wrong),)))
+    with pytest.raises(RigUIError, match="PROBLEM_FILE"):
+        load_problem(tmp_path / "a.npz")

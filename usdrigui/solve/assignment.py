@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.model import Assignment, Indices, LayoutProblem
+from usdrigui.model import GAP_FLOOR, Assignment, Indices, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.solve.blocks import Labels
 from usdrigui.solve.watch import Watch
@@ -34,7 +34,7 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: W
     if not np.isfinite(cost):
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
     bound = min(watch.bound - SAFETY * abs(watch.bound), cost) if np.isfinite(watch.bound) else -np.inf
-    closed = cost - bound <= watch.settings.gap * abs(cost)
+    closed = cost - bound <= watch.settings.gap * max(abs(cost), GAP_FLOOR)
     return Assignment(
         labels=chosen,
         cost=cost,

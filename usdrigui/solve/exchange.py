@@ -91,5 +91,19 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
         )
         for at, (a, b) in enumerate(arrays["extra"])
     )
+    _check_extra(variables, extra)
     overlap = Overlap(**dict(zip(_OVERLAP, arrays["overlap"].tolist(), strict=True)))
     return LayoutProblem(variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra)
+
+
+def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...]) -> None:
+    """Raises ValueError when explicit costs speak of no two variables, of no candidates (beside the face has no
+    pair costs), or are negative."""
+    for each in extra:
+        if not 0 <= each.first < each.second < len(variables):
+            raise ValueError(f"explicit costs between variables {each.first} and {each.second}")
+        for variable, labels in ((each.first, each.first_labels), (each.second, each.second_labels)):
+            if ((labels < 0) | (labels >= len(variables[variable].cost))).any():
+                raise ValueError(f"explicit costs of labels that variable {variable} does not have")
+        if not (each.costs >= 0).all():
+            raise ValueError("explicit costs below zero")

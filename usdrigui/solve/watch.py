@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Step
+from usdrigui.model import GAP_FLOOR, Step
 from usdrigui.settings import SolveSettings
 
 _NO_TIME = 1e-9
@@ -96,7 +96,12 @@ class Watch:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
         if not np.isfinite(self.cost):
             return self.bound >= self.ceiling
-        return self.cost - self.bound <= self.settings.gap * abs(self.cost)
+        return self.cost - self.bound <= self.allowed
+
+    @property
+    def allowed(self) -> float:
+        """How far the bound may stay below the best cost."""
+        return self.settings.gap * max(abs(self.cost), GAP_FLOOR)
 
     @property
     def cut(self) -> float:
@@ -107,7 +112,7 @@ class Watch:
         """
         if not np.isfinite(self.cost):
             return self.ceiling
-        return self.cost - 0.9 * self.settings.gap * abs(self.cost)
+        return self.cost - 0.9 * self.allowed
 
     def found(self, step: str, cost: float = np.inf, bound: float = -np.inf) -> None:
         """Tell of a layout or a bound; the best of each is kept."""
@@ -127,4 +132,4 @@ class Watch:
     def _gap(self) -> float:
         if not (np.isfinite(self.cost) and np.isfinite(self.bound)):
             return np.inf
-        return max(0.0, self.cost - self.bound) / max(abs(self.cost), 1e-12)
+        return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
