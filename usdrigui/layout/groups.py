@@ -94,7 +94,8 @@ class _Grouping:
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [context.rig.controls[motion.control].name for motion in motions]
         twins = context.symmetry.twins
-        fold = context.settings.symmetry.fold
+        # What the only view does not see holds no element, be it the image of one that is seen.
+        fold = context.settings.symmetry.fold and not context.views.one_sided(context.symmetry.normal)
         found = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
         # A control with a place of its own is not folded, and neither is its twin.
         alone = {i for i, twin in found.items() if twin != i and stands_alone(context, motions[i].control)}

@@ -13,6 +13,10 @@ from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
 from usdrigui.surface import mesh_triangles
 
 
+_ACROSS = 0.1
+"""Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
+
+
 @dataclass(frozen=True, eq=False)
 class Frame(Record):
     """The face's own frame: what is cast in it does not depend on where and how large the character is.
@@ -54,6 +58,10 @@ class Views(Record):
     def anywhere(self) -> Flags:
         """(n,) points that at least one view sees."""
         return np.asarray(self.visible.any(axis=0))
+
+    def one_sided(self, normal: Floats) -> bool:
+        """Whether the only view looks across the plane of symmetry, of which it may see one side only."""
+        return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
 
 
 def find_views(
