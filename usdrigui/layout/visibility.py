@@ -12,7 +12,6 @@ from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
 from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
 from usdrigui.surface import mesh_triangles
 
-
 _ACROSS = 0.1
 """Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
 
