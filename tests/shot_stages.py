@@ -43,7 +43,31 @@ def _add(stage: Usd.Stage, prim: Usd.Prim, name: str, offsets: np.ndarray) -> No
         if each.IsA(UsdSkel.Animation):
             animation = UsdSkel.Animation(each)
             animation.GetBlendShapesAttr().Set([*animation.GetBlendShapesAttr().Get(), name])
-            animation.GetBlendShapeWeightsAttr().Set([*(animation.GetBlendShapeWeightsAttr().Get() or ()), 0.0])
+            weights = animation.GetBlendShapeWeightsAttr()
+            times = weights.GetTimeSamples() or [Usd.TimeCode.Default()]
+            rows = [[*(weights.Get(time) or ()), 0.0] for time in times]  # all, before this layer speaks of any
+            for time, row in zip(times, rows, strict=True):
+                weights.Set(row, time)
+
+
+def take(path: Path, moves: dict[str, np.ndarray], prim: str = "/Take") -> Usd.Stage:
+    """A file with one SkelAnimation at `prim`: a column of weights, one per time code, for each blend shape."""
+    stage = Usd.Stage.CreateNew(str(path))
+    animation = UsdSkel.Animation.Define(stage, prim)
+    animation.CreateBlendShapesAttr(list(moves))
+    for time, row in enumerate(np.stack(list(moves.values()), axis=1)):
+        animation.CreateBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(row.astype(np.float32)), time)
+    stage.GetRootLayer().Save()
+    return stage
+
+
+def second_best(asset: Path, shape: str) -> int:
+    """The point that a blend shape moves second furthest."""
+    stage = Usd.Stage.Open(str(asset))
+    found = UsdSkel.BlendShape(stage.GetPrimAtPath(shape))
+    offsets = np.array(found.GetOffsetsAttr().Get())
+    points = found.GetPointIndicesAttr().Get() or range(len(offsets))
+    return int(list(points)[int(np.argsort(-np.linalg.norm(offsets, axis=1), kind="stable")[1])])
 
 
 def layout_prims(stage: Usd.Stage) -> list[Sdf.Path]:

@@ -586,7 +586,8 @@ class Assignment(Record):
     def gap_in_play(self) -> float:
         """(cost - bound) over the part of the cost that the choice can change; 0 when proven."""
         excess = max(0.0, self.cost - self.bound)
-        return excess / max(self.in_play, 1e-12) if excess else 0.0
+        rounding = 1e-9 * abs(self.cost)
+        return excess / max(self.in_play, 1e-12) if excess > rounding else 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ import tomllib
 
 import numpy as np
 import pytest
+import shot_stages
 import skinned_stages
 from pxr import Gf, Usd, UsdSkel, Vt
 
@@ -16,19 +17,16 @@ LATER = RAMP[::-1]
 MOVES = {"chin": RAMP, "jaw:open": RAMP, "brow_L": LATER, "brow_R": LATER, "pucker": LATER, "smile_L": 0.1 * RAMP}
 
 
-def performed(path, moves, prim="/Take", turn=None):
+def performed(path, moves, turn=None):
     """A file with one SkelAnimation; `turn` (frames,) degrees about x of the jaw."""
-    stage = Usd.Stage.CreateNew(str(path))
-    animation = UsdSkel.Animation.Define(stage, prim)
-    animation.CreateBlendShapesAttr(list(moves))
-    for time, row in enumerate(np.stack(list(moves.values()), axis=1)):
-        animation.CreateBlendShapeWeightsAttr().Set(Vt.FloatArray.FromNumpy(row.astype(np.float32)), time)
+    stage = shot_stages.take(path, moves)
     if turn is not None:
+        animation = UsdSkel.Animation(stage.GetPrimAtPath("/Take"))
         animation.CreateJointsAttr(["Hips/Head/Jaw"])
         for time, angle in enumerate(turn):
             rotation = Gf.Rotation((1, 0, 0), float(angle)).GetQuat()
             animation.CreateRotationsAttr().Set(Vt.QuatfArray([Gf.Quatf(rotation)]), time)
-    stage.GetRootLayer().Save()
+        stage.GetRootLayer().Save()
     return path
 
 

@@ -7,12 +7,14 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+import shot_stages
 import skinned_stages
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-PAGES = ("blender.md", "getting-started.md", "many-assets.md", "pickers.md", "publish.md")
+PAGES = ("blender.md", "getting-started.md", "lifecycle.md", "many-assets.md", "pickers.md", "publish.md")
 
 
 def blocks(page):
@@ -27,10 +29,25 @@ def test_every_page_with_commands_to_run_is_listed():
     )
 
 
+def _company(folder):
+    """What the page on the life of a layout needs besides: another character, a shot, animation, a correction."""
+    shutil.copy(folder / "char.usda", folder / "hero.usda")
+    crease = {"browCrease": ((0.0, 0.55), (0, 0.3, 1), 0.25, 0.12)}
+    shot_stages.shot(folder / "shot.usda", "./char.usda", "/World/Char/face0", crease)
+    ramp = np.array([0.0, 0.5, 1.0, 0.5, 0.0])
+    shot_stages.take(folder / "take.usda", {"chin": ramp, "jaw:open": ramp, "brow_L": ramp[::-1] ** 2, "brow_R": ramp})
+    point = shot_stages.second_best(folder / "char.usda", "/World/Char/face0/pucker")
+    edit = f"uniform int rigUI:anchor:pointIndex = {point}"
+    for name in ("pucker", "RigUI", "Char", "World"):
+        edit = f'over "{name}"\n{{\n{edit}\n}}'
+    (folder / "corrections.usda").write_text(f"#usda 1.0\n(\nsubLayers = [@./char.rigui.usda@]\n)\n{edit}\n")
+
+
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
 @pytest.mark.parametrize("page", PAGES)
 def test_the_commands_of_a_page(page, tmp_path):
     skinned_stages.character(tmp_path / "char.usda")
+    _company(tmp_path)
     for name in ("one", "two"):
         (tmp_path / "assets" / name).mkdir(parents=True)
         shutil.copy(tmp_path / "char.usda", tmp_path / "assets" / name)
