@@ -13,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, solve
+from usdrigui.solve import cells, reduce, solve
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
@@ -120,3 +120,25 @@ def test_stopped_ascent_keeps_an_honest_bound() -> None:
     for limit in (30_000, 100_000, 300_000):
         found = solve(problem, replace(SolveSettings(), work_limit=limit))
         assert found.bound <= optimum + 1e-9
+
+
+@pytest.mark.parametrize("waits", [True, False])
+def test_prices_that_gain_nothing_take_less_work_than_the_rest(monkeypatch: pytest.MonkeyPatch, waits: bool) -> None:
+    """Without waits they are looked for every round, and take more than the rest."""
+    looked: list[int] = []
+
+    def in_vain(costs: Costs, where: object, dual: Dual, known: Cells, cut: float, watch: Watch) -> tuple[Dual, Cells]:
+        watch.spend(200_000)
+        looked.append(watch.work)
+        return dual, known
+
+    monkeypatch.setattr(reduce, "FEW", 10)
+    monkeypatch.setattr(reduce, "FAR", 0.0)
+    monkeypatch.setattr(reduce, "_grouped", lambda residual, *_: residual)
+    monkeypatch.setattr(reduce, "tightened", in_vain)
+    monkeypatch.setattr(reduce, "looking_costs", lambda _: 200_000)
+    if not waits:
+        monkeypatch.setattr(reduce, "WAIT", 0)
+    solve(crowd(7, variables=8, candidates=60), SolveSettings(work_limit=2_000_000))
+    assert len(looked) > 1
+    assert (200_000 * len(looked) <= 0.5 * looked[-1]) == waits
