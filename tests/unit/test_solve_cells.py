@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -127,7 +128,8 @@ def test_prices_that_gain_nothing_take_less_work_than_the_rest(monkeypatch: pyte
     """Without waits they are looked for every round, and take more than the rest."""
     looked: list[int] = []
 
-    def in_vain(costs: Costs, where: object, dual: Dual, known: Cells, cut: float, watch: Watch) -> tuple[Dual, Cells]:
+    def in_vain(*given: Any) -> tuple[Dual, Cells]:
+        _costs, _where, dual, known, _cut, watch = given
         watch.spend(200_000)
         looked.append(watch.work)
         return dual, known
