@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from usdrigui.layout.handles import KEPT, fitting_width
 from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Rig, RigMesh, Shape, Variable
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings
@@ -39,6 +40,7 @@ def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
 
     A third of the controls lies on the middle line; of the rest, mirrored pairs are optimised once with two
     copies, so the number of variables is about two thirds of `controls`.  Lengths in head half-heights.
+    Handles are as wide as a layout of such controls would make them by default (decisions 034, 045).
     """
     generator = np.random.default_rng(seed)
     positions, normals = _head(points)
@@ -46,7 +48,7 @@ def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
     middle += (controls - middle) % 2
     motions = [_motion(generator, positions, normals, mirrored=at >= middle) for at in range((controls + middle) // 2)]
     settings = ObjectiveSettings()
-    width = settings.handle_size * 2.0
+    width = _handle_width(positions, motions, settings)
     overlap = Overlap(
         settings.overlap_max,
         settings.overlap_radius * width,
@@ -94,6 +96,19 @@ def _motion(
     if not mirrored:
         offsets[:, 0] = 0.0
     return offsets, mirrored
+
+
+def _handle_width(positions: Floats, motions: list[tuple[Floats, bool]], settings: ObjectiveSettings) -> float:
+    """By the rule for real rigs; each of a mirrored pair is a control.  The points are evenly spread, so that the
+    places that a control wants share it equally."""
+    total = np.zeros((2, len(positions)))
+    for offsets, mirrored in motions:
+        length = np.linalg.norm(offsets, axis=1)
+        wanted = np.flatnonzero(length >= KEPT * length.max())
+        total[: 1 + mirrored, wanted] += 1.0 / len(wanted)
+    places = np.concatenate([positions, positions * np.array([-1.0, 1.0, 1.0])])
+    weights = total.ravel()
+    return fitting_width(places[weights > 0], weights[weights > 0], np.eye(3), 2.0, settings)
 
 
 def _variable(

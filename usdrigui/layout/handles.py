@@ -15,11 +15,12 @@ from scipy.spatial import cKDTree
 from usdrigui.layout.tracks import flattened
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Floats
+from usdrigui.settings import ObjectiveSettings
 
 if TYPE_CHECKING:
     from usdrigui.layout.terms import Context
 
-_KEPT = 0.85
+KEPT = 0.85
 """A control wants the places where it keeps this share of its visible peak."""
 _AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
@@ -39,12 +40,20 @@ def handle_width(context: Context) -> float:
     Invariant under rigid motion, uniform scale and the order and density of points.
     """
     settings, face = context.settings.objective, context.trajectories.face_size
-    most, least = settings.handle_size * face, min(settings.handle_least, settings.handle_size) * face
     points, weights = _wanted(context)
+    frame = np.vstack([screen(context.views), context.views.directions[:1]])
+    return fitting_width(points, weights, frame, face, settings)
+
+
+def fitting_width(points: Floats, weights: Floats, frame: Floats, face: float, settings: ObjectiveSettings) -> float:
+    """The same from the places (p, 3) that controls want and how many want each (p,).
+
+    `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are those of `points`.
+    """
+    most, least = settings.handle_size * face, min(settings.handle_least, settings.handle_size) * face
     if settings.handle_crowd <= 0.0 or least >= most or not len(points):
         return most
     if len(points) > _MANY:
-        frame = np.vstack([screen(context.views), context.views.directions[:1]])
         points, weights = _gathered(points, weights, frame, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
     fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.handle_crowd)
@@ -80,7 +89,7 @@ def _wanted(context: Context) -> tuple[Floats, Floats]:
         if verdict.family or context.said[motion.control].exclude or not seen.any():
             continue
         arc = np.where(seen, motion.arc_length, 0.0)
-        wanted = motion.points[arc >= _KEPT * arc.max()]
+        wanted = motion.points[arc >= KEPT * arc.max()]
         areas = context.areas[wanted]
         total[wanted] += areas / areas.sum() if areas.any() else 1.0 / len(wanted)
     chosen = np.flatnonzero(total)

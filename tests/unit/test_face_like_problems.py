@@ -1,0 +1,57 @@
+"""Problems made for benchmarks: sizes of the paper's table, the same from a seed, handles by the rule for rigs."""
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from usdrigui.settings import ObjectiveSettings
+
+SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "instances.py"
+FACE = 2.0
+
+
+@pytest.fixture(scope="module")
+def instances():
+    spec = importlib.util.spec_from_file_location("instances", SCRIPT)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules["instances"] = module
+    spec.loader.exec_module(module)
+    yield module
+    del sys.modules["instances"]
+
+
+def share(problem):
+    """Handle width in face sizes."""
+    return problem.separation / FACE
+
+
+def test_controls_are_variables_or_mirrored_pairs(instances):
+    problem = instances.face_like(1186, 26)
+    copies = [each.handles.shape[1] for each in problem.variables]
+    assert sum(copies) == 26
+    assert set(copies) == {1, 2}
+
+
+def test_a_seed_makes_one_problem(instances):
+    one, same, other = (instances.face_like(1186, 26, seed) for seed in (3, 3, 4))
+    assert all(np.array_equal(a.cost, b.cost) for a, b in zip(one.variables, same.variables, strict=True))
+    assert not all(np.array_equal(a.cost, b.cost) for a, b in zip(one.variables, other.variables, strict=True))
+
+
+def test_a_face_of_few_controls_has_handles_of_the_size_asked_for(instances):
+    assert share(instances.face_like(4002, 22)) == ObjectiveSettings().handle_size
+
+
+def test_handles_shrink_with_the_crowd_down_to_the_least(instances):
+    widths = [share(instances.face_like(4002, controls)) for controls in (22, 80, 140)]
+    assert widths[0] > widths[1] >= widths[2] == pytest.approx(ObjectiveSettings().handle_least)
+
+
+def test_overlap_counts_in_handle_widths(instances):
+    settings = ObjectiveSettings()
+    for controls in (22, 80):
+        problem = instances.face_like(4002, controls)
+        assert problem.overlap.radius == pytest.approx(settings.overlap_radius * problem.separation)
