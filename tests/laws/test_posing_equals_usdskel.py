@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import laid_out
 import numpy as np
 import pytest
@@ -74,3 +76,38 @@ def test_static_elements_and_those_beside_the_face(tmp_path, kind):
             track = laid_out.root_points(stage, f"{prim.GetPath()}/track", rig.root, 0)
             assert np.abs(at.tracks[0] - track).max() < CLOSE * diagonal, (given, element.name)
             assert np.abs(at.handle - centre).max() < CLOSE * diagonal, (given, element.name)
+
+
+def test_a_board_with_joint_controls_stays_in_one_piece_in_plain_usd(tmp_path):
+    source = skinned_stages.character(tmp_path / "char.usda", **KINDS["joint controls"])
+    (rig,) = read_rigs(source, Settings())
+    everything = [control.name for control in rig.controls]
+    layout = on_one_board(laid_out.layout_of(rig, seed=2, beside=everything))
+    layer = layer_for(
+        [(rig, layout)], f"./{source.name}", OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    )
+    layer.Export(str(tmp_path / "layout.usda"))
+    poses = [layout.base_values, laid_out.random_values(rig, np.random.default_rng(8))]
+    stage = laid_out.baked(Sdf.Layer.FindOrOpen(str(tmp_path / "layout.usda")), rig, poses)
+    prims = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChildren()
+    ends = [
+        np.array([laid_out.root_points(stage, f"{prim.GetPath()}/track", rig.root, time)[0] for prim in prims])
+        for time in range(len(poses))
+    ]
+    ours = np.array([at.tracks[0][0] for at in evaluate(prepare(rig, layout), poses[1]).elements])
+    assert len(ours) > 3
+    apart, theirs, before = (np.linalg.norm(each[:, None] - each[None], axis=2) for each in (ours, ends[1], ends[0]))
+    assert theirs == pytest.approx(before, rel=1e-4, abs=1e-4)
+    assert apart == pytest.approx(before, rel=1e-4, abs=1e-4)
+
+
+def on_one_board(layout):
+    """The layout with all elements carried by the first one's point, where its board is."""
+    first = layout.elements[0].anchor
+    carried = [
+        replace(
+            each, anchor=replace(each.anchor, mesh=first.mesh, point=first.point, topology_hash=first.topology_hash)
+        )
+        for each in layout.elements
+    ]
+    return replace(layout, elements=tuple(carried))

@@ -10,6 +10,7 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.model import Anchor, Control, Drive, Element, Joint, Layout, Member, Skeleton, Skin
+from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.usd import carry
 from usdrigui.usd.carry import Carriage, PointShape
 
@@ -161,3 +162,31 @@ def test_a_skeleton_that_collapses_space_is_refused():
     made = rig({HEAD: 1.0}, np.diag([1.0, 1, 0, 1]))
     with pytest.raises(RigUIError, match="SKELETON_INVALID"):
         Carriage(made, layout(made, element(["chin"])))
+
+
+def test_the_board_hangs_on_what_none_of_its_controls_turns():
+    made = rig({JAW: 1.0}, controls=(turning("nod", [HEAD]), turning("chew", [JAW]), turning("walk", [HIPS])))
+    nod, chew = (replace(element([name], beside=True), name=name) for name in ("nod", "chew"))
+    carriage = Carriage(made, layout(made, nod, chew))
+    assert [carriage.grip(each).track.joints.tolist() for each in (nod, chew)] == [[HIPS], [HIPS]]
+    alone = Carriage(made, layout(made, chew))
+    assert alone.grip(chew).track.joints.tolist() == [HEAD]
+
+
+def test_the_board_stays_in_one_piece_at_every_pose():
+    made = rig({JAW: 1.0}, controls=(turning("nod", [HEAD]), turning("chew", [JAW]), turning("walk", [HIPS])))
+    digest = made.meshes[0].topology_hash
+    rows = [replace(element([name], beside=True), name=name) for name in ("nod", "chew")]
+    rows = [replace(each, anchor=replace(each.anchor, topology_hash=digest)) for each in rows]
+    poser = prepare(made, layout(made, *rows))
+    still = np.concatenate([at.tracks[0] for at in evaluate(poser).elements])
+    for own in ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.7, -0.4, 0.0]):
+        posed = evaluate(poser, own).elements
+        assert np.concatenate([at.tracks[0] for at in posed]) == pytest.approx(still, abs=1e-12)
+    carried = np.concatenate([at.tracks[0] for at in evaluate(poser, [0.5, 0.5, 1.0]).elements])
+    assert np.abs(carried - still).max() > 0.1
+    assert distances(carried) == pytest.approx(distances(still), abs=1e-9)
+
+
+def distances(points):
+    return np.linalg.norm(points[:, None] - points[None], axis=2)

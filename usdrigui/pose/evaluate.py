@@ -3,14 +3,15 @@
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
 its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or where
 `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that carries the
-face) and its handle slides along the tracks.  These are the rules of the written layer, where tracks and
+face) and its handle slides along the tracks.  What stands beside the face is one board and stays in one
+piece: no control of any element there moves it.  These are the rules of the written layer, where tracks and
 handles are gprims that UsdSkel deforms; better than a gprim can, tracks here also follow other controls
 of the joints that their own control turns.  numpy only.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -67,6 +68,8 @@ class Poser(Record):
     still: Rig
     """`anchors` all on one joint, for static elements."""
     still_base: Posed
+    board: Indices
+    """Controls of the elements beside the face that turn or move joints, as indices into `Rig.controls`."""
 
 
 def prepare(rig: Rig, layout: Layout) -> Poser:
@@ -85,7 +88,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     if any(element.adapt == "static" for element in layout.elements):
         still = on_one_joint(anchors, rows[[not element.anchor.beside for element in layout.elements]])
         still_base = posed(still, layout.base_values)
-    return Poser(rig, layout, anchors, rows, owned, base, still, still_base or base)
+    return Poser(rig, layout, anchors, rows, owned, base, still, still_base or base, _board(rig, layout, owned))
 
 
 def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
@@ -101,7 +104,8 @@ def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
     whole = posed(poser.anchors, values)
     still = whole if poser.still is poser.anchors else posed(poser.still, values)
-    return tuple(_element(poser, index, whole, still, values) for index in range(len(poser.rows)))
+    board = _board_at(poser, whole, still, values)
+    return tuple(_element(poser, index, whole, still, board, values) for index in range(len(poser.rows)))
 
 
 def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
@@ -129,13 +133,13 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
     return at
 
 
-def _element(poser: Poser, index: int, whole: Posed, still: Posed, values: Floats) -> PosedElement:
+def _element(
+    poser: Poser, index: int, whole: Posed, still: Posed, board: tuple[Posed, Posed], values: Floats
+) -> PosedElement:
     element, row = poser.layout.elements[index], int(poser.rows[index])
-    if element.adapt == "static":
-        skin, before, at = poser.still, poser.still_base, still
-    else:
-        skin, before, at = poser.anchors, poser.base, whole
-    others = _others(poser, skin, index, at, values)
+    static = element.adapt == "static"
+    skin, before, at = (poser.still, poser.still_base, still) if static else (poser.anchors, poser.base, whole)
+    others = board[static] if element.anchor.beside else _others(poser, skin, index, at, values)
     base = before.points[row]
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
     if not _detached(element):
@@ -173,6 +177,17 @@ def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -
         moved, offsets = paths_around(skin, whole, values, j, base_values[j : j + 1])
         points[moved] += offsets[0]
     return replace(whole, points=points)
+
+
+def _board_at(poser: Poser, whole: Posed, still: Posed, values: Floats) -> tuple[Posed, Posed]:
+    """The anchors on their own skin and on one joint as the board goes: none of its own controls turns a joint."""
+    base_values = poser.layout.base_values
+    if np.array_equal(values[poser.board], base_values[poser.board]):
+        return whole, still
+    without = values.copy()
+    without[poser.board] = base_values[poser.board]
+    carried = posed(poser.anchors, without)
+    return carried, carried if poser.still is poser.anchors else posed(poser.still, without)
 
 
 def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Floats]:
@@ -213,6 +228,13 @@ def _anchor_point(rig: Rig, element: Element) -> int:
                 raise refuse("LAYOUT_STALE", mesh.path, f"its topology is not that which {element.name} is anchored to")
             return int(start) + anchor.point
     raise refuse("LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist")
+
+
+def _board(rig: Rig, layout: Layout, owned: Sequence[Indices]) -> Indices:
+    """Controls of the elements beside the face that drive joints."""
+    beside = [own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.beside]
+    controls = sorted({control for own in beside for control in own.tolist()})
+    return np.array([each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64)
 
 
 def _controls(names: Mapping[str, int], element: Element) -> Indices:

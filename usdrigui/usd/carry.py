@@ -90,13 +90,13 @@ class Grip(Record):
     """(3,) anchor in the rest arrangement."""
     handle: Hold
     track: Hold
-    """As `handle`, less what the element's own controls move."""
+    """As `handle`, less what the element's own controls move; beside the face, those of any element there."""
     shapes: tuple[PointShape, ...]
     """Of the anchor, in the order of the channels; none for an element that does not deform."""
     own_channels: frozenset[int]
     """Channels that the element's own controls drive."""
     turning: bool
-    """True when the element's own controls move joints that the anchor hangs on."""
+    """True when controls that `track` ignores move joints that the anchor hangs on."""
     deforms: bool
     """False for elements beside the character and static ones: the anchor's shapes do not act on them."""
 
@@ -115,6 +115,8 @@ class Carriage:
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.beside]
         self._rigid = _rigid_carrier(rig, on_face)
         self._shapes = _shapes_of(rig, on_face, self._size)
+        beside = [member.control for each in layout.elements if each.anchor.beside for member in each.members]
+        self._board = _own_joints([self.control(name) for name in beside], self._size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -135,7 +137,8 @@ class Carriage:
         influences = _influences(mesh, point)
         if element.adapt == "static" and self._rigid >= 0:
             influences = np.array([self._rigid]), np.ones(1)
-        own = _own_joints(controls, self._size)
+        # The board stays in one piece: what one of its elements turns moves none of them.
+        own = _own_joints(controls, self._size) | (self._board if element.anchor.beside else set())
         fixed = _without(self.rig, influences, own)
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)

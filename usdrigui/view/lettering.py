@@ -15,7 +15,7 @@ from usdrigui.view.overlay import Mark
 _INK, _QUIET, _RULE = (52, 56, 63), (104, 110, 120), (150, 155, 163)
 _HALO: dict[str, Any] = {"stroke_width": 1, "stroke_fill": (238, 240, 242)}
 _FAMILIES = {
-    "global": "whole face",
+    "global": "whole character",
     "hidden": "hidden",
     "composite": "composite",
     "requested": "by request",

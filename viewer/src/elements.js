@@ -1,7 +1,8 @@
 // Where every element's tracks and handle are at the current pose; mirrors usdrigui/pose/evaluate.py.
 //
 // Tracks follow the skin under all controls but the element's own, the handle under all.  Beside the face,
-// or where an element is static, it follows the joints of its anchor alone.
+// or where an element is static, it follows the joints of its anchor alone; what stands beside the face
+// stays in one piece, moved by no control of any element there.
 
 import * as matrix from './matrix.js';
 
@@ -39,6 +40,7 @@ export class Elements {
   /** Move all elements to the pose of `values`; with `still` all are taken for static ones. */
   follow(values, still = false) {
     this.deformer.drive(values);
+    this.board = this.boardControls();
     for (const element of this.list) this.followOne(element, values, still || element.static || element.beside);
   }
 
@@ -81,9 +83,17 @@ export class Elements {
     );
   }
 
-  /** Run `use` with the element's own controls at rest and all others as driven. */
+  /** Controls of the elements beside the face that turn or move joints. */
+  boardControls() {
+    const owned = this.list.filter((element) => element.beside).flatMap((element) => element.members);
+    const turning = owned.filter(({ control }) => this.deformer.controls[control].drive.joints.length);
+    return [...new Set(turning.map(({ control }) => control))];
+  }
+
+  /** Run `use` with the element's own controls at rest, beside the face all of the board's, and others as driven. */
   withoutOwn(element, values, use) {
-    const nested = element.members.reduce((inner, { control }) => {
+    const own = element.beside ? this.board : element.members.map(({ control }) => control);
+    const nested = own.reduce((inner, control) => {
       if (values[control] === this.rest[control]) return inner;
       return () => this.deformer.withControl(control, values[control], this.rest[control], inner);
     }, use);

@@ -424,7 +424,7 @@ export class Overlay {
   }
 }
 
-const FAMILIES = { global: 'Whole face', hidden: 'Inside', composite: 'Expressions', requested: 'By request', crowded: 'More' };
+const FAMILIES = { global: 'Whole character', hidden: 'Inside', composite: 'Expressions', requested: 'By request', crowded: 'More' };
 
 /** The heading of a family of elements beside the face. */
 export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
