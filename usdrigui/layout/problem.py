@@ -80,9 +80,7 @@ def inner_context(context: Context) -> Context:
     return replace(context, settings=of_parts(context.settings), precedent=precedent)
 
 
-def _of_part(
-    context: Context, sets: dict[int, CandidateSet], group: Group
-) -> tuple[Context, dict[int, CandidateSet]]:
+def _of_part(context: Context, sets: dict[int, CandidateSet], group: Group) -> tuple[Context, dict[int, CandidateSet]]:
     inner = inner_context(context)
     return inner, {control: anew(inner, sets[control]) for copy in _copies(group) for control in copy}
 
