@@ -7,7 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from usdrigui.settings import ObjectiveSettings
+from usdrigui.settings import ObjectiveSettings, SolveSettings
+from usdrigui.solve import solve
 
 SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "instances.py"
 FACE = 2.0
@@ -55,3 +56,14 @@ def test_overlap_counts_in_handle_widths(instances):
     for controls in (22, 80):
         problem = instances.face_like(4002, controls)
         assert problem.overlap.radius == pytest.approx(settings.overlap_radius * problem.separation)
+
+
+def test_toulbar2_proves_the_same_of_a_whole_face(instances):
+    """Every candidate of every control, unreduced."""
+    pytest.importorskip("pytoulbar2")
+    problem = instances.face_like(40_000, 22)
+    assert sum(len(each.cost) for each in problem.variables) > 4_500
+    theirs, ours = (solve(problem, SolveSettings(method=method)) for method in ("toulbar2", "highs"))
+    assert theirs.status == ours.status == "optimal"
+    assert ours.bound <= theirs.cost + 1e-6
+    assert theirs.cost - 1e-6 <= ours.cost <= theirs.cost + 1e-4 * abs(theirs.cost)

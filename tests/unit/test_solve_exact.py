@@ -1,7 +1,12 @@
-"""The whole method against enumeration, its bound, its stopping, and that its checks can fail."""
+"""The whole method against enumeration, its bound, its stopping, and that its checks can fail.
+
+More problems are compared with enumeration by ``USDRIGUI_BRUTE_FORCE=2000 python -m pytest
+tests/unit/test_solve_exact.py -k enumeration``.
+"""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -20,6 +25,8 @@ from usdrigui.solve.blocks import Blocks
 
 ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
+PART = max(75, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "300")) // 4)
+"""Random problems compared with enumeration, of each of the four parts."""
 
 
 def faults(problem: LayoutProblem, found: Assignment, best: Assignment) -> list[str]:
@@ -62,7 +69,7 @@ def verdicts(seeds: range) -> list[str]:
 
 @pytest.mark.parametrize("part", range(4))
 def test_agrees_with_enumeration_on_random_problems(part: int) -> None:
-    assert verdicts(range(75 * part, 75 * part + 75)) == []
+    assert verdicts(range(PART * part, PART * part + PART)) == []
 
 
 @pytest.mark.parametrize("seed", range(4))
