@@ -15,9 +15,7 @@ def with_hair(shapes):
     """The mask, and hair behind it: twice as large, facing back; `shapes` are given for the mask's points."""
     hair = 2.0 * POINTS * MIRROR - [0.0, 0.0, 0.1]
     behind = [[at + len(POINTS) for at in quad[::-1]] for quad in QUADS]
-    both = {
-        name: np.vstack([each, each if name.startswith("whole") else 0.0 * each]) for name, each in shapes.items()
-    }
+    both = {name: np.vstack([each, each if name.startswith("whole") else 0.0 * each]) for name, each in shapes.items()}
     return makers.rig(np.vstack([POINTS, hair]), [*QUADS, *behind], both)
 
 
