@@ -202,10 +202,10 @@ def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
 
 
 def test_rows_of_names_never_touch():
-    rows = lettering._spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
+    rows = lettering.spread(np.sort(np.random.default_rng(2).normal(100, 3, 12)), 10.0, 0.0, 300.0)
     assert np.diff(rows).min() >= 10.0 - 1e-9
     assert abs(rows.mean() - 100) < 3
-    assert lettering._spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
+    assert lettering.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
 
 
 def test_contact_sheets_hold_every_picture(front):
@@ -232,3 +232,65 @@ def test_refuses_what_it_cannot_draw(rig, layout, front):
 def test_a_layout_without_elements_shows_the_character(rig, layout):
     image = picture.render(rig, replace(layout, elements=()), views=["front"], size=SMALL)
     assert image.size == SMALL
+
+
+def test_a_head_wider_than_its_elements_is_whole_beside_a_board():
+    """The far side of the head is as far from the middle as the board is, the crown above the elements."""
+    low, high = np.array([-0.2, -0.2]), np.array([0.2, 0.2])
+    head = np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, 0.4]])
+    found_low, found_high = picture._with_head(low, high, head, 0.6)
+    assert found_low[0] < -0.5
+    assert found_high[1] > 0.4
+    arms = np.vstack([head, [[-9.0, 0.1], [0.0, 9.0]]])
+    far_low, far_high = picture._with_head(low, high, arms, 0.6)
+    assert far_low[0] == pytest.approx(-0.6)
+    assert far_high[1] == pytest.approx(0.2 + 0.9 * 0.4)
+
+
+def marked(element, box, outlines=()):
+    left, top, right, bottom = box
+    track = np.array([[left, top, 0.0], [right, bottom, 0.0]])
+    return element, overlay.Mark(
+        (0, 0, 0), "slider", (track,), (np.array([True, True]),), track[0], True, (), tuple(outlines)
+    )
+
+
+def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
+    one = replace(layout.elements[0], family="global")
+    large = np.array([[0.0, 60.0, 0.0], [20.0, 140.0, 0.0]])
+    tops = []
+    for outlines in ((), (large,)):
+        shown = [marked(one, (10.0, 100.0, 50.0, 100.0), outlines)]
+        boxes = np.array([lettering._box(drawn) for _, drawn in shown])
+        rows = np.array([lettering._row(drawn) for _, drawn in shown])
+        assert rows == pytest.approx([100.0])
+        ((text, _, y),) = lettering._headings(shown, boxes, rows, 15.0)
+        assert text == "whole character"
+        tops.append(y)
+    assert tops[0] <= 100.0 - 16.0
+    assert tops[1] <= 60.0 - 16.0
+
+
+def test_leader_lines_differ_from_any_ground():
+    for grey in (90, 150, 240):
+        ground = Image.new("RGB", (80, 30), (grey, grey, grey))
+        drawn = np.asarray(overlay.leaders(ground, [np.array([[5.0, 15.0], [75.0, 15.0]])])).astype(int)
+        across = drawn[:, 40, 0]
+        assert np.ptp(across) > 80  # its own contrast carries it, whatever it crosses
+        assert np.abs(across - grey).max() > 50
+
+
+def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(layout):
+    one = layout.elements[0]
+    patch = replace(one, kind="patch", members=(one.members[0],) * 3)
+    assert overlay.form_of(patch) == "patch"
+    assert overlay.form_of(replace(patch, opposed=((0, 1),))) == "joystick"
+    coarse = replace(one, inner=("finer",))
+    texts = [text for _, _, text, _ in picture._legend_entries([coarse])]
+    assert texts[-1] == "coarse: opens into finer ones"
+    assert not any(ringed for *_, ringed in picture._legend_entries([one]))
+    plain, ringed = (np.asarray(overlay.knob("slider", (29, 98, 214), 8.0, given)) for given in (False, True))
+    assert ringed.shape[0] > plain.shape[0]
+    middle = ringed.shape[0] // 2
+    beyond = ringed[middle, middle + round(1.75 * 8.0 * overlay._FINE)]
+    assert beyond.tolist() == [29, 98, 214, 255]

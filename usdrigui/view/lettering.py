@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -10,9 +11,9 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from usdrigui.model import Element, Floats
-from usdrigui.view.overlay import Mark
+from usdrigui.view.overlay import Mark, leaders
 
-_INK, _QUIET, _RULE = (52, 56, 63), (104, 110, 120), (150, 155, 163)
+_INK, _QUIET = (52, 56, 63), (104, 110, 120)
 _HALO: dict[str, Any] = {"stroke_width": 1, "stroke_fill": (238, 240, 242)}
 _FAMILIES = {
     "global": "whole character",
@@ -23,6 +24,8 @@ _FAMILIES = {
 }
 _LARGEST, _LEAST = 12, 7
 """Sizes of names, pixels."""
+_CLEAR = 18.0
+"""From the middle of a heading to the row below, where there is room: the air of half a line between them."""
 
 Named = Sequence[tuple[Element, Mark]]
 
@@ -50,7 +53,7 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
         return
     pen = ImageDraw.Draw(picture)
     boxes = np.array([_box(drawn) for _, drawn in shown])
-    rows = 0.5 * (boxes[:, 1] + boxes[:, 3])
+    rows = np.array([_row(drawn) for _, drawn in shown])
     pitch = _pitch(boxes, rows)
     type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
     free = np.array([_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))])
@@ -65,9 +68,8 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
         pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
 
-def call_out(picture: Image.Image, shown: Named) -> None:
-    """Name every element in a column at the nearer edge of the picture, with a line to its handle."""
-    pen = ImageDraw.Draw(picture, "RGBA")
+def call_out(picture: Image.Image, shown: Named) -> Image.Image:
+    """The picture with every element named in a column at the nearer edge, with a line to its handle."""
     centre = float(np.median([drawn.handle[0] for _, drawn in shown])) if shown else 0.0
     ordered = sorted(shown, key=lambda each: (float(each[1].handle[0]), each[0].name))
     on_left = [each for each in ordered if float(each[1].handle[0]) < centre]
@@ -75,29 +77,46 @@ def call_out(picture: Image.Image, shown: Named) -> None:
     # A crowded middle must not fill one column while the other stands empty.
     while len(on_right) > len(on_left) + 1:
         on_left.append(on_right.pop(0))
-    for column, left in ((on_left, True), (on_right, False)):
-        _column(pen, picture.size, column, left)
+    names = _column(picture.size, on_left, True) + _column(picture.size, on_right, False)
+    picture = leaders(picture, [name.line for name in names])
+    pen = ImageDraw.Draw(picture)
+    for name in names:
+        pen.text(name.place, name.text, fill=_INK, font=name.type_, anchor=name.side)
+    return picture
 
 
-def _column(pen: ImageDraw.ImageDraw, size: tuple[int, int], shown: Named, left: bool) -> None:
+@dataclass(frozen=True)
+class _Name:
+    """A name at the edge of the picture, and the line (3, 2) to its handle."""
+
+    text: str
+    place: tuple[float, float]
+    side: str
+    """Anchor of the text, as Pillow calls it."""
+    type_: ImageFont.FreeTypeFont
+    line: Floats
+
+
+def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     if not shown:
-        return
+        return []
     shown = sorted(shown, key=lambda each: (float(each[1].handle[1]), each[0].name))
     free = size[1] - 34.0
     pitch = min(free / len(shown), _LARGEST + 6.0)
     type_ = font(int(np.clip(pitch - 2.0, _LEAST, _LARGEST)))
-    rows = _spread(np.array([float(drawn.handle[1]) for _, drawn in shown]), pitch, 8.0, size[1] - 26.0)
+    rows = spread(np.array([float(drawn.handle[1]) for _, drawn in shown]), pitch, 8.0, size[1] - 26.0)
     edge = 6.0 if left else size[0] - 6.0
+    names = []
     for (element, drawn), y in zip(shown, rows, strict=True):
         wide = type_.getlength(element.label)
         start = edge + wide + 4 if left else edge - wide - 4
         bend = start + (12 if left else -12)
-        handle = (float(drawn.handle[0]), float(drawn.handle[1]))
-        pen.line([(start, y), (bend, y), handle], fill=(*_RULE, 130), width=1)
-        pen.text((edge, y), element.label, fill=_INK, font=type_, anchor="lm" if left else "rm")
+        line = np.array([[start, y], [bend, y], drawn.handle[:2]])
+        names.append(_Name(element.label, (edge, float(y)), "lm" if left else "rm", type_, line))
+    return names
 
 
-def _spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
+def spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
     """Ascending rows at least `pitch` apart, within [low, high] if they fit, least squares from those wanted.
 
     ``wanted`` ascends.  Subtracting the pitch makes it isotonic regression, solved by pooling neighbours
@@ -116,9 +135,15 @@ def _spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
 
 
 def _box(drawn: Mark) -> Floats:
-    """(4,) left, top, right and bottom of a mark, pixels."""
-    points = np.concatenate([*drawn.tracks, drawn.handle[None]])[:, :2]
+    """(4,) left, top, right and bottom of a mark with its own handle, pixels."""
+    points = np.concatenate([*drawn.tracks, drawn.handle[None], *drawn.outlines])[:, :2]
     return np.concatenate([points.min(axis=0), points.max(axis=0)])
+
+
+def _row(drawn: Mark) -> float:
+    """Height of the middle of a mark's tracks, whatever the shape of its handle."""
+    heights = np.concatenate([*drawn.tracks, drawn.handle[None]])[:, 1]
+    return 0.5 * float(heights.min() + heights.max())
 
 
 def _room(boxes: Floats, rows: Floats, index: int, pitch: float, width: int) -> float:
@@ -146,7 +171,7 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
                 family = shown[index][0].family
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
-                place = (float(boxes[column, 0].min()) - 4.0, top - min(line, 0.5 * pitch + 4.0))
+                place = (float(boxes[column, 0].min()) - 4.0, top - min(line, max(0.5 * pitch + 4.0, _CLEAR)))
                 found.append((_FAMILIES.get(family, family), *place))
             above = float(boxes[index, 3])
     return found

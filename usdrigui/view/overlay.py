@@ -27,7 +27,7 @@ SIDES: dict[str, Colour] = {
     "beside": (112, 84, 178),
 }
 """Colours by side, as studios use them; the character's own left and right."""
-FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "fan": "fan"}
+FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "joystick": "joystick", "fan": "fan"}
 _FINE = 3
 """Sub-pixels along each axis."""
 _FAINT = 0.30
@@ -55,6 +55,8 @@ class Mark(Record):
     """Lines or faces (k, 3) of a custom handle, which then stands for the usual one."""
     solid: bool = False
     """True when the outlines are faces."""
+    coarse: bool = False
+    """Whether it opens into other elements, and so has a ring."""
 
 
 def colour_of(element: Element) -> Colour:
@@ -64,10 +66,11 @@ def colour_of(element: Element) -> Colour:
 
 def form_of(element: Element) -> str:
     """Which handle an element gets: a key of `FORMS`."""
+    signed = any(member.values[0] < 0.0 < member.values[-1] for member in element.members)
+    both_ways = bool(element.opposed) or signed
     if element.kind == "slider":
-        signed = any(member.values[0] < 0.0 < member.values[-1] for member in element.members)
-        return "two-way" if element.opposed or signed else "slider"
-    return element.kind
+        return "two-way" if both_ways else "slider"
+    return "joystick" if element.kind == "patch" and both_ways else element.kind
 
 
 def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, handle_width: float) -> Mark:
@@ -84,36 +87,57 @@ def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, h
         handle,
         bool(_seen(handle[None], depth, slack)[0]),
         fields,
-        _outlines(element, posed, camera),
+        _outlines(element, posed, camera, handle_width),
         element.glyph is not None and element.glyph.form == "mesh",
+        bool(element.inner),
     )
 
 
-def _outlines(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
-    """Lines, or faces from far to near, of a custom handle."""
+def _radius(camera: Camera, handle_width: float) -> float:
+    """Of a handle, in pixels: small ones are drawn larger than they are."""
+    return max(0.5 * handle_width * camera.scale, 3.2)
+
+
+def _outlines(element: Element, posed: PosedElement, camera: Camera, handle_width: float) -> tuple[Floats, ...]:
+    """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one is."""
     if element.glyph is None:
         return ()
-    parts = np.split(camera.project(posed.glyph)[element.glyph.indices], np.cumsum(element.glyph.counts)[:-1])
+    points, centre = camera.project(posed.glyph), camera.project(posed.handle)
+    enlarged = _radius(camera, handle_width) / max(0.5 * handle_width * camera.scale, 1e-12)
+    points[:, :2] = centre[:2] + enlarged * (points[:, :2] - centre[:2])
+    parts = np.split(points[element.glyph.indices], np.cumsum(element.glyph.counts)[:-1])
     return tuple(sorted(parts, key=lambda part: float(part[:, 2].mean())))
 
 
 def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera) -> Image.Image:
     """The picture with all marks over it: hidden parts, fields, tracks, then handles from far to near."""
-    radius = max(0.5 * layout.handle_width * camera.scale, 3.2)
+    radius = _radius(camera, layout.handle_width)
     ordered = sorted(marks, key=lambda each: float(each.handle[2]))
     picture = _over(picture, _hidden(picture.size, ordered, radius), _FAINT)
     picture = _over(picture, _spans(picture.size, ordered), _FIELD)
     picture = _over(picture, _lines(picture.size, ordered, radius), 1.0)
-    enlarged = radius / max(0.5 * layout.handle_width * camera.scale, 1e-12)
-    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius, enlarged), 1.0)
+    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0)
+
+
+def leaders(picture: Image.Image, lines: list[Floats]) -> Image.Image:
+    """The picture with thin lines (k, 2) that can be followed over skin and paper alike: light, cased darkly."""
+    layer = _layer(picture.size)
+    pen = ImageDraw.Draw(layer)
+    for width, ink in ((3.0, (52, 56, 63, 200)), (1.34, (255, 255, 255, 255))):
+        for line in lines:
+            _stroke(pen, line, width, ink)
+    return _over(picture, layer, 1.0)
 
 
 @cache
-def knob(form: str, colour: Colour, radius: float) -> Image.Image:
-    """A handle as a small square picture at the fine resolution: a lit ball, block or diamond with a white rim."""
-    reach = int(np.ceil(radius * _FINE * 1.5)) + 2
+def knob(form: str, colour: Colour, radius: float, coarse: bool = False) -> Image.Image:
+    """A handle as a small square picture at the fine resolution: a lit ball, block or diamond with a white rim.
+
+    What goes both ways has a thin ring of its own form, what is ``coarse`` a broad round one.
+    """
+    reach = int(np.ceil(radius * _FINE * (2.2 if coarse else 1.5))) + 2
     y, x = np.mgrid[-reach : reach + 1, -reach : reach + 1] / (radius * _FINE)
-    if form == "patch":
+    if form in ("patch", "joystick"):
         away = np.maximum(np.abs(x), np.abs(y)) * 0.5 + np.hypot(x, y) * 0.5
         away = away * 1.08
     elif form == "fan":
@@ -128,16 +152,21 @@ def knob(form: str, colour: Colour, radius: float) -> Image.Image:
     inside = np.clip((0.86 - away) * radius * _FINE + 0.5, 0.0, 1.0)[..., None]
     rgb = rgb * inside + 255.0 * (1.0 - inside)
     alpha = np.clip((1.06 - away) * radius * _FINE + 0.5, 0.0, 1.0)
-    if form == "two-way":
-        ring = np.clip((0.08 - np.abs(away - 1.28)) * radius * _FINE + 0.5, 0.0, 1.0)
-        rgb = np.where(away[..., None] > 1.1, np.array(colour, dtype=np.float64), rgb)
-        alpha = np.maximum(alpha, ring)
+    rings = [(away, 1.28, 0.08)] if form in ("two-way", "joystick") else []
+    rings += [(np.hypot(x, y), 1.75, 0.15)] if coarse else []
+    for apart, at, half in rings:
+        casing = 0.6 * np.clip((half + 0.16 - np.abs(apart - at)) * radius * _FINE + 0.5, 0.0, 1.0) if coarse else 0.0
+        ring = np.clip((half - np.abs(apart - at)) * radius * _FINE + 0.5, 0.0, 1.0)
+        rgb = np.where(ring[..., None] > 0.0, np.array(colour, dtype=np.float64), rgb)
+        alpha = np.maximum(alpha, np.maximum(ring, casing))
     return Image.fromarray(np.dstack([rgb, 255.0 * alpha]).round().astype(np.uint8), "RGBA")
 
 
-def paste_knob(picture: Image.Image, form: str, colour: Colour, radius: float, at: tuple[float, float]) -> None:
+def paste_knob(
+    picture: Image.Image, form: str, colour: Colour, radius: float, at: tuple[float, float], coarse: bool = False
+) -> None:
     """Put one handle on an RGB picture, for legends."""
-    fine = knob(form, colour, radius)
+    fine = knob(form, colour, radius, coarse)
     small = fine.resize((round(fine.width / _FINE), round(fine.height / _FINE)), Image.Resampling.BOX)
     corner = (round(at[0] - small.width / 2), round(at[1] - small.height / 2))
     picture.paste(small, corner, small)
@@ -237,13 +266,13 @@ def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Im
     return layer
 
 
-def _knobs(size: tuple[int, int], marks: list[Mark], radius: float, enlarged: float) -> Image.Image:
+def _knobs(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
     layer = _layer(size)
     for each in marks:
         if each.outlines:
-            _glyph(ImageDraw.Draw(layer), each, enlarged)
+            _glyph(ImageDraw.Draw(layer), each)
             continue
-        ball = knob(each.form, each.colour, round(radius, 2))
+        ball = knob(each.form, each.colour, round(radius, 2), each.coarse)
         x, y = (round(float(value) * _FINE - ball.width / 2) for value in each.handle[:2])
         if -ball.width < x < layer.width and -ball.height < y < layer.height:
             box = (max(-x, 0), max(-y, 0), min(ball.width, layer.width - x), min(ball.height, layer.height - y))
@@ -251,10 +280,9 @@ def _knobs(size: tuple[int, int], marks: list[Mark], radius: float, enlarged: fl
     return layer
 
 
-def _glyph(pen: ImageDraw.ImageDraw, drawn: Mark, enlarged: float) -> None:
-    """A custom handle with a white rim, as much larger as small handles are drawn larger than they are."""
-    centre = drawn.handle[:2]
-    parts = [centre + enlarged * (part[:, :2] - centre) for part in drawn.outlines]
+def _glyph(pen: ImageDraw.ImageDraw, drawn: Mark) -> None:
+    """A custom handle with a white rim."""
+    parts = [part[:, :2] for part in drawn.outlines]
     lines = [np.concatenate([part, part[:1]]) if drawn.solid else part for part in parts]
     for width, ink in ((4.2, (*_WHITE, 255)), (2.0, (*_deep(drawn.colour), 255))):
         for line in lines:

@@ -26,12 +26,17 @@ _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
 _MARGIN = np.array([0.14, 0.20])
 """Space around the elements on the face, to the sides and up and down, as a share of their extent."""
-_HEADROOM = 30.0
+_CROWN, _SIDE = 0.9, 0.1
+"""How far above the elements the head may go on beside a board, and the space at its side, in heights of the
+elements' frame."""
+_HEADROOM = 34.0
 """Space above a board that reaches the upper edge, for its heading, in pixels."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
 """Background of the panels."""
+_FADE = 0.07
+"""Share of a panel's height above its lower edge in which the body fades."""
 _BETWEEN = "   ·   "
 _PAPER, _INK, _QUIET = (250, 250, 251), (38, 42, 48), (104, 110, 120)
 
@@ -85,7 +90,8 @@ class _Scene:
 def _set_up(
     rig: Rig, layout: Layout, posed: PosedLayout, views: Sequence[str], size: tuple[int, int], labels: bool
 ) -> _Scene:
-    panels = tuple(_framed(layout, posed, rig.up, view, labels) for view in views)
+    skin = _skin(rig, posed)
+    panels = tuple(_framed(layout, posed, skin, rig.up, view, labels) for view in views)
     cameras, corners = _arranged(panels, size)
     return _Scene(panels, tuple(cameras), tuple(corners))
 
@@ -162,8 +168,15 @@ def _check(views: Sequence[str], size: tuple[int, int]) -> None:
         raise refuse("CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small")
 
 
-def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: bool) -> _Framed:
-    """The rectangle around the elements, with a margin; the same height for every view of a layout."""
+def _skin(rig: Rig, posed: PosedLayout) -> Floats:
+    """(m, 3) finite points of the visible meshes, or of all if none is."""
+    seen = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    points = posed.points[seen] if seen.any() else posed.points
+    return np.asarray(points[np.isfinite(points).all(axis=1)])
+
+
+def _framed(layout: Layout, posed: PosedLayout, skin: Floats, up: Floats, view: str, labels: bool) -> _Framed:
+    """The rectangle around the elements, with a margin; with a board also around it and the head between."""
     angle = np.radians(VIEWS[view])
     ahead = layout.view - (layout.view @ up) * up
     left = np.cross(up, ahead)
@@ -178,6 +191,7 @@ def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: b
     if beside:
         more = _extent(layout, posed, rows, True)
         pad = 1.5 * layout.handle_width
+        low, high = _with_head(low, high, skin @ rows[:2].T, float(more[0][0]))
         headroom = _HEADROOM if more[1][1] + pad > high[1] else 0.0
         low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
         columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
@@ -187,13 +201,28 @@ def _framed(layout: Layout, posed: PosedLayout, up: Floats, view: str, labels: b
     return _Framed(view, rows, low, high, beside, columns, headroom, labels and view == "front")
 
 
+def _with_head(low: Floats, high: Floats, across: Floats, board: float) -> tuple[Floats, Floats]:
+    """A frame widened to the far side of the head, of points (m, 2), and raised to its crown.
+
+    The near side lies between the face and the board, whose left edge is at ``board``; the far side is let to
+    go as far, and no arm that reaches farther makes the face small.
+    """
+    middle, tall = 0.5 * (low[0] + high[0]), high[1] - low[1]
+    level = across[(across[:, 1] >= low[1]) & (across[:, 1] <= high[1]), 0]
+    least = 2.0 * middle - max(board, high[0])
+    side = max(float(level.min(initial=low[0])) - _SIDE * tall, least)
+    column = across[(across[:, 0] >= min(side, low[0])) & (across[:, 0] <= board), 1]
+    crown = min(float(column.max(initial=high[1])) + _SIDE * tall, high[1] + _CROWN * tall)
+    return np.array([min(side, low[0]), low[1]]), np.array([high[0], max(crown, high[1])])
+
+
 def _extent(layout: Layout, posed: PosedLayout, rows: Floats, beside: bool) -> tuple[Floats, Floats]:
     """Corners (2,) of the box around the tracks on the face, or beside it, in the view's plane."""
     lines = [
         track
         for element, at in zip(layout.elements, posed.elements, strict=True)
         if element.anchor.beside == beside
-        for track in at.tracks
+        for track in (*at.tracks, *([at.glyph] if beside and len(at.glyph) else []))
     ]
     points = np.concatenate(lines) if lines else posed.points[np.isfinite(posed.points).all(axis=1)]
     across = points @ rows[:2].T
@@ -236,11 +265,13 @@ def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, ca
         for element, at in zip(layout.elements, posed.elements, strict=True)
         if panel.beside or not element.anchor.beside
     ]
+    if panel.labels:
+        picture = lettering.call_out(
+            picture, [(element, drawn) for element, drawn in shown if not element.anchor.beside]
+        )
     picture = overlay.draw(picture, [drawn for _, drawn in shown], layout, camera)
     beside = [(element, drawn) for element, drawn in shown if element.anchor.beside]
     lettering.name_beside(picture, beside)
-    if panel.labels:
-        lettering.call_out(picture, [(element, drawn) for element, drawn in shown if not element.anchor.beside])
     return picture
 
 
@@ -258,7 +289,8 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
     """Linear light to an sRGB picture over the background."""
     down = np.linspace(0.0, 1.0, len(shaded.depth))[:, None, None]
     behind = (1.0 - down) * _TOP + down * _BOTTOM
-    cover = shaded.cover[..., None]
+    # The body goes on below the picture: it fades out there, and no sleeve stands cut on the edge.
+    cover = (shaded.cover * np.clip((1.0 - down[..., 0]) / _FADE, 0.0, 1.0))[..., None]
     linear = np.clip(shaded.colour, 0.0, 1.0)
     encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
     mixed = cover * encoded + (1.0 - cover) * behind
@@ -296,10 +328,10 @@ def _legend(page: Image.Image, layout: Layout) -> None:
     """Colours by side and forms by kind, of what the layout holds."""
     pen, font = ImageDraw.Draw(page), lettering.font(13)
     x, y = float(_EDGE + 8), page.height - _LEGEND / 2
-    for form, colour, text in _legend_entries(layout.elements):
+    for form, colour, text, coarse in _legend_entries(layout.elements):
         if x + 15 + font.getlength(text) > page.width - _EDGE:
             break  # a narrow page explains the colours first
-        overlay.paste_knob(page, form, colour, 7.5, (x, y))
+        overlay.paste_knob(page, form, colour, 5.5 if coarse else 7.5, (x, y), coarse)
         pen.text((x + 15, y), text, fill=_QUIET, font=font, anchor="lm")
         x += 15 + font.getlength(text) + 30
     note = "faint: hidden by the character"
@@ -307,12 +339,14 @@ def _legend(page: Image.Image, layout: Layout) -> None:
         pen.text((page.width - _EDGE, y), note, fill=_QUIET, font=font, anchor="rm")
 
 
-def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, overlay.Colour, str]]:
+def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, overlay.Colour, str, bool]]:
     used = {"beside" if each.anchor.beside else "middle" if each.side == "none" else each.side for each in elements}
     names = {"left": "character's left", "right": "character's right", "middle": "middle", "beside": "beside the face"}
-    entries = [("slider", overlay.SIDES[side], text) for side, text in names.items() if side in used]
+    entries = [("slider", overlay.SIDES[side], text, False) for side, text in names.items() if side in used]
     forms = {overlay.form_of(each) for each in elements}
     grey = (128, 134, 142)
-    if forms == {"slider"}:
-        return entries
-    return entries + [(form, grey, text) for form, text in overlay.FORMS.items() if form in forms]
+    if forms != {"slider"}:
+        entries += [(form, grey, text, False) for form, text in overlay.FORMS.items() if form in forms]
+    if any(each.inner for each in elements):
+        entries.append(("slider", grey, "coarse: opens into finer ones", True))
+    return entries
