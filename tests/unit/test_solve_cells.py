@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, reduce, solve
+from usdrigui.solve import cells, crowding, reduce, solve
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
@@ -123,24 +122,14 @@ def test_stopped_ascent_keeps_an_honest_bound() -> None:
         assert found.bound <= optimum + 1e-9
 
 
-@pytest.mark.parametrize("waits", [True, False])
-def test_prices_that_gain_nothing_take_less_work_than_the_rest(monkeypatch: pytest.MonkeyPatch, waits: bool) -> None:
-    """Without waits they are looked for every round, and take more than the rest."""
-    looked: list[int] = []
-
-    def in_vain(*given: Any) -> tuple[Dual, Cells]:
-        _costs, _where, dual, known, _cut, watch = given
-        watch.spend(200_000)
-        looked.append(watch.work)
-        return dual, known
-
+def test_every_variable_is_in_play_however_many_there_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(crowding, "IN_PLAY", 8)
     monkeypatch.setattr(reduce, "FEW", 10)
-    monkeypatch.setattr(reduce, "FAR", 0.0)
-    monkeypatch.setattr(reduce, "_grouped", lambda residual, *_: residual)
-    monkeypatch.setattr(reduce, "tightened", in_vain)
-    monkeypatch.setattr(reduce, "looking_costs", lambda _: 200_000)
-    if not waits:
-        monkeypatch.setattr(reduce, "WAIT", 0)
-    solve(crowd(7, variables=8, candidates=60), SolveSettings(work_limit=2_000_000))
-    assert len(looked) > 1
-    assert (200_000 * len(looked) <= 0.5 * looked[-1]) == waits
+    problem = crowd(3, variables=6, candidates=40)
+    looked: list[int] = []
+    plain = crowding.tightened
+    monkeypatch.setattr(reduce, "tightened", lambda *given: (looked.append(1), plain(*given))[1])
+    found = solve(problem, SolveSettings(gap=1e-6))
+    assert looked
+    monkeypatch.undo()
+    assert found.cost == pytest.approx(solve(problem, SolveSettings(gap=1e-6)).cost, rel=2e-6)

@@ -118,16 +118,6 @@ def tightened(costs: Costs, where: Places, dual: Dual, cells: Cells, cut: float,
     return dual, cells
 
 
-def looking_costs(pool: Pool) -> int:
-    """Work that `tightened` is about to take."""
-    return STEPS * _step_costs(min(len(pool.cost), IN_PLAY), NEW)
-
-
-def _step_costs(entries: int, cells: int) -> int:
-    """Work of one step of the ascent."""
-    return (entries**2 * 3 + cells * entries) // 16
-
-
 def _proposed(
     costs: Costs, where: Places, dual: Dual, cells: Cells, softness: float, watch: Watch
 ) -> tuple[Cells, Ascent]:
@@ -146,7 +136,7 @@ def _proposed(
                     counts.append(count)
             ascent.extend(cells_of(groups, counts, ascent.price))
         ascent.price_step(eps)
-        watch.spend(_step_costs(len(ascent.chosen), len(groups)))
+        watch.spend((len(ascent.chosen) ** 2 * 3 + len(groups) * len(ascent.chosen)) // 16)
         if watch.stopped():
             break
     for _ in range(4):
@@ -162,7 +152,8 @@ def _in_play(pool: Pool, dual: Dual) -> Indices:
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.arange(len(order)) - pool.start[pool.variable[order]]
     excess[rank < 2] = -1.0
-    return np.sort(np.argsort(excess, kind="stable")[:IN_PLAY])
+    most = max(IN_PLAY, int((rank < 2).sum()))
+    return np.sort(np.argsort(excess, kind="stable")[:most])
 
 
 class Ascent:

@@ -11,7 +11,7 @@ from usdrigui.model import Flags, Floats, Indices, LayoutProblem
 from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, whole
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
-from usdrigui.solve.crowding import Costs, looking_costs, places, tightened
+from usdrigui.solve.crowding import Costs, places, tightened
 from usdrigui.solve.groups import LARGEST, decode, group_gains
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
@@ -29,10 +29,8 @@ FEW = 300
 """Blocks left from which on they are searched at their true costs."""
 FAR = 20.0
 """Spots are priced while the bound is this many allowed gaps away; nearer, groups alone are quicker."""
-PAYS = 0.05
-"""Share of the missing bound that prices must gain; else they have failed."""
-WAIT = 2
-"""How many times their work is done otherwise before prices that failed are looked for again; doubled each time."""
+MOST_PRICED = 1000
+"""Variables up to which spots are priced: two entries of each are in play, in tables of all their pairs."""
 BYTES_PER_PAIR = 120
 SWEEPS = 8
 
@@ -55,10 +53,6 @@ class Residual:
     """(variables,) entries of the best solution known of the problem that the blocks bound from below."""
     value: float
     """Its cost there: at best the bound can rise to this before blocks are split."""
-    patience: int = 0
-    """Work from which on prices are looked for."""
-    failures: int = 0
-    """How often in a row prices gained nothing."""
 
     @property
     def pool(self) -> Pool:
@@ -113,8 +107,7 @@ def _examined(
     if watch.closed() or watch.stopped() or splitting:
         return residual
     if len(residual.room) > FEW:
-        far = missing > FAR * watch.settings.gap * abs(watch.cut)
-        if far and watch.work >= max(residual.patience, looking_costs(residual.pool)):
+        if missing > FAR * watch.allowed and residual.pool.count <= MOST_PRICED:
             residual = _priced(residual, radius, watch)
         if not watch.closed():
             residual = _grouped(residual, watch, nodes)
@@ -170,20 +163,10 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
 
 
 def _priced(residual: Residual, radius: float, watch: Watch) -> Residual:
-    """The residual with the bound raised by prices on crowded spots.
-
-    Prices that fail are looked for again when twice, four times... the work they took is done otherwise, and the
-    first time when as much is done as looking takes: problems that need none do not pay much for others that do.
-    """
-    began = watch.work
+    """The residual with the bound raised by prices on crowded spots."""
     where = places(residual.pool, radius)
     dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, watch.cut, watch)
     bound, excess = dual.parts()
-    if bound < residual.bound + PAYS * (watch.cut - residual.bound):
-        wait = WAIT * (watch.work - began) * 2**residual.failures
-        residual = replace(residual, failures=residual.failures + 1, patience=watch.work + wait)
-    else:
-        residual = replace(residual, failures=0, patience=0)
     if bound <= residual.bound:
         return residual
     chosen, value = decode(dual, watch.settings.seed)
@@ -206,7 +189,8 @@ def _without_prices(residual: Residual, watch: Watch, nodes: int) -> Residual:
     room = np.maximum(residual.room, bound + np.concatenate(excess))
     plain = replace(residual, cells=no_cells(), dual=dual, bound=bound, room=room, chosen=chosen, value=value)
     plain = _grouped(plain, watch, nodes)
-    return replace(residual, bound=max(plain.bound, residual.bound), room=plain.room, chosen=plain.chosen)
+    bound = max(plain.bound, residual.bound)
+    return replace(residual, bound=bound, room=plain.room, chosen=plain.chosen, value=plain.value)
 
 
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:
@@ -255,5 +239,4 @@ def _bounded(
     watch.spend(1000 + SWEEPS * (dual.size // 16 + 64 * len(dual.edges)))
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
-    found = Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)
-    return found if older is None else replace(found, patience=older.patience, failures=older.failures)
+    return Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)
