@@ -7,8 +7,9 @@ records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from enum import IntEnum
 from types import MappingProxyType
 from typing import Literal
@@ -79,6 +80,13 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
 
 
+def meant(name: str, known: Iterable[str]) -> str:
+    """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where nothing is like it."""
+    folded = {each.lower(): each for each in known}
+    like = get_close_matches(name.lower(), folded, n=1)
+    return f"; did you mean {folded[like[0]]!r}?" if like else ""
+
+
 def visible(text: str) -> str:
     """Text that comes from a file as a terminal may show it: what would steer the terminal is spelt out."""
     return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
@@ -94,6 +102,11 @@ _CODES: dict[str, Code] = {
     ),
     # --- the process that reads the asset --------------------------------------------------------
     "SOURCE_NOT_A_FILE": Code("error", "The asset is not a regular file.", "Name the asset's root layer.", Exit.FILE),
+    "SOURCE_IS_LAYOUT": Code(
+        "error",
+        "What is to be laid out is a layout layer itself, not a character.",
+        "Process the character that it stands over; --previous keeps what the layer has.",
+    ),
     "SOURCE_LFS_POINTER": Code(
         "error",
         "The file is a Git LFS pointer: the asset itself was never fetched.",
@@ -323,6 +336,11 @@ _CODES: dict[str, Code] = {
         "A fixed anchor asks for what no layout can give.",
         "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
         Exit.USAGE,
+    ),
+    "PREVIOUS_MISMATCH": Code(
+        "error",
+        "The layout given as --previous is of another character.",
+        "Name the layer that was written for this asset; --like imitates another character's layout.",
     ),
     "BASE_MISMATCH": Code(
         "error",

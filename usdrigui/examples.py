@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from usdrigui.animation import performances
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.additions import standing_layout
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
@@ -77,7 +77,13 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
-    """The characters to lay out: all, or those whose layout stands.  Raises BASE_MISMATCH where there is none."""
+    """The characters to lay out: all, or those whose layout stands.
+
+    Raises BASE_MISMATCH where no layout of `base` stands, PREVIOUS_MISMATCH where none of `previous` is of any of them.
+    """
+    if examples.previous and not any(_shares_controls(examples.previous.get(rig.root), rig) for rig in rigs):
+        theirs = ", ".join(examples.previous)
+        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, f"shares no control with a layout of the layer, of {theirs}")
     if examples.base is None:
         return rigs
     found = tuple(rig for rig in rigs if examples.standing(rig) is not None)
@@ -89,6 +95,13 @@ def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
+
+
+def _shares_controls(layout: Layout | None, rig: Rig) -> bool:
+    """Whether a layout can be an earlier one of this character."""
+    names = {control.name for control in rig.controls}
+    laid = [] if layout is None else [member.control for element in layout.elements for member in element.members]
+    return not names.isdisjoint(laid)
 
 
 def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
@@ -138,7 +151,8 @@ def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
     for theirs, ours in names.items():
         if theirs not in known[0] or ours not in known[1]:
             whose, name = (other.root, theirs) if theirs not in known[0] else (rig.root, ours)
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', f"{whose} has no control {name!r}")
+            hint = meant(name, known[0] if theirs not in known[0] else known[1])
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', f"{whose} has no control {name!r}{hint}")
 
 
 def _characters(layer: Path, settings: Settings) -> tuple[tuple[Rig, Layout], ...]:

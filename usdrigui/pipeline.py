@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdrigui import animation
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, meant, refuse
 from usdrigui.examples import ExampleLayers, Examples, precedent_of, read_examples, rigs_over, with_fixed
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
 from usdrigui.layout import additions as additions_stage
@@ -148,6 +148,7 @@ def process(
     _check_target(asset, target)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
+        _check_character(asset, source)
         heeded = read_examples(examples or ExampleLayers(), settings)
     rigs = rigs_over(heeded, source.rigs)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
@@ -408,7 +409,8 @@ def _base_values(rig: Rig, settings: Settings) -> Floats:
     values = np.array([control.default for control in rig.controls], dtype=np.float64)
     for name, value in settings.read.pose.items():
         if name not in index:
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', f"{rig.root} has no control of this name")
+            what = f"{rig.root} has no control of this name{meant(name, index)}"
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', what)
         values[index[name]] = value
     return values
 
@@ -481,6 +483,13 @@ def _group_lines(ready: Posed) -> tuple[str, ...]:
 def _check_target(asset: Path, target: Path) -> None:
     if target.resolve() == asset.resolve():
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
+
+
+def _check_character(asset: Path, source: ReadResult) -> None:
+    """Refuse what was laid out already: a layer over a layout layer would hold a second layout in the first."""
+    if source.layouts:
+        below = f"stands over {source.below}" if source.below else "stands over nothing else"
+        raise refuse("SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}")
 
 
 def _written(

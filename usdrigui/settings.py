@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 
 
 @dataclass(frozen=True, slots=True)
@@ -401,7 +401,8 @@ def load(
     Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key.
     """
     if preset not in PRESETS:
-        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {sorted(PRESETS)}")
+        hint = meant(preset, PRESETS)
+        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {sorted(PRESETS)}{hint}")
     settings = Settings()
     for source in (PRESETS[preset], _from_environment(environment or {}), *sources):
         settings = _merged(settings, source, "")
@@ -480,7 +481,7 @@ def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
     for key, value in source.items():
         path = f"{where}.{key}" if where else key
         if key not in hints:
-            raise refuse("CONFIG_UNKNOWN_KEY", path, f"known here: {', '.join(hints)}")
+            raise refuse("CONFIG_UNKNOWN_KEY", path, f"known here: {', '.join(hints)}{meant(key, hints)}")
         changed[key] = _converted(getattr(base, key), hints[key], value, path)
     return replace(base, **changed)
 

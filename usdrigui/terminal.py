@@ -159,7 +159,12 @@ class Screen:
                 self._out.print(f"{root}: only one of the two layers has a layout of it")
         changed = sum(len(character.displaced) for character in found)
         shared = sum(character.shared for character in found)
-        self._out.print(f"usdrigui: compared {before} and {after}: {changed} of {shared} common controls changed")
+        told = f"{changed} of {shared} common controls changed" if shared else "they have no character in common"
+        if found and not shared:
+            told = "they have no control in common"
+        elif only_in_one and shared:
+            told += f"; {len(only_in_one)} characters are in one of the two only"
+        self._out.print(f"usdrigui: compared {before} and {after}: {told}")
 
     def _changes(self, found: Difference) -> None:
         count = f"{len(found.displaced)} of {found.shared} common controls changed"
@@ -214,7 +219,7 @@ class Screen:
 
     def _seconds(self, seconds: Sequence[tuple[str, float]]) -> None:
         parts = ", ".join(f"{stage} {value:.2f}" for stage, value in seconds)
-        self._out.print(f"  seconds: {parts}; in all {sum(value for _, value in seconds):.2f}")
+        self._out.print(f"  seconds: {parts}; stages took {sum(value for _, value in seconds):.2f}")
 
 
 def _ignore(event: Event) -> None:

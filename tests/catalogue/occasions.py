@@ -213,6 +213,14 @@ def _based(*changes: tuple[str, str]) -> Occasion:
     return occasion
 
 
+def _of_another(folder: Path) -> Path:
+    """The layout of a character of another name."""
+    found = _laid_out(folder)
+    for path in (found, folder / "char.usda"):
+        path.write_text(path.read_text().replace('"Char"', '"Hero"').replace("</Char/", "</Hero/"))
+    return found.rename(folder / "hero.rigui.usda")
+
+
 def _no_layout(folder: Path) -> Path:
     return smallest.character(folder)
 
@@ -464,6 +472,8 @@ OCCASIONS: Mapping[str, Occasion] = {
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),
+    "PREVIOUS_MISMATCH": lambda folder, _: process(folder, "", "--previous", _of_another(folder)),
+    "SOURCE_IS_LAYOUT": lambda folder, _: command("process", _laid_out(folder)),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
     "ATTACH_LINK": _attached(_linked, "link.usda"),
     "ATTACH_CYCLE": _attached(_laid_out),

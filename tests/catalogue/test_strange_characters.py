@@ -49,15 +49,29 @@ def test_a_name_comes_back_from_the_layer(name, tmp_path):
     assert names == ({"lächeln", "怒り"} if "ASCII" in name else {'<b>&"smile', "frown"})
 
 
-def test_a_layout_layer_is_a_source_too(tmp_path):
-    """The layer over a character is the character with a layout: processing it finds the same controls again."""
+def test_a_layout_layer_is_no_source(tmp_path):
+    """It is refused, with the name of the character below it, instead of getting a second layout over its own."""
     path = traps.smallest.character(tmp_path)
     assert occasions.command("process", path)[0] == 0
-    layer = tmp_path / "char.rigui.usda"
-    assert occasions.command("process", layer, "-o", tmp_path / "again.usda")[0] == 0
-    first, second = read_layout(layer), read_layout(tmp_path / "again.usda")
-    assert [each.elements[0].anchor.point for each in first] == [each.elements[0].anchor.point for each in second]
-    assert len(first) == len(second) == 1
+    for options in ((), ("-o", tmp_path / "again.usda"), ("--dry-run",)):
+        exit_code, (found,) = occasions.command("process", tmp_path / "char.rigui.usda", *options)
+        assert (exit_code, found["code"]) == (1, "SOURCE_IS_LAYOUT")
+        assert str(path) in found["message"]
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["char.rigui.usda", "char.usda"]
+
+
+@pytest.mark.parametrize("arc", ["subLayers", "references"])
+def test_a_layer_that_brings_a_layout_in_is_a_source(arc, tmp_path):
+    """A shot over a layout layer authors no layout of its own, even where it corrects one."""
+    path = traps.smallest.character(tmp_path)
+    assert occasions.command("process", path)[0] == 0
+    shot = tmp_path / "shot.usda"
+    head = "(\n    subLayers = [@./char.rigui.usda@]\n)\n" if arc == "subLayers" else ""
+    prim = 'over "Char"' if arc == "subLayers" else 'def "Char" (references = @./char.rigui.usda@</Char>)'
+    over = prim + '\n{\nover "RigUI"\n{\nover "smile"\n{\ntoken visibility = "invisible"\n}\n}\n}\n'
+    shot.write_text("#usda 1.0\n" + head + over)
+    exit_code, issues = occasions.command("process", shot, "--dry-run")
+    assert exit_code == 0, issues
 
 
 @pytest.mark.parametrize("version", [(0, 0, 0), (0, 99, 0), (1, 0, 0), (255, 255, 255)])

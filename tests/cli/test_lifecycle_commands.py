@@ -177,6 +177,89 @@ def test_diff_of_a_layer_without_layout_is_refused(folder, capsys):
     assert told["issues"][0]["code"] == "LAYOUT_MISSING"
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_verdict_names_the_file_that_was_refused(folder, capsys, order):
+    pair = [str(folder / "char.usda"), str(folder / "old.rigui.usda")][::order]
+    assert main(["diff", *pair]) == 1
+    assert f"usdrigui: refused {folder / 'char.usda'}; nothing" in capsys.readouterr().err
+    assert run(capsys, "diff", *pair, expected=1)["asset"] == str(folder / "char.usda")
+
+
+def of_hero(folder):
+    """The same layout for a character of another name."""
+    layer = folder / "hero.rigui.usda"
+    text = (folder / "old.rigui.usda").read_text()
+    layer.write_text(text.replace('"Char"', '"Hero"').replace("/Char/", "/Hero/").replace("./char.usda", "./hero.usda"))
+    hero = (folder / "char.usda").read_text().replace('"Char"', '"Hero"').replace("/Char", "/Hero")
+    (folder / "hero.usda").write_text(hero)
+    return layer
+
+
+def test_layouts_of_different_characters_have_nothing_in_common(folder, capsys):
+    pair = str(folder / "old.rigui.usda"), str(of_hero(folder))
+    for options, expected in (((), 0), (("--strict",), 1)):
+        assert main(["diff", *pair, *options]) == expected
+        printed = capsys.readouterr().out
+        assert printed.splitlines()[-1].endswith("they have no character in common")
+        assert "common controls" not in printed
+        assert all(f"/World/{name}: only one of the two layers" in printed for name in ("Char", "Hero"))
+    assert run(capsys, "diff", *pair)["only_in_one"] == ["/World/Char", "/World/Hero"]
+
+
+def test_layouts_without_a_common_control_say_so(folder, capsys):
+    other = folder / "other.rigui.usda"
+    shutil.copy(folder / "old.rigui.usda", other)
+    stage = Usd.Stage.Open(str(other))
+    for prim in stage.GetPrimAtPath("/World/Char/RigUI").GetAllChildren():
+        for each in prim.GetAttribute("rigUI:element:controls").Get() or ():
+            prim.CreateAttribute(f"rigUI:control:{each}:name", Sdf.ValueTypeNames.Token).Set(f"other {each}")
+    stage.GetRootLayer().Save()
+    assert main(["diff", str(folder / "old.rigui.usda"), str(other), "--strict"]) == 1
+    assert capsys.readouterr().out.splitlines()[-1].endswith("they have no control in common")
+
+
+def test_the_layout_of_another_character_is_no_previous_one(folder, capsys):
+    layer = of_hero(folder)
+    told = run(capsys, "process", folder / "char.usda", "--previous", layer, expected=1)
+    assert told["issues"][0]["code"] == "PREVIOUS_MISMATCH"
+    told = run(capsys, "process", folder / "char.usda", "--fixed", layer, expected=2)
+    assert told["issues"][0]["path"] == "--fixed"
+    assert not (folder / "char.rigui.usda").exists()
+
+
+@pytest.mark.parametrize(
+    ("configuration", "meant"),
+    [
+        ("[objectve]\nhandle_size = 0.1", "objective"),
+        ('[controls.smile_l]\nlabel = "x"', "smile_L"),
+        ('[controls.smile_L]\ntwin = "smileR"', "smile_R"),
+        ("[read.pose]\nsmyle_L = 1.0", "smile_L"),
+        ('[groups.groups]\na = ["smile_LL", "chin"]', "smile_L"),
+        ('[controls.chin]\norbit = ["smile_LL", "smile_R"]', "smile_L"),
+        ("[poses.a.weights]\nsmile_LL = 1.0", "smile_L"),
+        ('[levels.members]\nchin = ["smile_LL"]', "smile_L"),
+        ('[like.names]\nsmile_LL = "smile_L"', "smile_L"),
+    ],
+)
+def test_a_name_that_is_nearly_right_is_suggested(folder, capsys, configuration, meant):
+    (folder / "char.rigui.toml").write_text(configuration)
+    like = ("--like", folder / "old.rigui.usda") if "like" in configuration else ()
+    told = run(capsys, "process", folder / "char.usda", "--dry-run", *like, expected=2)
+    assert told["issues"][0]["message"].endswith(f"; did you mean {meant!r}?")
+
+
+def test_a_preset_that_is_nearly_right_is_suggested(folder, capsys):
+    told = run(capsys, "process", folder / "char.usda", "--preset", "papre", expected=2)
+    assert told["issues"][0]["message"].endswith("; did you mean 'paper'?")
+
+
+def test_a_name_like_no_other_suggests_none(folder, capsys):
+    (folder / "char.rigui.toml").write_text("[read.pose]\nxyzzy = 1.0\n")
+    told = run(capsys, "process", folder / "char.usda", expected=2)
+    assert told["issues"][0]["code"] == "CONFIG_UNKNOWN_CONTROL"
+    assert "did you mean" not in told["issues"][0]["message"]
+
+
 def test_another_characters_layout_is_imitated(folder, capsys):
     new = folder / "new.rigui.usda"
     run(capsys, "process", folder / "char.usda", "--like", folder / "old.rigui.usda", "-o", new)

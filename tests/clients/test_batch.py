@@ -6,6 +6,7 @@ import signal
 import sys
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import batch_assets
@@ -52,10 +53,16 @@ def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, t
     same = [(row["face"], row["beside"], row["gap"]) for row in first["assets"]]
     assert [(row["face"], row["beside"], row["gap"]) for row in second["assets"]] == same
 
+    plain = batch(folder, capsys, expected_exit=1)
+    assert plain["counts"]["skipped"] == 2, "a run that asks for no picture needs none"
+    assert {row["picture"] for row in plain["assets"]} == {""}
+    again = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
+    assert again["counts"]["skipped"] == 2, "what is known of the pictures is not forgotten meanwhile"
+
     changed = folder / "a1" / "char.usda"
     changed.write_text(changed.read_text() + "\n# touched\n")
     third = outcomes(batch(folder, capsys, expected_exit=0, pattern="a*/*.usda"))
-    assert (third["a0/char.usda"]["outcome"], third["a1/char.usda"]["outcome"]) == ("unchanged", "unchanged")
+    assert (third["a0/char.usda"]["outcome"], third["a1/char.usda"]["outcome"]) == ("skipped", "unchanged")
     fourth = outcomes(batch(folder, capsys, pattern="a*/*.usda"))
     assert {row["outcome"] for row in fourth.values()} == {"skipped"}
 
@@ -85,9 +92,16 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
         assert state.recall(job) == written
 
     remembered()
-    for other in ({"settings": "others"}, {"asset": "another.usda"}, {"picture": ""}):
-        changed = {name: getattr(job, name) for name in job.__slots__} | other
-        assert state.recall(jobs.Job(**changed)) is None
+    for other in ({"settings": "others"}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
+        assert state.recall(replace(job, **other)) is None
+    plain = replace(job, picture="")
+    assert state.recall(plain) == {**written, "picture": ""}
+    picture.write_text("another picture")
+    assert state.recall(plain) == {**written, "picture": ""}
+    assert state.recall(job) is None
+    picture.write_text("picture")
+    state.remember(plain, sources, written)
+    assert state.recall(job) is None, "a picture that was not drawn then is asked for now"
     for path in (folder / "a0" / "char.usda", output, picture):
         remembered()
         before = path.read_bytes()
@@ -182,4 +196,6 @@ def test_a_pattern_without_match_is_refused(tmp_path, capsys):
     with pytest.raises(RigUIError, match="BATCH_NO_MATCH"):
         places.find_assets([str(tmp_path / "*.usda")])
     assert main(["batch", str(tmp_path / "*.usda")]) == 2
-    assert "BATCH_NO_MATCH" in capsys.readouterr().err
+    told = capsys.readouterr().err
+    assert "BATCH_NO_MATCH" in told
+    assert f"usdrigui: refused {tmp_path / '*.usda'}; nothing" in told

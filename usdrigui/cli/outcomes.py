@@ -40,7 +40,7 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     """Print a refusal, its repair and the verdict line; as JSON too if that was asked for."""
     from usdrigui import report
 
-    asset = str(getattr(arguments, "asset", getattr(arguments, "layer", "")))
+    asset = _subject(error, arguments)
     if getattr(arguments, "json", False):
         sys.stdout.write(report.failure_json(asset, error.issue, error.exit_code))
     found = error.issue
@@ -54,6 +54,15 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     done = getattr(arguments, "layer_state", "")
     kept = f"the layout itself is {done}" if done else "nothing was written"
     print(visible(f"usdrigui: refused {asset}; {kept}"), file=sys.stderr)
+
+
+def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
+    """What was refused: of several files the one that the finding names, else all of them."""
+    if getattr(arguments, "asset", None) is not None:
+        return str(arguments.asset)
+    named = [str(each) for each in (getattr(arguments, "before", None), getattr(arguments, "layer", None)) if each]
+    named = named or list(getattr(arguments, "patterns", ()))
+    return error.issue.path if error.issue.path in named else ", ".join(named)
 
 
 def broken(error: Exception, arguments: argparse.Namespace) -> int:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.names import has_side
 from usdrigui.layout.orbits import configured_orbits
 from usdrigui.layout.partial import stands_alone
@@ -116,7 +116,8 @@ class _Grouping:
             where = f'groups.groups."{name}"'
             for member in members:
                 if member not in known:
-                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"no control is called {member!r}")
+                    what = f"no control is called {member!r}{meant(member, known)}"
+                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
             motions = tuple(index[member] for member in members if index.get(member) in self.sets)
             if taken & set(motions) or len(set(motions)) < len(motions):
                 raise refuse("CONFIG_VALUE", where, "a control can be in one group only")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.terms import Context
 from usdrigui.model import Element, Group
 from usdrigui.settings import LevelSettings, Settings
@@ -147,7 +147,9 @@ def _named(context: Context, groups: tuple[Group, ...], name: str, where: str) -
         lost = name in {left.control for left in context.rig.left_off}
         if lost:
             return None
-        raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"{context.rig.root} has no control or element {name!r}")
+        known = (*(group.name for group in groups if group.name), *(each.name for each in context.rig.controls))
+        what = f"{context.rig.root} has no control or element {name!r}{meant(name, known)}"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
     return next((group for group in groups if any(index in copy for copy in (group.controls, *group.images))), None)
 
 

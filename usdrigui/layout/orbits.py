@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.remarks import control_index
 from usdrigui.layout.terms import Context
 from usdrigui.model import Floats, Indices, Motion
@@ -24,7 +24,9 @@ def configured_orbits(context: Context) -> tuple[tuple[int, ...], ...]:
         where = f'controls."{control.name}".orbit'
         for member in said.orbit:
             if controls.get(member, -1) not in moving:
-                raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"no control that moves anything is called {member!r}")
+                known = (name for name, index in controls.items() if index in moving)
+                what = f"no control that moves anything is called {member!r}{meant(member, known)}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
         motions = tuple(moving[controls[member]] for member in said.orbit)
         if len(set(motions)) < max(2, len(motions)) or {i for orbit in found for i in orbit} & set(motions):
             raise refuse("CONFIG_VALUE", where, "an orbit lists two or more controls, each once")

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.fields import Fields, motion_fields, reversed_controls
 from usdrigui.layout.names import has_side, hints_at_twin
 from usdrigui.layout.remarks import control_index, remarks
@@ -100,7 +100,8 @@ def _named_twin(own: int, name: str, said: ControlSettings, index: dict[str, int
     if said.twin in ("self", "none"):
         return own if said.twin == "self" else -1
     if said.twin not in index:
-        raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}".twin', f"no control is called {said.twin!r}")
+        what = f"no control is called {said.twin!r}{meant(said.twin, index)}"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}".twin', what)
     return index[said.twin]
 
 

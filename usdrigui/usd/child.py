@@ -64,6 +64,10 @@ class ReadResult(Record):
     """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by SkelRoot."""
     sources: tuple[SourceFile, ...]
     """Every file that composed it, the asset first."""
+    layouts: tuple[str, ...] = ()
+    """Scopes of the layouts that its root layer authors itself."""
+    below: str = ""
+    """The asset that such a root layer stands over; empty if it has none."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -92,6 +92,7 @@ def bound(limits: Limits) -> None:
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
+    from usdrigui.usd.read_layout import own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
 
     with _kept_stages() as stages:
@@ -99,7 +100,9 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         stage = _stage_of(path, stages)
         cameras = _cameras(stage, rigs, settings.candidates.view)
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
-        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages()))
+        layouts = own_layouts(stage)
+        below = source_of(path) if layouts else ""
+        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages()), layouts, below)
 
 
 def _layouts(path: Path) -> LayoutsResult:

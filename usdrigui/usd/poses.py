@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Usd
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.model import Channel, Joint, LeftOff
 from usdrigui.settings import PoseSettings, Settings
 from usdrigui.usd.controls import NamedPose, State
@@ -114,7 +114,8 @@ def _configured(name: str, said: PoseSettings, source: _Source) -> NamedPose:
             by_token.setdefault(channel.token, []).append(index)
         unknown = sorted(set(said.weights) - set(by_token))
         if unknown:
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", f"the asset has no weight {unknown[0]!r}")
+            what = f"the asset has no weight {unknown[0]!r}{meant(unknown[0], by_token)}"
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", what)
         chosen = {index: weight for token, weight in said.weights.items() for index in by_token[token]}
         return NamedPose(name, said.label, np.array([0.0, 1.0]), source.weighted(chosen))
     armatures = _animated_by(said.animation, source.armatures, where)

@@ -57,6 +57,16 @@ def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
                 yield prim
 
 
+def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
+    """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings in."""
+    specs = (stage.GetRootLayer().GetPrimAtPath(scope.GetPath()) for scope in layout_scopes(stage))
+    return tuple(
+        str(spec.path)
+        for spec in specs
+        if spec is not None and schema.LAYOUT in spec.GetInfo("apiSchemas").GetAppliedItems()
+    )
+
+
 def edited_elements(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
     """By SkelRoot, the names of the elements whose place, kind or controls a layer stronger than the one that
     defines them has an opinion about: what somebody has corrected by hand."""

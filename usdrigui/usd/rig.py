@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import Settings
 from usdrigui.usd.controls import (
@@ -249,7 +249,8 @@ def _check_names(readings: list[_Reading], settings: Settings) -> None:
     """Refuse names in the configuration that no rig knows."""
     for name in settings.controls:
         if all(name in reading.unknown_controls for reading in readings):
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', "no rig of the asset has this control")
+            hint = meant(name, (control.name for reading in readings for control in reading.rig.controls))
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', f"no rig of the asset has this control{hint}")
     for name in settings.joints:
         if all(name in reading.unknown_joints for reading in readings):
             raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', "no rig of the asset has this joint")

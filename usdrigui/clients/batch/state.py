@@ -1,7 +1,7 @@
 """What a batch remembers of an asset, in a small file beside its layer, so that it can be skipped next time.
 
 ``char.rigui.usda`` has ``char.rigui.batch.json``.  An asset is skipped when its settings, our version,
-every file that composed it, the layer and the picture are what they were.
+every file that composed it, the layer and the picture, if one is asked for, are what they were.
 """
 
 from __future__ import annotations
@@ -33,8 +33,11 @@ def recall(job: Job) -> dict[str, Any] | None:
     """The row of the last batch, if laying out again would give the same; else None."""
     try:
         known = json.loads(state_path(job.output).read_bytes())
-        same = known["about"] == _about(job, known["sources"]) and known["row"]["asset"] == job.asset
-        return {**known["row"]} if same else None
+        about = _about(job, known["sources"])
+        if not job.picture:
+            about["picture"] = known["about"]["picture"]  # one that nobody asks for now changes nothing
+        same = known["about"] == about and known["row"]["asset"] == job.asset
+        return {**known["row"], "picture": job.picture} if same else None
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
