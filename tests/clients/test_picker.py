@@ -98,3 +98,47 @@ def test_names_are_escaped(characters):
     odd = replace(layout.elements[0], name='a"<b>&', label="<&>")
     svg = picker.to_svg(picker.picker([(rig, replace(layout, elements=(odd, *layout.elements[1:])))]))
     assert next(ElementTree.fromstring(svg).iter(f"{SVG}g")).get("id") == 'a"<b>&'
+
+
+def aside(characters, down=0.0):
+    """The characters with their first element far off on a board."""
+    from dataclasses import replace
+
+    rig, layout = characters[0]
+    far = 60.0 * layout.handle_width * np.cross(rig.up, layout.view) + down * layout.handle_width * rig.up
+    one = layout.elements[0]
+    members = tuple(replace(each, track=each.track + far) for each in one.members)
+    anchor = replace(one.anchor, beside=True, position=one.anchor.position + far)
+    moved = replace(one, members=members, anchor=anchor, adapt="deform")
+    others = [each for each in layout.elements[1:] if not each.anchor.beside]
+    return [(rig, replace(layout, elements=(moved, *others)))]
+
+
+@pytest.mark.parametrize("down", [0.0, -90.0, 90.0])
+def test_the_board_stands_next_to_the_silhouette(characters, down):
+    made = picker.picker(aside(characters, down))
+    board = next(spot for spot in made.spots if spot.element.anchor.beside)
+    outline = np.concatenate(made.outlines[0])
+    left = min(track[:, 0].min() for track in board.tracks)
+    face = np.concatenate([picker._drawn(spot) for spot in made.spots if not spot.element.anchor.beside])
+    right = max(outline[:, 0].max(), face[:, 0].max())
+    assert left - right < 2.0 * picker._GAP
+    drawn = picker._drawn(board)
+    assert left > face[:, 0].max()
+    assert outline[:, 1].min() - 1.0 <= drawn[:, 1].min()
+    assert drawn[:, 1].max() <= outline[:, 1].max() + 3.0
+
+
+def test_names_on_the_face_are_shown_on_request_and_stand_apart(characters):
+    plain, named = (picker.picker(characters, labels=given) for given in (False, True))
+    assert not any(spot.lead is not None for spot in plain.spots)
+    root = ElementTree.fromstring(picker.to_svg(named))
+    texts = {each.text for each in root.iter(f"{SVG}text")}
+    assert {spot.element.label for spot in named.spots} <= texts
+    for side in (True, False):
+        rows = sorted(s.lead[0, 1] for s in named.spots if s.lead is not None and (s.lead[0, 0] < s.handle[0]) == side)
+        assert all(step > 0.99 * picker._PITCH for step in np.diff(rows))
+    one, other = (
+        np.array([spot.handle for spot in made.spots if not spot.element.anchor.beside]) for made in (plain, named)
+    )
+    np.testing.assert_allclose(np.diff(one, axis=0), np.diff(other, axis=0), atol=1e-9)

@@ -41,6 +41,7 @@ def add_flat_picker(commands: Any) -> None:
     parser = command(commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view")
     parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls")
+    parser.add_argument("--labels", action="store_true", help="name the elements on the face in the picture as well")
     _add_levels(parser)
     parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
 
@@ -102,7 +103,7 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
-    made = picker.picker(_visible(loaded.characters, arguments))
+    made = picker.picker(_visible(loaded.characters, arguments), labels=arguments.labels)
     if arguments.svg is not None:
         say(f"{pipeline.write_file(picker.to_svg(made).encode(), arguments.svg)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:

@@ -1,30 +1,40 @@
 """A layout as a flat picker beside the viewport: SVG for any tool, and the JSON of dwpicker.
 
-The layout is seen from the direction that it was made for, at its base pose, without perspective.  The
-character's elements keep their places; characters stand side by side.
+The layout is seen from the direction that it was made for, at its base pose, without perspective, over the
+character's silhouette.  The character's elements keep their places, its board moves up to it; characters stand
+side by side.
 """
 
 from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
-from scipy.spatial import ConvexHull, QhullError
 
 from usdrigui.model import Element, Floats, Layout, Record, Rig
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.surface import mesh_triangles
+from usdrigui.view import lettering
 from usdrigui.view.overlay import colour_of, form_of
 from usdrigui.view.shading import look
+from usdrigui.view.silhouette import silhouette
 
 _HANDLE = 22.0
 """Diameter of a handle, in picture units."""
 _MARGIN = 40.0
 _LETTER = 8.0
 """Width that is kept free for a letter of a name."""
+_GAP = 1.5 * _HANDLE
+"""Between the silhouette and the board, or names beside it."""
+_PITCH = 20.0
+"""Between names in a column."""
+_AROUND, _WIDE, _HAIR, _CROWN = 0.16, 0.9, 1.4, 1.2
+"""Of the silhouette: space around the elements, how far it may go to either side of their middle, level with them
+and in the upper half of the head, and up from them, in heights of their box."""
 _DWPICKER = [0, 12, 0]
 """Version of the dwpicker file format that is written; later ones read it and bring it up to date."""
 
@@ -38,6 +48,13 @@ class Spot(Record):
     """(2,)."""
     tracks: tuple[Floats, ...]
     """Per member (k, 2)."""
+    lead: Floats | None = None
+    """(2, 2) line from the name of an element on the face to its handle, where names are asked for."""
+
+    def moved(self, shift: Floats) -> Spot:
+        """The same elsewhere."""
+        lead = None if self.lead is None else self.lead + shift
+        return replace(self, handle=self.handle + shift, tracks=tuple(each + shift for each in self.tracks), lead=lead)
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,23 +63,24 @@ class Picker(Record):
 
     size: Floats
     """(2,) width and height."""
-    outlines: tuple[Floats, ...]
-    """Per character (k, 2): around the points on which its elements stand and those between them."""
+    outlines: tuple[tuple[Floats, ...], ...]
+    """Per character polygons (k, 2) around what it covers where its elements are; holes are polygons too."""
     spots: tuple[Spot, ...]
 
 
-def picker(characters: Sequence[tuple[Rig, Layout]]) -> Picker:
-    """Flatten the layouts; raises RigUIError LAYOUT_STALE where a layout does not belong to its rig."""
+def picker(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) -> Picker:
+    """Flatten the layouts; ``labels`` names the elements on the face as well.
+
+    Raises RigUIError LAYOUT_STALE where a layout does not belong to its rig.
+    """
     outlines, spots, left, height = [], [], 0.0, 0.0
     for rig, layout in characters:
-        flat = _flat(rig, layout)
-        points = np.concatenate([flat[0], *(_drawn(spot) for spot in flat[1])])
+        loops, own = _flat(rig, layout, labels)
+        points = np.concatenate([*loops, *(_drawn(spot) for spot in own), np.zeros((0 if own else 1, 2))])
         low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
         shift = np.array([left, 0.0]) - low
-        outlines.append(flat[0] + shift)
-        spots += [
-            Spot(each.element, each.handle + shift, tuple(track + shift for track in each.tracks)) for each in flat[1]
-        ]
+        outlines.append(tuple(loop + shift for loop in loops))
+        spots += [spot.moved(shift) for spot in own]
         left, height = left + float(high[0] - low[0]), max(height, float(high[1] - low[1]))
     return Picker(np.array([left, height]), tuple(outlines), tuple(spots))
 
@@ -75,7 +93,11 @@ def to_svg(made: Picker) -> str:
         f'width="{width:.0f}" height="{height:.0f}" font-family="sans-serif">',
         f'<rect width="{width:.2f}" height="{height:.2f}" fill="#f4f5f6"/>',
     ]
-    lines += [f'<polygon points="{_points(each)}" fill="#e4e6e9" stroke="#c8ccd1"/>' for each in made.outlines]
+    lines += [
+        f'<path d="{_path(each)}" fill="#e4e6e9" fill-rule="evenodd" stroke="#c8ccd1"/>' for each in made.outlines
+    ]
+    leads = [spot.lead for spot in made.spots if spot.lead is not None]
+    lines += [f'<path d="M{_points(lead)}" fill="none" stroke="#969ba3" stroke-width="1"/>' for lead in leads]
     for spot in made.spots:
         lines += _group(spot)
     return "\n".join([*lines, "</svg>"]) + "\n"
@@ -100,8 +122,8 @@ def to_dwpicker(made: Picker, name: str) -> str:
 # --- geometry ----------------------------------------------------------------------------------------
 
 
-def _flat(rig: Rig, layout: Layout) -> tuple[Floats, list[Spot]]:
-    """Outline and elements of one character, one handle width being `_HANDLE`."""
+def _flat(rig: Rig, layout: Layout, labels: bool) -> tuple[tuple[Floats, ...], list[Spot]]:
+    """Silhouette and elements of one character, one handle width being `_HANDLE`."""
     posed = evaluate(prepare(rig, layout))
     # Pictures have y down.
     plane = look(layout.view, rig.up)[:2].T * np.array([1.0, -1.0]) * (_HANDLE / layout.handle_width)
@@ -109,18 +131,74 @@ def _flat(rig: Rig, layout: Layout) -> tuple[Floats, list[Spot]]:
         Spot(element, at.handle @ plane, tuple(track @ plane for track in at.tracks))
         for element, at in zip(layout.elements, posed.elements, strict=True)
     ]
-    face = [spot for spot in spots if not spot.element.anchor.beside]
-    around = np.concatenate([np.vstack([spot.handle, *spot.tracks]) for spot in face or spots] or [np.zeros((1, 2))])
-    points = posed.points[np.isfinite(posed.points).all(axis=1)] @ plane
-    low, high = around.min(axis=0) - 2.0 * _HANDLE, around.max(axis=0) + 2.0 * _HANDLE
-    near = points[((points >= low) & (points <= high)).all(axis=1)]
-    return _hull(np.concatenate([near, around])), spots
+    corners = mesh_triangles(rig.meshes, visible_only=True)
+    corners = corners if len(corners) else mesh_triangles(rig.meshes)
+    flat = posed.points @ plane
+    low, high = _region(spots, flat[np.unique(corners)])
+    loops = silhouette(flat, corners, low, high)
+    spots = _named(spots, low, high) if labels else spots
+    return loops, _with_board(spots, loops, low, high)
+
+
+def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
+    """Corners (2,) of the part of the character that is shown: the head, or whatever holds the elements."""
+    face = [spot for spot in spots if not spot.element.anchor.beside] or spots
+    around = np.concatenate([*(np.vstack([spot.handle, *spot.tracks]) for spot in face), skin[: 0 if face else 1]])
+    low, high = around.min(axis=0), around.max(axis=0)
+    tall, middle = max(float(high[1] - low[1]), 8.0 * _HANDLE), 0.5 * float(low[0] + high[0])
+    low, high = low - _AROUND * tall, high + _AROUND * tall
+    skin = skin[np.isfinite(skin).all(axis=1)]
+    column = skin[np.abs(skin[:, 0] - middle) <= _WIDE * tall, 1]
+    crown = max(float(column.min(initial=low[1])), low[1] - _CROWN * tall)
+    for lowest, widest in ((float(high[1]), _WIDE), (0.5 * float(low[1] + high[1]), _HAIR)):
+        # Shoulders are below, and need not be whole; hair and ears should be.
+        level = skin[(skin[:, 1] >= crown) & (skin[:, 1] <= lowest), 0]
+        low[0] = min(low[0], max(float(level.min(initial=low[0])), middle - widest * tall))
+        high[0] = max(high[0], min(float(level.max(initial=high[0])), middle + widest * tall))
+    return np.array([low[0], min(crown, low[1])]) - 2.0, high + 2.0
+
+
+def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
+    """The spots with names on the face in columns left and right of the region."""
+    face = [index for index, spot in enumerate(spots) if not spot.element.anchor.beside]
+    columns = lettering.sides([float(spots[i].handle[0]) for i in face], [spots[i].element.name for i in face])
+    named = list(spots)
+    for column, edge in zip(columns, (low[0] - _GAP, high[0] + _GAP), strict=True):
+        ordered = sorted((face[i] for i in column), key=lambda i: (float(spots[i].handle[1]), spots[i].element.name))
+        rows = lettering.spread(np.array([float(spots[i].handle[1]) for i in ordered]), _PITCH, low[1], high[1])
+        for i, row in zip(ordered, rows, strict=True):
+            named[i] = replace(spots[i], lead=np.array([[edge, row], spots[i].handle]))
+    return named
+
+
+def _with_board(spots: list[Spot], loops: tuple[Floats, ...], low: Floats, high: Floats) -> list[Spot]:
+    """The spots with the board next to the silhouette and names there, at a height where the character is."""
+    board = [_drawn(spot) for spot in spots if spot.element.anchor.beside]
+    if not board:
+        return spots
+    top_left, end = np.concatenate(board).min(axis=0), np.concatenate(board).max(axis=0)
+    outline = np.concatenate([*(_dense(loop) for loop in loops), np.zeros((0, 2))])
+    bottom = float(outline[:, 1].max()) if len(outline) else float(high[1])
+    down = max(min(0.0, bottom - float(end[1])), float(low[1] - top_left[1]))
+    level = outline[(outline[:, 1] >= top_left[1] + down - _GAP) & (outline[:, 1] <= end[1] + down + _GAP), 0]
+    face = [_drawn(spot)[:, 0].max() for spot in spots if not spot.element.anchor.beside]
+    shift = np.array([max(float(level.max(initial=-np.inf)), *face, -np.inf) + _GAP - top_left[0], down])
+    if not np.isfinite(shift).all():
+        return spots
+    return [spot.moved(shift) if spot.element.anchor.beside else spot for spot in spots]
 
 
 def _drawn(spot: Spot) -> Floats:
     """(k, 2) points around everything drawn of an element."""
-    label = _label_place(spot) + np.array([_LETTER * len(spot.element.label), 0.0])
-    return np.vstack([spot.handle, *spot.tracks, *([label] if spot.element.anchor.beside else [])])
+    points = [np.vstack([spot.handle - 0.5 * _HANDLE, spot.handle + 0.5 * _HANDLE, *spot.tracks])]
+    wide = np.array([_LETTER * len(spot.element.label), 0.0])
+    if spot.element.anchor.beside:
+        place = _label_place(spot)
+        points.append(np.vstack([place - [0.0, _LETTER], place + wide]))
+    if spot.lead is not None:
+        outward = -1.0 if spot.lead[0, 0] < spot.handle[0] else 1.0
+        points.append(np.vstack([spot.lead[0] - [0.0, 0.5 * _PITCH], spot.lead[0] + outward * wide]))
+    return np.concatenate(points)
 
 
 def _label_place(spot: Spot) -> Floats:
@@ -129,12 +207,10 @@ def _label_place(spot: Spot) -> Floats:
     return np.asarray(around.min(axis=0) - [0.0, 6.0])
 
 
-def _hull(points: Floats) -> Floats:
-    """(k, 2) convex outline; the points themselves where they span no area."""
-    try:
-        return np.asarray(points[ConvexHull(points).vertices])
-    except (QhullError, ValueError):
-        return points[:2]
+def _dense(loop: Floats) -> Floats:
+    """Points along a closed polygon, dense enough to tell how far it goes at any height."""
+    share = np.linspace(0.0, 1.0, 33)[:, None, None]
+    return np.asarray(((1.0 - share) * loop + share * np.roll(loop, -1, axis=0)).reshape(-1, 2))
 
 
 # --- SVG ---------------------------------------------------------------------------------------------
@@ -160,6 +236,12 @@ def _group(spot: Spot) -> list[str]:
             f'stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round" stroke-linejoin="round"/>'
         )
     lines.append(_handle(spot))
+    if spot.lead is not None:
+        (x, y), side = spot.lead[0], "end" if spot.lead[0, 0] < spot.handle[0] else "start"
+        x += 4.0 if side == "start" else -4.0
+        lines.append(
+            f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14" text-anchor="{side}">{escape(element.label)}</text>'
+        )
     if anchor.beside:
         x, y = _label_place(spot)
         lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{escape(element.label)}</text>')
@@ -170,7 +252,7 @@ def _handle(spot: Spot) -> str:
     (x, y), r = spot.handle, 0.5 * _HANDLE
     style = f'fill="{_hex(spot.element)}" stroke="#ffffff" stroke-width="2"'
     form = form_of(spot.element)
-    if form == "patch":
+    if form in ("patch", "joystick"):
         return f'<rect x="{x - r:.2f}" y="{y - r:.2f}" width="{2 * r:.2f}" height="{2 * r:.2f}" rx="4" {style}/>'
     if form == "fan":
         corners = np.array([[x, y - r], [x + r, y], [x, y + r], [x - r, y]])
@@ -180,6 +262,10 @@ def _handle(spot: Spot) -> str:
 
 def _points(points: Floats) -> str:
     return " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
+
+
+def _path(loops: tuple[Floats, ...]) -> str:
+    return " ".join(f"M{_points(loop)}Z" for loop in loops)
 
 
 def _hex(element: Element) -> str:

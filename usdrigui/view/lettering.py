@@ -70,19 +70,26 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
 
 def call_out(picture: Image.Image, shown: Named) -> Image.Image:
     """The picture with every element named in a column at the nearer edge, with a line to its handle."""
-    centre = float(np.median([drawn.handle[0] for _, drawn in shown])) if shown else 0.0
-    ordered = sorted(shown, key=lambda each: (float(each[1].handle[0]), each[0].name))
-    on_left = [each for each in ordered if float(each[1].handle[0]) < centre]
-    on_right = ordered[len(on_left) :]
-    # A crowded middle must not fill one column while the other stands empty.
-    while len(on_right) > len(on_left) + 1:
-        on_left.append(on_right.pop(0))
+    left, right = sides([float(drawn.handle[0]) for _, drawn in shown], [element.name for element, _ in shown])
+    on_left, on_right = ([shown[index] for index in column] for column in (left, right))
     names = _column(picture.size, on_left, True) + _column(picture.size, on_right, False)
     picture = leaders(picture, [name.line for name in names])
     pen = ImageDraw.Draw(picture)
     for name in names:
         pen.text(name.place, name.text, fill=_INK, font=name.type_, anchor=name.side)
     return picture
+
+
+def sides(across: Sequence[float], names: Sequence[str]) -> tuple[list[int], list[int]]:
+    """Indices of what is named in the left column, and in the right one, by how far across it stands."""
+    centre = float(np.median(across)) if across else 0.0
+    ordered = sorted(range(len(across)), key=lambda index: (across[index], names[index]))
+    left = [index for index in ordered if across[index] < centre]
+    right = ordered[len(left) :]
+    # A crowded middle must not fill one column while the other stands empty.
+    while len(right) > len(left) + 1:
+        left.append(right.pop(0))
+    return left, right
 
 
 @dataclass(frozen=True)
