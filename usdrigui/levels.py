@@ -26,14 +26,17 @@ def outer_first(elements: Iterable[Element]) -> tuple[Element, ...]:
 
 
 def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
-    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th coarse one opened."""
+    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th coarse one opened,
+    and the last with all of them."""
     found = tuple(elements)
     opened = [
         {coarse.name, coarse.mirror} & {each.name for each in found if each.inner} for coarse in found if coarse.inner
     ]
     return {
         element.name: frozenset(
-            state for state, names in enumerate([set(), *opened]) if _is_visible(element.name, found, names)
+            state
+            for state, names in enumerate([set(), *opened, set().union(*opened)])
+            if _is_visible(element.name, found, names)
         )
         for element in found
     }

@@ -108,6 +108,7 @@ def _of_poses(context: Context, groups: tuple[Group, ...]) -> dict[str, set[str]
         members = {
             other.name
             for other in groups
+            if other is not group
             for copy in (other.controls, *other.images)
             for i in copy
             if controls[i].kind != "pose"
@@ -128,6 +129,8 @@ def _told(context: Context, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     for name, members in context.settings.levels.members.items():
         where = f'levels.members."{name}"'
         coarse = _named(context, groups, name, where)
+        if coarse is None and _stands(context, name):
+            continue
         if coarse is None:
             raise refuse("CONFIG_VALUE", where, f"{name} has no element")
         inner = {group.name for each in members for group in [_named(context, groups, each, where)] if group}
@@ -153,6 +156,12 @@ def _named(context: Context, groups: tuple[Group, ...], name: str, where: str) -
     return next((group for group in groups if any(index in copy for copy in (group.controls, *group.images))), None)
 
 
+def _stands(context: Context, name: str) -> bool:
+    """Whether an element or control of that name is part of the layout that a shot's stands over."""
+    elements = context.standing.elements if context.standing is not None else ()
+    return any(name in (element.name, *(member.control for member in element.members)) for element in elements)
+
+
 def _check(inner: dict[str, set[str]], told: dict[str, set[str]]) -> None:
     """Two levels: what the configuration names contradicts itself, what is derived gives way."""
     for name, members in inner.items():
@@ -174,16 +183,18 @@ def _check(inner: dict[str, set[str]], told: dict[str, set[str]]) -> None:
 
 
 def _with_states(groups: Iterable[Group], inner: dict[str, set[str]]) -> Iterator[Group]:
-    """The groups with their members and the states in which they are visible."""
+    """The groups with their members and the states in which they are visible: none opened, each one, all of them."""
     coarse = sorted(name for name, members in inner.items() if members)
     holders: dict[str, set[int]] = {}
     for state, name in enumerate(coarse, start=1):
         for member in inner[name]:
             holders.setdefault(member, set()).add(state)
-    every = frozenset(range(len(coarse) + 1))
+    all_open = len(coarse) + 1
+    every = frozenset(range(all_open + 1))
     for group in groups:
         members = tuple(sorted(inner.get(group.name, ())))
-        own = every - {coarse.index(group.name) + 1} if members else every
+        own = every - {coarse.index(group.name) + 1, all_open} if members else every
         if group.part and group.name not in holders:
             continue
-        yield replace(group, inner=members, states=frozenset(holders[group.name]) if group.name in holders else own)
+        inside = frozenset({*holders.get(group.name, ()), all_open})
+        yield replace(group, inner=members, states=inside if group.name in holders else own)

@@ -14,7 +14,6 @@ from usdrigui.layout.precedent import Precedent, kept_groups, of_previous
 from usdrigui.layout.review import review
 from usdrigui.levels import inner_names, outer_first, shown, states
 from usdrigui.model import Control
-from usdrigui.settings import Settings
 
 FACE = makers.face()
 
@@ -67,6 +66,27 @@ def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then()
     assert by_name(apart)["grin"].anchor.point == by_name(alone)["pucker"].anchor.point
     assert by_name(together)["grin"].anchor.point != by_name(together)["pucker"].anchor.point
     assert apart.assignment.cost < together.assignment.cost
+
+
+def test_members_of_two_coarse_controls_are_kept_apart_as_both_may_be_opened():
+    rig = with_pose("grin", ("pucker",))
+    pucker = next(control for control in FACE.controls if control.name == "pucker")
+    rig = replace(rig, controls=(*rig.controls, replace(pucker, name="pout")))
+    kept = {"beside_composite": False}
+    members = {"grin": ["pucker"], "chin": ["pout"]}
+    placed = by_name(lay_out(rig, settings(levels={"members": members}, candidates=kept)))
+    a, b = placed["pucker"].anchor, placed["pout"].anchor
+    assert not a.beside
+    assert not b.beside
+    assert a.point != b.point
+    assert states(placed.values())["pucker"] & states(placed.values())["pout"]
+
+
+def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
+    levels, kept = {"poses": True}, {"beside_composite": False}
+    groups = {"groups": {"both": ["grin", "pucker"]}}
+    line = lay_out(with_pose(), settings(levels=levels, candidates=kept, groups=groups))
+    assert by_name(line)["both"].inner == ("smile_L", "smile_R")
 
 
 def test_members_of_one_coarse_control_are_kept_apart():
@@ -170,4 +190,3 @@ def test_levels_that_make_no_sense_are_refused(members, code):
 def test_derived_members_give_way_to_configured_ones():
     chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"beside_composite": False})
     assert by_name(lay_out(with_pose(), chosen))["grin"].inner == ("pucker",)
-    assert isinstance(chosen, Settings)
