@@ -42,7 +42,7 @@ class ElementReview:
     distance: float
     """Between the two handles, in handle widths; inf when it is alone."""
     gain: float
-    """What moving it alone to its best place would save; 0 when it stands there."""
+    """What moving it to its best place would save, all others staying; a pair moves as one.  0 when it stands there."""
     better: str
     """That place as ``MESH_PATH#POINT``, ready for a configuration; empty when it stands there."""
 
@@ -63,7 +63,8 @@ def review(context: Context, candidates: Candidates, layout: Layout) -> Review:
     sound = _sound(context, layout)
     issues = [*faults, *_hidden(context, sound)]
     problem, choices, labels = _as_problem(context, candidates, layout, sound)
-    rated = tuple(_rated(context, problem, choices, labels, index) for index in range(len(choices)))
+    mates = _mates(context, layout, problem, choices, labels)
+    rated = tuple(_rated(context, problem, choices, labels, index, mates[index]) for index in range(len(choices)))
     issues += [
         issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
         for each in rated
@@ -238,13 +239,38 @@ def _with_point(context: Context, known: CandidateSet, point: int) -> CandidateS
     )
 
 
+def _mates(
+    context: Context, layout: Layout, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices
+) -> list[int]:
+    """For every element the other one of its pair, where the two stand as mirror images; else -1."""
+    mirror = {element.name: element.mirror for element in layout.elements}
+    index = {variable.name: i for i, variable in enumerate(problem.variables)}
+    at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
+    mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]
+    return [j if j >= 0 and context.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)]
+
+
+def _cost_with_mate(
+    context: Context, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
+) -> Floats:
+    """(R,) cost of every candidate of an element with its mirror image on the mirror image of it; inf where none is."""
+    images = context.symmetry.partner[choices[index].anchors[:, 0]]
+    anchors = choices[mate].anchors[:, 0]
+    order = np.argsort(anchors, kind="stable")
+    rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
+    cost = cost_given_others(problem, labels, index, mate) + cost_given_others(problem, labels, mate, index)[rows]
+    cost += pair_costs(problem, index, mate, np.arange(len(images)), rows)
+    return np.where(anchors[rows] == images, cost, np.inf)
+
+
 def _rated(
-    context: Context, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int
+    context: Context, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
 ) -> ElementReview:
     variable, choice, label = problem.variables[index], choices[index], int(labels[index])
     alone = cost_given_others(problem, labels, index)
-    best = int(np.argmin(alone))
-    gain = float(alone[label] - alone[best]) if np.isfinite(alone[label]) else np.inf
+    whole = _cost_with_mate(context, problem, choices, labels, index, mate) if mate >= 0 else alone
+    best = int(np.argmin(whole))
+    gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
     return ElementReview(
         element=variable.name,
@@ -258,13 +284,13 @@ def _rated(
     )
 
 
-def cost_given_others(problem: LayoutProblem, labels: Indices, index: int) -> Floats:
-    """(R,) cost of every candidate of one variable, all others staying where they are."""
+def cost_given_others(problem: LayoutProblem, labels: Indices, index: int, without: int = -1) -> Floats:
+    """(R,) cost of every candidate of one variable, all others but `without` staying where they are."""
     count = len(problem.variables[index].points)
     mine = np.arange(count)
     cost = problem.variables[index].cost.copy()
     for other in range(len(labels)):
-        if other != index:
+        if other not in (index, without):
             cost += pair_costs(problem, index, other, mine, np.full(count, labels[other]))
     return cost
 
