@@ -20,21 +20,6 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
     return tuple(int(i) for i in np.roll(order, -start))
 
 
-def sectors(tangents: Floats, normal: Floats) -> tuple[tuple[int, int], ...]:
-    """Pairs of neighbouring members that span a parallelogram: those at an angle of at most 180 degrees.
-
-    Positions refer to `tangents`; each pair runs counter-clockwise about `normal`.
-    """
-    order = fan_order(tangents, normal)
-    angles = _angles(tangents, normal)
-    found = []
-    for first, second in zip(order, (*order[1:], order[0]), strict=True):
-        turn = float((angles[second] - angles[first]) % (2.0 * np.pi))
-        if first != second and 1e-6 < turn <= np.pi + 1e-9 and (second, first) not in found:
-            found.append((first, second))
-    return tuple(found)
-
-
 def _angles(tangents: Floats, normal: Floats) -> Floats:
     """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary direction."""
     across = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])

@@ -10,7 +10,7 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout import extensions
-from usdrigui.layout.fans import fan_order, sectors
+from usdrigui.layout.fans import fan_order
 from usdrigui.layout.groups import suggested_groups
 from usdrigui.layout.orbits import orbit_points
 from usdrigui.layout.tracks import gains, resampled
@@ -129,20 +129,12 @@ def test_wrong_groups_are_refused(groups, code):
     assert refused.value.issue.code == code
 
 
-def test_fans_are_ordered_by_angle_and_span_sectors_of_half_a_turn_at_most():
+def test_fans_are_ordered_by_angle():
     normal = np.array([0.0, 0.0, 1.0])
     angles = np.radians([200.0, 10.0, 100.0, 60.0])
     tangents = np.stack([np.cos(angles), np.sin(angles), np.full(4, 0.7)], axis=1)
     order = fan_order(tangents, normal)
     assert order == (1, 3, 2, 0)
-    assert set(sectors(tangents, normal)) == {(1, 3), (3, 2), (2, 0), (0, 1)} or set(sectors(tangents, normal)) == {
-        (1, 3),
-        (3, 2),
-        (2, 0),
-    }
-    assert sectors(tangents[:1], normal) == ()
-    wide = sectors(tangents[[0, 3]], normal)
-    assert wide == ((1, 0),)
 
 
 # --- tracks ------------------------------------------------------------------------------------------

@@ -1,9 +1,12 @@
 """Which neighbours in a fan span a parallelogram: those at half a turn or less (paper section 3.2)."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from usdrigui.layout.fans import fan_order, sectors
+from usdrigui.layout.fans import fan_order
+from usdrigui.usd import drawn
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -21,12 +24,14 @@ def at(*degrees, lift=0.0):
         ((120, 0, 60), {(1, 2), (2, 0)}),
         ((0, 120, 240), {(0, 1), (1, 2), (2, 0)}),
         ((0, 200), {(1, 0)}),
-        ((10, 100, 150, 190), {(0, 1), (1, 2), (2, 3), (3, 0)}),
-        ((10, 100, 150, 189), {(0, 1), (1, 2), (2, 3)}),
+        ((10, 100, 150, 185), {(0, 1), (1, 2), (2, 3)}),
+        ((10, 100, 150, 195), {(0, 1), (1, 2), (2, 3), (3, 0)}),
     ],
 )
 def test_only_neighbours_at_half_a_turn_or_less_span_a_parallelogram(degrees, expected, lift):
-    assert set(sectors(at(*degrees, lift=lift), UP)) == expected
+    tracks = [SimpleNamespace(track=np.stack([np.zeros(3), way])) for way in at(*degrees, lift=lift)]
+    fan = SimpleNamespace(anchor=SimpleNamespace(normal=UP), members=tracks)
+    assert set(drawn._neighbours(fan)) == expected
 
 
 def test_the_order_runs_round_and_begins_behind_the_widest_gap():
