@@ -4,18 +4,10 @@ import json
 import shutil
 
 import pytest
-import skinned_stages
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.usd.read_layout import edited_elements, read_layout
-
-
-@pytest.fixture(scope="module")
-def laid_out(tmp_path_factory):
-    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
-    assert main(["process", str(character), "--quiet"]) == 0
-    return character.parent
 
 
 @pytest.fixture

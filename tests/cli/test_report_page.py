@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import scripts
 import skinned_stages
 
 from usdrigui import load_settings, process
@@ -24,10 +25,7 @@ def test_every_field_is_documented(tmp_path):
 
 
 def test_reference_pages_are_up_to_date():
-    import importlib.util
-
-    spec = importlib.util.spec_from_file_location("generate", PAGE.parent / "generate.py")
-    generate = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(generate)
-    for name, text in generate.pages().items():
+    with scripts.loaded(PAGE.parent / "generate.py") as generate:
+        pages = generate.pages()
+    for name, text in pages.items():
         assert (PAGE.parent / name).read_text(encoding="utf-8") == text, "run: python docs/generate.py"

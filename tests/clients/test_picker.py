@@ -6,7 +6,6 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
-import skinned_stages
 
 from usdrigui import pipeline
 from usdrigui.cli import main
@@ -17,10 +16,8 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 @pytest.fixture(scope="module")
-def layer(tmp_path_factory):
-    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
-    assert main(["process", str(character), "--quiet"]) == 0
-    return character.with_name("char.rigui.usda")
+def layer(laid_out):
+    return laid_out / "char.rigui.usda"
 
 
 @pytest.fixture(scope="module")

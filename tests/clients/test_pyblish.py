@@ -5,7 +5,6 @@ import sys
 import types
 
 import pytest
-import skinned_stages
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
@@ -14,13 +13,6 @@ pyblish_api = pytest.importorskip("pyblish.api", reason="usdrigui[pyblish] is no
 import pyblish.util  # noqa: E402
 
 from usdrigui.clients import publish  # noqa: E402
-
-
-@pytest.fixture(scope="module")
-def laid_out(tmp_path_factory):
-    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
-    assert main(["process", str(character), "--quiet"]) == 0
-    return character.parent
 
 
 @pytest.fixture

@@ -1,12 +1,12 @@
 """docs/elements.md and its pictures: of an age with the script that makes them, and small."""
 
-import importlib.util
 import sys
 import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
+import scripts
 from PIL import Image
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -15,12 +15,8 @@ POINTS = range(1, 13)
 
 @pytest.fixture(scope="module")
 def pictures():
-    spec = importlib.util.spec_from_file_location("pictures", ROOT / "docs" / "pictures.py")
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["pictures"] = module
-    spec.loader.exec_module(module)
-    yield module
-    del sys.modules["pictures"]
+    with scripts.loaded(ROOT / "docs" / "pictures.py") as module:
+        yield module
 
 
 def test_page_and_pictures_are_there(pictures):

@@ -1,15 +1,14 @@
 """The comparison of layouts with parts of the objective left out: rows on a small face, and their figures."""
 
 import csv
-import importlib.util
 import io
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import makers
 import numpy as np
 import pytest
+import scripts
 
 from usdrigui.pipeline import posed
 from usdrigui.settings import load
@@ -19,12 +18,8 @@ SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "ablation.py"
 
 @pytest.fixture(scope="module")
 def ablation():
-    spec = importlib.util.spec_from_file_location("ablation", SCRIPT)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["ablation"] = module
-    spec.loader.exec_module(module)
-    yield module
-    del sys.modules["ablation"]
+    with scripts.loaded(SCRIPT) as module:
+        yield module
 
 
 @pytest.fixture(scope="module")

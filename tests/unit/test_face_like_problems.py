@@ -1,11 +1,10 @@
 """Problems made for benchmarks: sizes of the paper's table, the same from a seed, handles by the rule for rigs."""
 
-import importlib.util
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import scripts
 
 from usdrigui.settings import ObjectiveSettings, SolveSettings
 from usdrigui.solve import solve
@@ -16,12 +15,8 @@ FACE = 2.0
 
 @pytest.fixture(scope="module")
 def instances():
-    spec = importlib.util.spec_from_file_location("instances", SCRIPT)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["instances"] = module
-    spec.loader.exec_module(module)
-    yield module
-    del sys.modules["instances"]
+    with scripts.loaded(SCRIPT) as module:
+        yield module
 
 
 def share(problem):

@@ -42,10 +42,8 @@ BODY_RADII = (0.5, 0.65, 0.8, 1.0, 1.25)
 PAIR_COSTS = (0.03, 0.1, 0.3, 1.0)
 """Cells tried around an entry: all that cost it at least this much."""
 COUNTS = np.arange(1.0, 5.0)
-ROUNDS = 1
 SOFT = 1.0
 """Softness at first, in shares of what is missing per variable."""
-PAYS = 0.05
 SWEEPS = 8
 TINY = 1e-7
 SUPPORT = 0.003
@@ -96,26 +94,19 @@ class Costs(Record):
 
 
 def tightened(costs: Costs, where: Places, dual: Dual, cells: Cells, cut: float, watch: Watch) -> tuple[Dual, Cells]:
-    """A dual of the same problem with other prices and a better bound, as long as that pays; else those given."""
+    """A dual of the same problem with other prices, if its bound is better; else the one given."""
     bound = dual.bound()
-    for _ in range(ROUNDS):
-        missing = cut - bound
-        if missing <= 0 or watch.stopped():
-            break
-        other, ascent = _proposed(costs, where, dual, cells, SOFT * missing / len(dual.theta), watch)
-        new = costs.dual(other)
-        new.start_from(dual, [np.arange(len(each)) for each in dual.theta])
-        ascent.hand_over(new, costs.pool)
-        for _sweep in range(SWEEPS):
-            new.sweep()
-        watch.spend(SWEEPS * (new.size // 16 + 64 * len(new.edges)))
-        better = new.bound()
-        if better > bound:
-            dual, cells = new, other
-        if better < bound + PAYS * missing:
-            break
-        bound = better
-    return dual, cells
+    missing = cut - bound
+    if missing <= 0 or watch.stopped():
+        return dual, cells
+    other, ascent = _proposed(costs, where, dual, cells, SOFT * missing / len(dual.theta), watch)
+    new = costs.dual(other)
+    new.start_from(dual, [np.arange(len(each)) for each in dual.theta])
+    ascent.hand_over(new, costs.pool)
+    for _sweep in range(SWEEPS):
+        new.sweep()
+    watch.spend(SWEEPS * (new.size // 16 + 64 * len(new.edges)))
+    return (new, other) if new.bound() > bound else (dual, cells)
 
 
 def _proposed(

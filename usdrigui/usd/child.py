@@ -19,7 +19,7 @@ import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, Literal
+from typing import IO, Any, Literal, TypeVar
 
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.model import Floats, Layout, Performance, Record, Rig
@@ -28,6 +28,7 @@ from usdrigui.usd import wire
 from usdrigui.usd.source import SourceFile, admit, check_unchanged
 
 Task = Literal["rigs", "layouts", "clips", "faults"]
+_Part = TypeVar("_Part")
 
 _KEPT_TEXT = 1 << 16
 """Bytes kept of what the child prints: USD can complain without end."""
@@ -146,9 +147,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     limits = limits or Limits.of(settings)
     before = admit(path, limits.size)
     try:
-        result = _answer("rigs", path, settings, limits).rigs
-        if result is None:
-            raise _garbled(path)
+        result = _understood(_answer("rigs", path, settings, limits).rigs, path)
     except RigUIError:
         check_unchanged([before])  # A file that is being written says nothing about the asset.
         raise
@@ -159,36 +158,35 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
 
 def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
     """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a child; raises as `read_rigs_isolated`."""
-    limits = limits or Limits.of(settings)
-    admit(path, limits.size)
-    result = _answer("layouts", path, settings, limits).layouts
-    if result is None:
-        raise _garbled(path)
-    return result
+    return _understood(_asked("layouts", path, settings, limits).layouts, path)
 
 
 def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:
     """As `usdrigui.usd.clips.read_performances`, in a child; raises as `read_rigs_isolated`."""
-    limits = limits or Limits.of(settings)
-    admit(path, limits.size)
-    result = _answer("clips", path, settings, limits).performances
-    if not result:
-        raise _garbled(path)
-    return result
+    return _understood(_asked("clips", path, settings, limits).performances or None, path)
 
 
 def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> FaultsResult:
     """As `usdrigui.usd.faults.stage_faults`, in a child; raises as `read_rigs_isolated` where nothing can be read."""
-    limits = limits or Limits.of(settings)
-    admit(path, limits.size)
-    result = _answer("faults", path, settings, limits).faults
-    if result is None:
+    return _understood(_asked("faults", path, settings, limits).faults, path)
+
+
+def _understood(part: _Part | None, path: Path) -> _Part:
+    """The part of an answer that was asked for, which a sound answer has."""
+    if part is None:
         raise _garbled(path)
-    return result
+    return part
 
 
 def _garbled(path: Path) -> RigUIError:
     return refuse("SOURCE_CRASHES_USD", str(path), "what USD made of it cannot be understood")
+
+
+def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Answer:
+    """The child's answer about a file that it may be shown."""
+    limits = limits or Limits.of(settings)
+    admit(path, limits.size)
+    return _answer(task, path, settings, limits)
 
 
 def _answer(task: Task, path: Path, settings: Settings, limits: Limits) -> Answer:
