@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from mutations import package
+from pxr import Sdf
 from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
@@ -319,7 +320,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
         raise IndexError("of ours")
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = child.Request("rigs", str(tmp_path / "char.usda"), Settings(), Limits(), os.getpid())
+    request = child.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     found = inside.answer(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
@@ -338,7 +339,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
         raise error
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = child.Request("rigs", str(tmp_path / "char.usda"), Settings(), Limits(), os.getpid())
+    request = child.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     assert inside.answer(request).refusal.code == code
 
 
@@ -418,6 +419,7 @@ def test_a_change_while_usd_reads_is_noticed(tmp_path):
     def meddle():
         with contextlib.suppress(BrokenPipeError), (tmp_path / "pipe.usda").open("w") as pipe:
             path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
+            (tmp_path / "pipe.usda").unlink()
             pipe.write("#usda 1.0\n")
 
     thread = threading.Thread(target=meddle)
@@ -425,6 +427,41 @@ def test_a_change_while_usd_reads_is_noticed(tmp_path):
     error = refused(path, Limits(seconds=20))
     thread.join()
     assert (error.issue.code, error.exit_code) == ("SOURCE_CHANGED", Exit.FILE)
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, monkeypatch):
+    """It is hashed before it is read, and read from the disk after that."""
+    below = layered.with_name("geo.usda")
+
+    def meddle():
+        below.write_bytes(below.read_bytes() + b"\n")
+
+    def read(path, settings):
+        assert Sdf.Layer.Find(str(below)) is None
+        if when == "before":
+            meddle()
+        rigs = read_rigs(path, settings)
+        if when == "after":
+            meddle()
+        return rigs
+
+    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
+    request = child.Request("rigs", str(layered), Settings(), Limits(), os.getpid())
+    found = inside.answer(request)
+    assert found.refusal is not None
+    assert (found.refusal.code, found.refusal.path) == ("SOURCE_CHANGED", os.path.realpath(below))
+
+
+def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
+    path = head(tmp_path / "char.usda")
+
+    def read(path, settings):
+        assert Sdf.Layer.Find(str(path)) is not None
+        return read_rigs(path, settings)
+
+    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
+    assert inside.answer(child.Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
 
 
 def test_a_damaged_package_that_is_only_referenced(tmp_path):

@@ -11,7 +11,7 @@ import contextlib
 import os
 import signal
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
@@ -21,7 +21,7 @@ from usdrigui.model import Performance
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.child import Answer, FaultsResult, LayoutsResult, Limits, ReadResult, Request
-from usdrigui.usd.source import SourceFile, hashed
+from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0
 """Seconds after the limit at which the alarm ends the child, should its parent not have done so."""
@@ -95,24 +95,24 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.read_layout import own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
 
-    with _kept_stages() as stages:
+    with _hashed_before(path) as before, _kept_stages() as stages:
         rigs = read_rigs(path, settings)
         stage = _stage_of(path, stages)
         cameras = _cameras(stage, rigs, settings.candidates.view)
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
-        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages()), layouts, below)
+        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages(), before), layouts, below)
 
 
 def _layouts(path: Path) -> LayoutsResult:
     from usdrigui.usd.read_layout import edited_elements, read_layout, source_of
     from usdrigui.usd.standing import standing_prims
 
-    with _kept_stages() as stages:
+    with _hashed_before(path) as before, _kept_stages() as stages:
         layouts = read_layout(path)
         stage = next(iter(stages.GetAllStages()))
-        sources = _sources(path, stages.GetAllStages())
+        sources = _sources(path, stages.GetAllStages(), before)
         return LayoutsResult(layouts, source_of(path), edited_elements(stage), sources, standing_prims(stage))
 
 
@@ -149,20 +149,51 @@ def _stage_of(path: Path, stages: Any) -> Any:
     return next((each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own), found[0])
 
 
-def _sources(path: Path, stages: Iterable[Any]) -> tuple[SourceFile, ...]:
-    """Every file behind the layers of the stages: the asset first, the others by path; packages are checked."""
-    from pxr import Ar
+@contextlib.contextmanager
+def _hashed_before(path: Path) -> Iterator[Mapping[str, SourceFile]]:
+    """The files that compose an asset of several, by path, as they were before anything is read for good.
 
+    Which files they are only composition tells, so they are composed, let go, and hashed.  An asset of one file
+    was hashed by the parent: its layer is kept for the reading.
+    """
+    from usdrigui.usd.stage import listening, open_stage
+
+    with listening():
+        stage = open_stage(path)
+    names = _files(path, (stage,)) if _depends(stage) else ()
+    if names:
+        del stage
+    yield {each.path: each for each in map(hashed, names)}
+
+
+def _depends(stage: Any) -> bool:
+    return any(layer.GetCompositionAssetDependencies() for layer in stage.GetUsedLayers())
+
+
+def _sources(path: Path, stages: Iterable[Any], before: Mapping[str, SourceFile]) -> tuple[SourceFile, ...]:
+    """Every file behind the layers of the stages: the asset first, the others by path; packages are checked.
+
+    Raises RigUIError SOURCE_CHANGED where one is not what it was `before` it was read.
+    """
     from usdrigui.usd.stage import check_archive
 
-    used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
-    files = {Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each for each in used}
-    others = sorted({os.path.realpath(each) for each in files} - {os.path.realpath(path)})
-    found = (hashed(path), *(hashed(each) for each in others if os.path.isfile(each)))  # noqa: PTH113
+    check_unchanged(before.values())
+    found = tuple(map(hashed, _files(path, stages)))
     for each in found[1:]:
         if each.path.lower().endswith(".usdz"):
             check_archive(Path(each.path))
     return found
+
+
+def _files(path: Path, stages: Iterable[Any]) -> tuple[str, ...]:
+    """Real paths of the files behind the layers of the stages, the asset first."""
+    from pxr import Ar
+
+    used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
+    files = {Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each for each in used}
+    own = os.path.realpath(path)
+    others = sorted({os.path.realpath(each) for each in files} - {own})
+    return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
 
 
 def _cameras(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:
