@@ -6,10 +6,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pxr import Usd
+from pxr import Usd, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Indices
+from usdrigui.model import Floats, Indices
+
+_INT = np.iinfo(np.int32)
+"""All integers of USD's own schemas are of 32 bits."""
 
 
 def value_at(attribute: Any, time: Usd.TimeCode) -> Any:
@@ -18,37 +21,68 @@ def value_at(attribute: Any, time: Usd.TimeCode) -> Any:
     return attribute.Get(Usd.TimeCode.EarliestTime()) if value is None else value
 
 
-def integers(values: Any, path: str, name: str) -> Indices:
-    """The integers of an array, none for None; raises ARRAY_TYPE."""
+def tokens(values: Any, path: str, name: str) -> tuple[str, ...]:
+    """The names that an array of tokens holds, none for None; raises ARRAY_TYPE."""
     if values is None:
-        return np.zeros(0, dtype=np.int64)
-    numbers = _numbers(values, path, name)
+        return ()
+    # A single token could be iterated as well, letter by letter.
+    if not isinstance(values, Vt.TokenArray):
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold tokens")
+    return tuple(str(token) for token in values)
+
+
+def integers(values: Any, path: str, name: str) -> Indices:
+    """(n,) the integers of an array, none for None; raises ARRAY_TYPE."""
+    numbers = _numbers(values, (), path, name)
+    if values is None:
+        return numbers.astype(np.int64)
     if numbers.dtype.kind not in "iu":
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold integers")
+    # Sums of larger ones would wrap around.
+    if numbers.dtype.itemsize > 4 and len(numbers) and not _INT.min <= numbers.min() <= numbers.max() <= _INT.max:
+        raise refuse("ARRAY_TYPE", path, f"{name} holds integers of more than 32 bits")
     return numbers.astype(np.int64)
 
 
 def floats(values: Any, path: str, name: str) -> NDArray[Any]:
-    """The numbers of an array in the precision they have, none for None; raises ARRAY_TYPE."""
-    numbers = _numbers(values, path, name)
-    return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
+    """(n,) the numbers of an array in the precision they have, none for None; raises ARRAY_TYPE."""
+    return _floats(values, (), path, name)
 
 
 def vectors(values: Any, path: str, name: str) -> NDArray[Any]:
-    """(p, 3) finite numbers, without a copy where they are in single precision already."""
-    vectors = floats(values, path, name)
-    if vectors.size % 3:
-        raise refuse("ARRAY_TYPE", path, f"{name} does not hold 3-vectors")
-    vectors = vectors.reshape(-1, 3)
-    check_finite(vectors, path, name)
-    return vectors
+    """(p, 3) finite numbers, without a copy where they are in single precision already; raises ARRAY_TYPE."""
+    found = _floats(values, (3,), path, name)
+    check_finite(found, path, name)
+    return found
 
 
-def _numbers(values: Any, path: str, name: str) -> NDArray[Any]:
-    """A numeric array; arrays of USD are viewed, not copied."""
-    numbers = np.asarray(() if values is None else values)
+def vector_count(values: Any, path: str, name: str) -> int:
+    """How many 3-vectors an array holds, finite or not; raises ARRAY_TYPE."""
+    return len(_floats(values, (3,), path, name))
+
+
+def quaternions(values: Any, path: str, name: str) -> Floats:
+    """(n, 4) numbers, real part first, none for None; raises ARRAY_TYPE."""
+    if values is None:
+        return np.zeros((0, 4))
+    if not isinstance(values, (Vt.QuatfArray, Vt.QuathArray, Vt.QuatdArray)):
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold quaternions")
+    # In memory the real part comes last.
+    return np.asarray(np.roll(np.asarray(values), 1, axis=1), dtype=np.float64)
+
+
+def _floats(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArray[Any]:
+    numbers = _numbers(values, item, path, name)
+    return numbers if numbers.dtype.kind == "f" else numbers.astype(np.float64)
+
+
+def _numbers(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArray[Any]:
+    """(n, *item) numbers; arrays of USD are viewed, not copied."""
+    numbers = np.zeros((0, *item)) if values is None else np.asarray(values)
     if numbers.dtype.kind not in "fiu":
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold numbers")
+    if numbers.ndim != 1 + len(item) or numbers.shape[1:] != item:
+        raise refuse("ARRAY_TYPE", path, f"{name} does not hold {f'{item[0]}-vectors' if item else 'single numbers'}")
     return numbers
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from pxr import Gf, Usd, UsdSkel
+from pxr import Usd, UsdSkel
 
 from usdrigui.errors import refuse
 from usdrigui.model import Floats, Performance
 from usdrigui.rotation import quaternion_matrices
+from usdrigui.usd.arrays import floats, quaternions, tokens
 from usdrigui.usd.stage import open_stage
 
 _MOST_FRAMES = 4096
@@ -19,7 +20,7 @@ _MOST_FRAMES = 4096
 def read_performances(path: Path) -> tuple[Performance, ...]:
     """The animations of a file that have more than one time sample, in stage order.
 
-    Raises ANIMATION_MISSING where there is none, ANIMATION_LENGTH and NOT_FINITE, and as `open_stage`.
+    Raises ANIMATION_MISSING where there is none, ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE, and as `open_stage`.
     """
     stage = open_stage(path)
     prims = [prim for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()) if prim.IsA(UsdSkel.Animation)]
@@ -37,17 +38,19 @@ def _times(prim: Usd.Prim) -> list[float]:
 
 
 def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
-    times = _times(animation.GetPrim())
-    count = min(_MOST_FRAMES, max(2, int(np.floor(times[-1] - times[0])) + 1))
-    frames = np.linspace(times[0], times[-1], count)
-    tokens = tuple(str(token) for token in animation.GetBlendShapesAttr().Get() or ())
-    joints = tuple(str(joint) for joint in animation.GetJointsAttr().Get() or ())
+    times, where = _times(animation.GetPrim()), str(animation.GetPath())
+    length = times[-1] - times[0]
+    if not np.isfinite(length):
+        raise refuse("NOT_FINITE", where, f"its time samples reach from {times[0]:g} to {times[-1]:g}")
+    frames = np.linspace(times[0], times[-1], max(2, int(min(_MOST_FRAMES - 1, length)) + 1))
+    names = tokens(animation.GetBlendShapesAttr().Get(), where, "blendShapes")
+    joints = tokens(animation.GetJointsAttr().Get(), where, "joints")
     return Performance(
         source=path.name,
-        path=str(animation.GetPath()),
+        path=where,
         times=frames,
-        tokens=tokens,
-        weights=_sampled(animation.GetBlendShapeWeightsAttr(), frames, len(tokens)),
+        tokens=names,
+        weights=_sampled(animation.GetBlendShapeWeightsAttr(), frames, len(names)),
         joints=joints,
         rotations=_matrices(_sampled(animation.GetRotationsAttr(), frames, len(joints), 4)),
     )
@@ -56,21 +59,18 @@ def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
 def _sampled(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1) -> Floats:
     """(frames, width) values, or (frames, width, 4) quaternions, real part first; zero where nothing is authored."""
     table = np.zeros((len(frames), width, parts))
-    where = str(attribute.GetPath())
+    where, read = str(attribute.GetPath()), floats if parts == 1 else quaternions
     for row, time in enumerate(frames.tolist()):
         values = attribute.Get(time)
         if values is None or not width:
             break
-        if len(values) != width:
-            raise refuse("ANIMATION_LENGTH", where, f"{len(values)} values for {width} names at time {time:g}")
-        table[row] = np.array([_components(value) for value in values]).reshape(width, parts)
+        numbers = read(values, str(attribute.GetPrimPath()), attribute.GetName())
+        if len(numbers) != width:
+            raise refuse("ANIMATION_LENGTH", where, f"{len(numbers)} values for {width} names at time {time:g}")
+        table[row] = numbers.reshape(width, parts)
     if not np.isfinite(table).all():
         raise refuse("NOT_FINITE", where, "the animation holds NaN or infinity")
     return table[..., 0] if parts == 1 else table
-
-
-def _components(value: float | Gf.Quatf) -> list[float]:
-    return [value] if isinstance(value, float) else [value.real, *value.imaginary]
 
 
 def _matrices(quaternions: Floats) -> Floats:

@@ -14,9 +14,11 @@ import numpy as np
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue
-from usdrigui.usd.arrays import check_range, integers, value_at, vectors
+from usdrigui.model import Floats
+from usdrigui.usd.arrays import check_range, floats, integers, tokens, value_at, vector_count, vectors
 from usdrigui.usd.mesh import topology_hash
 from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.shapes import shape_tokens
 from usdrigui.usd.skeleton import repeated
 
 
@@ -32,38 +34,25 @@ def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of each shape of a mesh."""
-    tokens, targets = pairs_of(prim)
-    if not tokens and not targets:
-        return ()
-    path = str(prim.GetPath())
-    if len(tokens) != len(targets):
-        counts = f"{len(tokens)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
-        return (issue("TARGETS_LENGTH", path, counts),)
-    points = value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default())
-    found = repeated(tokens, path, "skel:blendShapes")
-    for token, target in zip(tokens, targets, strict=True):
-        shape = prim.GetStage().GetPrimAtPath(target)
-        if not is_shape(shape):
-            found.append(issue("TARGET_INVALID", str(target), f"is the target of {token!r} of {path}"))
-        else:
-            found += _shape_faults(shape, len(points) if points is not None else 0)
-    return (*found, *_order_faults(prim, tokens))
+    """ARRAY_TYPE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of each shape."""
+    found: list[Issue] = []
+    with _collecting(found):
+        names, targets = pairs_of(prim)
+        if names or targets:
+            found += _pair_faults(prim, names, targets)
+    return tuple(found)
 
 
 def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """ANIMATION_LENGTH, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a SkelAnimation."""
+    """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a SkelAnimation."""
     animation, path = UsdSkel.Animation(prim), str(prim.GetPath())
-    attribute, tokens = animation.GetBlendShapeWeightsAttr(), animation.GetBlendShapesAttr().Get() or ()
-    limits = _limits(attribute, len(tokens))
-    codes = [Usd.TimeCode.Default(), *map(Usd.TimeCode, attribute.GetTimeSamples())]
+    faults: list[Issue] = []
+    with _collecting(faults):
+        names = tokens(animation.GetBlendShapesAttr().Get(), path, "blendShapes")
+        faults += _sample_faults(animation.GetBlendShapeWeightsAttr(), names, path)
     found: dict[tuple[str, str], Issue] = {}
-    for code in codes:
-        values = attribute.Get(code)
-        if values is None or not len(values):
-            continue
-        for each in _weight_faults(np.asarray(values, dtype=np.float64), list(map(str, tokens)), limits, path, code):
-            found.setdefault((each.code, each.message.partition(" at ")[0]), each)
+    for each in faults:
+        found.setdefault((each.code, each.message.partition(" at ")[0]), each)
     return tuple(found.values())
 
 
@@ -73,12 +62,15 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
         layouts = read_layout(stage)
     except RigUIError as error:
         return () if error.issue.code == "LAYOUT_MISSING" else (error.issue,)
-    found, hashes = [], {}
+    found: list[Issue] = []
+    hashes: dict[str, str] = {}
     for layout in layouts:
         for element in layout.elements:
             anchor = element.anchor
             if anchor.mesh not in hashes:
-                hashes[anchor.mesh] = _topology(stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None)
+                hashes[anchor.mesh] = ""
+                with _collecting(found):
+                    hashes[anchor.mesh] = _topology(stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None)
             if not hashes[anchor.mesh]:
                 found.append(issue("LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}"))
             elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
@@ -90,9 +82,8 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def pairs_of(prim: Usd.Prim) -> tuple[list[str], list[Sdf.Path]]:
-    """Names and targets of the blend shapes of a mesh."""
-    api = UsdSkel.BindingAPI(prim)
-    return [str(token) for token in api.GetBlendShapesAttr().Get() or ()], api.GetBlendShapeTargetsRel().GetTargets()
+    """Names and targets of the blend shapes of a mesh; raises ARRAY_TYPE."""
+    return list(shape_tokens(prim)), UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
 
 
 def is_shape(prim: Usd.Prim) -> bool:
@@ -102,8 +93,11 @@ def is_shape(prim: Usd.Prim) -> bool:
 
 def can_repair(prim: Usd.Prim) -> bool:
     """Whether `repair` knows what was meant: there is one target for each name."""
-    tokens, targets = pairs_of(prim)
-    return len(tokens) == len(targets) and not prim.IsInstanceProxy()
+    try:
+        names, targets = pairs_of(prim)
+    except RigUIError:
+        return False
+    return len(names) == len(targets) and not prim.IsInstanceProxy()
 
 
 def repair(prim: Usd.Prim) -> None:
@@ -111,9 +105,8 @@ def repair(prim: Usd.Prim) -> None:
 
     Authors skel:blendShapes and skel:blendShapeTargets in the stage's edit target.
     """
-    tokens, targets = pairs_of(prim)
     # Of a name that stands twice UsdSkel takes the last.
-    kept = dict(zip(tokens, targets, strict=True))
+    kept = dict(zip(*pairs_of(prim), strict=True))
     kept = {token: target for token, target in kept.items() if is_shape(prim.GetStage().GetPrimAtPath(target))}
     place = {token: index for index, token in enumerate(_animated(prim))}
     order = sorted(kept, key=lambda token: place.get(token, len(place)))
@@ -122,7 +115,25 @@ def repair(prim: Usd.Prim) -> None:
     api.GetBlendShapeTargetsRel().SetTargets([kept[token] for token in order])
 
 
-# --- one shape ---------------------------------------------------------------------------------------
+# --- one mesh and its shapes -------------------------------------------------------------------------
+
+
+def _pair_faults(prim: Usd.Prim, names: list[str], targets: list[Sdf.Path]) -> Iterator[Issue]:
+    """What is wrong with the names and targets of a mesh, and with the shapes; raises ARRAY_TYPE for its points."""
+    path = str(prim.GetPath())
+    if len(names) != len(targets):
+        counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
+        yield issue("TARGETS_LENGTH", path, counts)
+        return
+    yield from repeated(names, path, "skel:blendShapes")
+    count = vector_count(value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default()), path, "points")
+    for name, target in zip(names, targets, strict=True):
+        shape = prim.GetStage().GetPrimAtPath(target)
+        if is_shape(shape):
+            yield from _shape_faults(shape, count)
+        else:
+            yield issue("TARGET_INVALID", str(target), f"is the target of {name!r} of {path}")
+    yield from _order_faults(prim, names)
 
 
 def _shape_faults(shape: Usd.Prim, points: int) -> Iterator[Issue]:
@@ -172,18 +183,22 @@ def _animated(prim: Usd.Prim) -> list[str]:
     skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
     source = UsdSkel.BindingAPI(skeleton.GetPrim()).GetInheritedAnimationSource() if skeleton else None
     animation = UsdSkel.Animation(source) if source else None
-    return [str(token) for token in animation.GetBlendShapesAttr().Get() or ()] if animation else []
+    if not animation:
+        return []
+    with contextlib.suppress(RigUIError):  # What is wrong with the animation stands with the animation.
+        return list(tokens(animation.GetBlendShapesAttr().Get(), str(animation.GetPath()), "blendShapes"))
+    return []
 
 
-def _order_faults(prim: Usd.Prim, tokens: list[str]) -> Iterator[Issue]:
+def _order_faults(prim: Usd.Prim, names: list[str]) -> Iterator[Issue]:
     """UsdSkel maps by name; exporters and engines that map by index need the same order."""
     animated = _animated(prim)
-    if sorted(animated) == sorted(tokens) and animated != tokens:
-        first = next(a for a, b in zip(tokens, animated, strict=True) if a != b)
+    if sorted(animated) == sorted(names) and animated != names:
+        first = next(a for a, b in zip(names, animated, strict=True) if a != b)
         yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first to stand elsewhere is {first!r}")
 
 
-def _limits(attribute: Usd.Attribute, count: int) -> np.ndarray[Any, Any] | None:
+def _limits(attribute: Usd.Attribute, count: int) -> Floats | None:
     """(count, 2) hard limits of the weights, else soft ones; None where there are none, or not as many."""
     try:
         limits = attribute.GetMetadata("limits")
@@ -201,33 +216,42 @@ def _limits(attribute: Usd.Attribute, count: int) -> np.ndarray[Any, Any] | None
     return None
 
 
+def _sample_faults(attribute: Usd.Attribute, names: tuple[str, ...], path: str) -> Iterator[Issue]:
+    """What is wrong with the weights at each time at which they are authored; raises ARRAY_TYPE."""
+    limits = _limits(attribute, len(names))
+    for code in (Usd.TimeCode.Default(), *map(Usd.TimeCode, attribute.GetTimeSamples())):
+        values = floats(attribute.Get(code), path, "blendShapeWeights")
+        if len(values):
+            yield from _weight_faults(values.astype(np.float64), names, limits, path, code)
+
+
 def _weight_faults(
-    values: np.ndarray[Any, Any], tokens: list[str], limits: np.ndarray[Any, Any] | None, path: str, code: Usd.TimeCode
+    values: Floats, names: tuple[str, ...], limits: Floats | None, path: str, code: Usd.TimeCode
 ) -> Iterator[Issue]:
     when = "" if code.IsDefault() else f" at time {code.GetValue():g}"
-    if len(values) != len(tokens):
-        yield issue("ANIMATION_LENGTH", path, f"{len(tokens)} blendShapes but {len(values)} blendShapeWeights{when}")
+    if len(values) != len(names):
+        yield issue("ANIMATION_LENGTH", path, f"{len(names)} blendShapes but {len(values)} blendShapeWeights{when}")
         return
     bad = ~np.isfinite(values)
     for index in np.flatnonzero(bad)[:1]:
-        yield issue("NOT_FINITE", path, f"the weight of {tokens[index]!r}{when}")
+        yield issue("NOT_FINITE", path, f"the weight of {names[index]!r}{when}")
     if limits is not None:
         slack = 1e-5 * np.maximum(1.0, np.abs(limits).max(axis=1))
         beyond = (values < limits[:, 0] - slack) | (values > limits[:, 1] + slack)
         for index in np.flatnonzero(beyond & ~bad):
             low, high = limits[index]
-            what = f"{tokens[index]!r} has weights outside {low:g} to {high:g}, {values[index]:g}"
+            what = f"{names[index]!r} has weights outside {low:g} to {high:g}, {values[index]:g}"
             yield issue("WEIGHTS_BEYOND_LIMITS", path, f"{what}{when}" if when else f"{what} at the default time")
 
 
 def _topology(prim: Usd.Prim | None) -> str:
-    """Hash of a mesh as it is; empty for anything else."""
+    """Hash of a mesh as it is; empty for anything else.  Raises ARRAY_TYPE."""
     if not prim or not prim.IsActive() or not prim.IsA(UsdGeom.Mesh):
         return ""
     mesh, path, time = UsdGeom.Mesh(prim), str(prim.GetPath()), Usd.TimeCode.Default()
-    points = value_at(mesh.GetPointsAttr(), time)
+    points = vector_count(value_at(mesh.GetPointsAttr(), time), path, "points")
     counts, indices = (
         integers(value_at(attribute, time), path, attribute.GetName())
         for attribute in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr())
     )
-    return topology_hash(len(points) if points is not None else 0, counts, indices)
+    return topology_hash(points, counts, indices)

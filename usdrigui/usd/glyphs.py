@@ -96,7 +96,8 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
 def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
     """The points as seen from above, in a sphere of radius 1 about the origin."""
     to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim), dtype=np.float64)
-    axes = np.array(_TOP_VIEW[str(UsdGeom.GetStageUpAxis(prim.GetStage()))], dtype=np.float64)
+    up = "Z" if UsdGeom.GetStageUpAxis(prim.GetStage()) == UsdGeom.Tokens.z else "Y"
+    axes = np.array(_TOP_VIEW[up], dtype=np.float64)
     seen = (points @ to_world[:3, :3]) @ axes.T
     centred = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
     radius = float(np.linalg.norm(centred, axis=1).max())

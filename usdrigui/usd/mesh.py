@@ -82,11 +82,11 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
 
 
 def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int) -> tuple[Subset, ...]:
-    """GeomSubsets of faces or points; members that the mesh does not have are left out."""
+    """GeomSubsets of faces or points; members that the mesh does not have are left out.  Raises ARRAY_TYPE."""
     found = []
     ends = np.cumsum(counts)
     for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh):
-        members = np.asarray(subset.GetIndicesAttr().Get() or (), dtype=np.int64)
+        members = integers(subset.GetIndicesAttr().Get(), str(subset.GetPath()), "indices")
         if subset.GetElementTypeAttr().Get() == UsdGeom.Tokens.face:
             faces = members[(members >= 0) & (members < len(counts))]
             spans = [indices[ends[face] - counts[face] : ends[face]] for face in faces]

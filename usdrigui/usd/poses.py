@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from pxr import Usd
+from pxr import Usd, Vt
 
 from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.model import Channel, Joint, LeftOff
@@ -14,6 +14,9 @@ from usdrigui.settings import PoseSettings, Settings
 from usdrigui.usd.controls import NamedPose, State
 from usdrigui.usd.ranges import custom_data
 from usdrigui.usd.skeleton import Armature, locals_at, weights_at
+
+_LATEST = 1e15
+"""No time code lies beyond."""
 
 
 @dataclass(frozen=True)
@@ -40,15 +43,20 @@ def read_frame_names(root: Usd.Prim, armatures: tuple[Armature, ...], key: str) 
     if value is None or not times:
         return FrameNames((), (), ())
     if isinstance(value, Mapping):
-        named = sorted((float(time), str(name)) for name, time in value.items() if isinstance(time, (int, float)))
+        named = sorted((float(time), str(name)) for name, time in value.items() if _is_time(time))
         return FrameNames(tuple(Frame(name, time) for time, name in named), (), ())
-    names = [] if isinstance(value, (str, int, float)) else [str(name) for name in value]
+    names = [str(name) for name in value] if isinstance(value, (list, Vt.StringArray, Vt.TokenArray)) else []
     frames = tuple(Frame(name, time) for name, time in zip(names, times, strict=False))
     lost = tuple(LeftOff(name, "read", "the animation has no frame for it") for name in names[len(times) :])
     issues: tuple[Issue, ...] = ()
     if len(names) != len(times):
         issues = (issue("POSES_MISMATCH", str(root.GetPath()), f"{len(names)} names in {key!r}, {len(times)} frames"),)
     return FrameNames(frames, lost, issues)
+
+
+def _is_time(value: object) -> bool:
+    """Whether it is a number that can be a time code; JSON has integers of any length."""
+    return isinstance(value, (int, float)) and -_LATEST < value < _LATEST
 
 
 def named_poses(

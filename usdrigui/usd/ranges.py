@@ -97,7 +97,7 @@ def custom_data(root: Usd.Prim, key: str) -> Any:
     if isinstance(value, str):
         try:
             return json.loads(value)
-        except ValueError:
+        except (ValueError, RecursionError):
             return None
     return value
 
@@ -189,7 +189,7 @@ def _metadata(root: Usd.Prim, channels: tuple[Channel, ...], issues: list[Issue]
 def _pair(value: Any) -> tuple[float, float] | None:
     try:
         low, high = (float(each) for each in value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     return (low, high) if np.isfinite([low, high]).all() and low < high else None
 

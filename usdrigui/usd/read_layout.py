@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pxr import Sdf, Usd, UsdGeom
+from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.errors import refuse
 from usdrigui.model import Anchor, Element, Floats, Glyph, Indices, Layout, LeftOff, Member
 from usdrigui.usd import author, schema
+from usdrigui.usd.arrays import value_at
 from usdrigui.usd.stage import open_stage
 
 _DECISIONS = tuple(
@@ -59,12 +60,8 @@ def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
 
 def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
     """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings in."""
-    specs = (stage.GetRootLayer().GetPrimAtPath(scope.GetPath()) for scope in layout_scopes(stage))
-    return tuple(
-        str(spec.path)
-        for spec in specs
-        if spec is not None and schema.LAYOUT in spec.GetInfo("apiSchemas").GetAppliedItems()
-    )
+    scopes = (scope.GetPath() for scope in layout_scopes(stage))
+    return tuple(str(scope) for scope in scopes if _is_layout(stage.GetRootLayer().GetPrimAtPath(scope)))
 
 
 def edited_elements(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
@@ -86,7 +83,7 @@ def _edited(prim: Usd.Prim) -> bool:
 
 def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
     """Names of the controls whose values `Layout.base_values` lists, of the layout at `scope`."""
-    return tuple(_strings(_value(scope, schema.LAYOUT, "baseControls")))
+    return tuple(_strings(value_of(scope, schema.LAYOUT, "baseControls")))
 
 
 def source_of(path: Path) -> str:
@@ -119,7 +116,13 @@ def _holds_layout(layer: Sdf.Layer) -> bool:
             found.append(path)
 
     layer.Traverse(Sdf.Path.absoluteRootPath, visit)
-    return any(schema.LAYOUT in layer.GetPrimAtPath(each).GetInfo("apiSchemas").GetAppliedItems() for each in found)
+    return any(_is_layout(layer.GetPrimAtPath(each)) for each in found)
+
+
+def _is_layout(spec: Sdf.PrimSpec | None) -> bool:
+    """Whether a layer itself says that the prim is a layout."""
+    applied = spec.GetInfo("apiSchemas") if spec is not None else None
+    return isinstance(applied, Sdf.TokenListOp) and schema.LAYOUT in applied.GetAppliedItems()
 
 
 def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
@@ -135,10 +138,10 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
 
 def _layout(scope: Usd.Prim) -> Layout:
     def get(name: str) -> Any:
-        return _value(scope, schema.LAYOUT, name)
+        return value_of(scope, schema.LAYOUT, name)
 
     def solution(name: str) -> Any:
-        return _value(scope, schema.SOLUTION, name)
+        return value_of(scope, schema.SOLUTION, name)
 
     if get("version") > schema.VERSION:
         raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"version {get('version')}; known: {schema.VERSION}")
@@ -166,21 +169,21 @@ def _layout(scope: Usd.Prim) -> Layout:
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
-    columns = [_strings(_value(scope, schema.LAYOUT, f"leftOff{name}")) for name in ("Controls", "Stages", "Reasons")]
+    columns = [_strings(value_of(scope, schema.LAYOUT, f"leftOff{name}")) for name in ("Controls", "Stages", "Reasons")]
     _check_equal(scope, "leftOffReasons", *columns)
     return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
 
 
 def _weights(scope: Usd.Prim) -> tuple[tuple[str, float], ...]:
-    names = _strings(_value(scope, schema.SOLUTION, "weightNames"))
-    values = _floats(_value(scope, schema.SOLUTION, "weightValues"))
+    names = _strings(value_of(scope, schema.SOLUTION, "weightNames"))
+    values = _floats(value_of(scope, schema.SOLUTION, "weightValues"))
     _check_equal(scope, "weightValues", names, values)
     return tuple(zip(names, values.tolist(), strict=True))
 
 
 def _element(prim: Usd.Prim) -> Element:
     def get(name: str) -> Any:
-        return _value(prim, schema.ELEMENT, name)
+        return value_of(prim, schema.ELEMENT, name)
 
     applied = _instances(prim)
     instances = _strings(get("controls")) or applied
@@ -192,7 +195,7 @@ def _element(prim: Usd.Prim) -> Element:
     name = str(get("name")) or prim.GetName()
     return Element(
         name=name,
-        label=prim.GetMetadata("displayName") or name,
+        label=str(prim.GetMetadata("displayName") or name),
         kind=get("elementType"),
         members=tuple(_member(prim, instance, len(instances)) for instance in instances),
         opposed=_pairs(prim, get("opposed"), len(instances)),
@@ -209,11 +212,11 @@ def _element(prim: Usd.Prim) -> Element:
 
 def _member(prim: Usd.Prim, instance: str, count: int) -> Member:
     def get(name: str) -> Any:
-        return _value(prim, schema.CONTROL, name, instance)
+        return value_of(prim, schema.CONTROL, name, instance)
 
     track = _track_of(prim, instance, count)
     points = _track_points(track)
-    values = _floats(_value(track, schema.TRACK, "weights"))
+    values = _floats(value_of(track, schema.TRACK, "weights"))
     if not len(values):
         values = np.linspace(get("minimum"), get("maximum"), len(points))
     _check_equal(track, "rigUI:track:weights", values, points)
@@ -236,14 +239,14 @@ def _track_of(prim: Usd.Prim, instance: str, count: int) -> Usd.Prim:
             return track
     for child in prim.GetAllChildren():
         if _has(child, schema.TRACK):
-            shown = _strings(_value(child, schema.TRACK, "controls"))
+            shown = _strings(value_of(child, schema.TRACK, "controls"))
             if shown == [instance] or (not shown and count == 1):
                 return child
     raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"has no track for the control {instance!r}")
 
 
 def _track_points(track: Usd.Prim) -> Floats:
-    points = _floats(_value(track, schema.TRACK, "basePoints"))
+    points = _floats(value_of(track, schema.TRACK, "basePoints"))
     if not len(points):
         points = _drawn_points(track)
     return points.reshape(-1, 3)
@@ -251,8 +254,14 @@ def _track_points(track: Usd.Prim) -> Floats:
 
 def _drawn_points(prim: Usd.Prim) -> Floats:
     """(n, 3) points of a gprim, at the earliest time if they have no default; none if it has none at all."""
-    attribute = prim.GetAttribute("points")
-    values = attribute.Get() or attribute.Get(Usd.TimeCode.EarliestTime()) if attribute else None
+    return _vectors(prim.GetAttribute("points"))
+
+
+def _vectors(attribute: Usd.Attribute) -> Floats:
+    """(n, 3) what an array of USD's own schemas holds; raises LAYOUT_INVALID."""
+    values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
+    if not isinstance(values, (Vt.Vec3fArray, Vt.Vec3dArray, Vt.Vec3hArray, type(None))):
+        raise _invalid(attribute, "does not hold 3-vectors")
     points = _floats(values or ()).reshape(-1, 3)
     if not np.isfinite(points).all():
         raise _invalid(attribute, "holds NaN or infinity")
@@ -261,7 +270,7 @@ def _drawn_points(prim: Usd.Prim) -> Floats:
 
 def _anchor(prim: Usd.Prim) -> Anchor:
     def get(name: str) -> Any:
-        return _value(prim, schema.ANCHOR, name)
+        return value_of(prim, schema.ANCHOR, name)
 
     on_face = _targets(prim, schema.ANCHOR, "prim")
     targets = on_face or _targets(prim, schema.ANCHOR, "carrier")
@@ -282,13 +291,13 @@ def _handle(prim: Usd.Prim) -> dict[str, Any]:
     """What an element's handle says: whether it deforms, and its glyph."""
     for child in prim.GetAllChildren():
         if _has(child, schema.HANDLE):
-            return {"adapt": _value(child, schema.HANDLE, "adapt"), "glyph": _glyph(child)}
+            return {"adapt": value_of(child, schema.HANDLE, "adapt"), "glyph": _glyph(child)}
     return {"adapt": author.properties(schema.HANDLE)["adapt"].fallback}
 
 
 def _glyph(handle: Usd.Prim) -> Glyph | None:
     """The custom shape of a handle; None for the usual one."""
-    points = _floats(_value(handle, schema.HANDLE, "glyphOffsets")).reshape(-1, 3)
+    points = _floats(value_of(handle, schema.HANDLE, "glyphOffsets")).reshape(-1, 3)
     if not len(points):
         return None
     curve = handle.IsA(UsdGeom.BasisCurves)
@@ -297,22 +306,22 @@ def _glyph(handle: Usd.Prim) -> Glyph | None:
     least, most = indices.min(initial=0), indices.max(initial=-1)
     if counts.min(initial=0) < 0 or counts.sum() != len(indices) or least < 0 or most >= len(points):
         raise refuse("LAYOUT_INVALID", f"{handle.GetPath()}.rigUI:handle:glyphOffsets", "do not fit what is drawn")
-    name = str(_value(handle, schema.HANDLE, "glyph"))
+    name = str(value_of(handle, schema.HANDLE, "glyph"))
     return Glyph(name, "curve" if curve else "mesh", points, counts, indices)
 
 
 def _indices(prim: Usd.Prim, name: str) -> Indices:
     attribute = prim.GetAttribute(name)
-    values = (attribute.Get() or ()) if attribute and attribute.GetTypeName() == Sdf.ValueTypeNames.IntArray else ()
-    return np.array(values, dtype=np.int64)
+    values = attribute.Get() if attribute else None
+    return np.array(values if isinstance(values, Vt.IntArray) else (), dtype=np.int64)
 
 
 def _drawn_width(scope: Usd.Prim) -> float:
     """Width of the first handle drawn, for layers that do not say it."""
     for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
         if _has(prim, schema.HANDLE):
-            extent = UsdGeom.Boundable(prim).GetExtentAttr().Get()
-            points = _floats(extent).reshape(-1, 3) if extent else _drawn_points(prim)
+            extent = _vectors(UsdGeom.Boundable(prim).GetExtentAttr())
+            points = extent if len(extent) else _drawn_points(prim)
             if len(points):
                 return float(np.ptp(points, axis=0).max())
     return 0.0
@@ -335,7 +344,7 @@ def _instances(prim: Usd.Prim) -> list[str]:
     return [name.removeprefix(prefix) for name in _applied(prim) if name.startswith(prefix)]
 
 
-def _value(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
+def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
     """Value of a property of one of our schemas, or its fallback.
 
     Raises LAYOUT_INVALID for a value of another type or outside the allowed ones.
@@ -345,7 +354,9 @@ def _value(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
     value = attribute.Get() if attribute else None
     if value is None:
         return declared.fallback
-    if attribute.GetTypeName() != Sdf.ValueTypeNames.Find(declared.type_name):
+    # A crate may hold a value that is not of the type named beside it.
+    named = attribute.GetTypeName() == Sdf.ValueTypeNames.Find(declared.type_name)
+    if not named or not isinstance(value, type(declared.fallback)):
         raise _invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
     if declared.allowed and value not in declared.allowed:
         raise _invalid(attribute, f"is {value!r}, not one of {', '.join(declared.allowed)}")
@@ -365,7 +376,7 @@ def _targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sd
 
 
 def _element_name(prim: Usd.Prim) -> str:
-    return (str(_value(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""
+    return (str(value_of(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""
 
 
 def _pairs(prim: Usd.Prim, values: Any, count: int) -> tuple[tuple[int, int], ...]:

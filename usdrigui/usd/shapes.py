@@ -10,7 +10,7 @@ from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Indices, LeftOff, Shape, Singles
-from usdrigui.usd.arrays import check_range, integers, vectors
+from usdrigui.usd.arrays import check_range, integers, tokens, vectors
 from usdrigui.usd.skeleton import Armature, repeated
 
 
@@ -38,27 +38,30 @@ def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Foun
 
     Raises TARGETS_LENGTH, OFFSETS_LENGTH, INDEX_RANGE, NOT_FINITE or ARRAY_TYPE.
     """
-    api = UsdSkel.BindingAPI(prim)
-    tokens = [str(token) for token in api.GetBlendShapesAttr().Get() or ()]
-    if not tokens and not api.GetBlendShapeTargetsRel().HasAuthoredTargets():
+    api, path = UsdSkel.BindingAPI(prim), str(prim.GetPath())
+    names = shape_tokens(prim)
+    if not names and not api.GetBlendShapeTargetsRel().HasAuthoredTargets():
         return ()
-    path = str(prim.GetPath())
     targets = api.GetBlendShapeTargetsRel().GetTargets()
-    if len(tokens) != len(targets):
-        raise refuse(
-            "TARGETS_LENGTH", path, f"{len(tokens)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
-        )
+    if len(names) != len(targets):
+        raise refuse("TARGETS_LENGTH", path, f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets")
     if binding is None:
-        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(tokens)} blend shapes"))
-        found.shapeless.update(dict.fromkeys(tokens, f"no Skeleton is bound to {path}"))
+        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes"))
+        found.shapeless.update(dict.fromkeys(names, f"no Skeleton is bound to {path}"))
         return ()
-    found.issues.extend(repeated(tokens, path, "skel:blendShapes"))
+    found.issues.extend(repeated(names, path, "skel:blendShapes"))
     shapes = []
-    for token, target in dict(zip(tokens, targets, strict=True)).items():
+    for token, target in dict(zip(names, targets, strict=True)).items():
         shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
         if shape is not None:
             shapes.append(shape)
     return tuple(shapes)
+
+
+def shape_tokens(prim: Usd.Prim) -> tuple[str, ...]:
+    """The names of the blend shapes of a mesh, none where nothing is authored; raises ARRAY_TYPE."""
+    attribute = UsdSkel.BindingAPI(prim).GetBlendShapesAttr()
+    return tokens(attribute.Get(), str(prim.GetPath()), "skel:blendShapes")
 
 
 def _shape(
@@ -70,12 +73,12 @@ def _shape(
         found.shapeless[token] = f"its target {path} is not an active BlendShape"
         return None
     offsets = _offsets(prim.GetAttribute("offsets").Get(), path, "offsets")
-    indices = prim.GetAttribute("pointIndices").Get()
+    indices = integers(prim.GetAttribute("pointIndices").Get(), path, "pointIndices")
     between = _inbetweens(prim, found)
-    size = len(indices) if indices is not None and len(indices) else count
+    size = len(indices) or count
     for name, array in (("offsets", offsets), *((f"inbetweens:{w:g}", o) for w, o in between)):
         if len(array) not in (0, size):
-            what = "pointIndices" if size != count or (indices is not None and len(indices)) else "points"
+            what = "pointIndices" if len(indices) else "points"
             raise refuse("OFFSETS_LENGTH", path, f"{len(array)} {name} for {size} {what}")
     if not len(offsets) and not any(len(each) for _, each in between):
         found.shapeless[token] = f"its shape {path} has no offsets"
@@ -86,7 +89,7 @@ def _shape(
 def _assembled(
     channel: int,
     path: str,
-    indices: Any,
+    indices: Indices,
     offsets: Singles,
     between: list[tuple[float, Singles]],
     size: int,
@@ -96,11 +99,11 @@ def _assembled(
     rows = sorted([(1.0, offsets), *between], key=lambda row: row[0])
     empty = np.zeros((size, 3), dtype=np.float32)
     table = np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
-    if indices is None or not len(indices):
+    if not len(indices):
         points = np.flatnonzero(table.any(axis=(0, 2)))
         table = table if len(points) == count else table[:, points]
     else:
-        points = integers(indices, path, "pointIndices")
+        points = indices
         if (points[1:] <= points[:-1]).any():
             points, table = _merged(points, table)
         if points[0] < 0 or points[-1] >= count:
@@ -145,9 +148,8 @@ def _channel(token: str, armature: Armature, found: Found) -> int:
 
 
 def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
-    """Remember why the tokens of a prim got no shape from it."""
-    for token in UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get() or ():
-        found.shapeless[str(token)] = reason
+    """Remember why the tokens of a prim got no shape from it; raises ARRAY_TYPE."""
+    found.shapeless.update(dict.fromkeys(shape_tokens(prim), reason))
 
 
 def left_off_tokens(found: Found, used: set[int]) -> tuple[LeftOff, ...]:

@@ -11,6 +11,7 @@ from pxr import Gf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
+from usdrigui.usd.arrays import floats, quaternions, tokens, vector_count
 
 _CLIP_BYTES = 128 * 1024 * 1024
 """Memory that a clip may take."""
@@ -66,7 +67,7 @@ class Frames:
 def read_armatures(skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, frames: Frames) -> tuple[Armature, ...]:
     """The bound Skeletons, in the order given, with their joints numbered through.
 
-    Raises SKELETON_INVALID, INSTANCE and ANIMATION_LENGTH.
+    Raises SKELETON_INVALID, INSTANCE, ANIMATION_LENGTH and ARRAY_TYPE.
     """
     found: list[Armature] = []
     first = 0
@@ -119,18 +120,18 @@ def read_channels(armatures: tuple[Armature, ...]) -> tuple[tuple[Channel, ...],
     """All blend-shape weights of all animations, each animation once."""
     channels: list[Channel] = []
     issues: list[Issue] = []
-    for path, tokens in {each.record.animation: each.tokens for each in armatures}.items():
-        place = {token: i for i, token in enumerate(tokens)}
+    for path, listed in {each.record.animation: each.tokens for each in armatures}.items():
+        place = {token: i for i, token in enumerate(listed)}
         channels.extend(Channel(token, path, i) for token, i in place.items())
-        issues.extend(repeated(tokens, path, "blendShapes"))
+        issues.extend(repeated(listed, path, "blendShapes"))
     return tuple(channels), tuple(issues)
 
 
-def repeated(tokens: Sequence[str], path: str, name: str) -> list[Issue]:
+def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
     """One issue for each token that a list names more than once."""
     return [
         issue("TOKEN_REPEATED", path, f"{name} lists {token!r} {count} times")
-        for token, count in Counter(tokens).items()
+        for token, count in Counter(names).items()
         if count > 1
     ]
 
@@ -140,7 +141,7 @@ def read_clip(
 ) -> tuple[Clip | None, tuple[Issue, ...]]:
     """The authored animation, or None where nothing has more than one time sample.
 
-    Raises ANIMATION_LENGTH and NOT_FINITE.
+    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
     """
     times = sorted({time for armature in armatures for time in armature.times})
     if len(times) < 2:
@@ -166,7 +167,7 @@ def read_clip(
 def weights_at(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None) -> Floats:
     """(channels,) authored weights at a time code; None for the default value.
 
-    Raises ANIMATION_LENGTH and NOT_FINITE.
+    Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
     """
     tables = {armature.record.animation: _weights(armature, time) for armature in armatures}
     values = [
@@ -181,10 +182,10 @@ def _weights(armature: Armature, time: float | None) -> Floats:
     if armature.animation is None or not armature.tokens:
         return np.zeros(0)
     code = Usd.TimeCode.Default() if time is None else Usd.TimeCode(time)
-    authored = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapeWeightsAttr().Get(code)
-    if authored is None or len(authored) == 0:
+    path, animation = armature.record.animation, UsdSkel.Animation(armature.animation.GetPrim())
+    authored = floats(animation.GetBlendShapeWeightsAttr().Get(code), path, "blendShapeWeights")
+    if not len(authored):
         return np.zeros(0)
-    path = armature.record.animation
     if len(authored) != len(armature.tokens):
         raise refuse(
             "ANIMATION_LENGTH",
@@ -209,7 +210,7 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
     for each in (prim, animated):
         if each is not None and (each.IsInstanceProxy() or each.IsInPrototype()):
             raise refuse("INSTANCE", str(each.GetPath()), "lies inside an instance")
-    tokens = tuple(animation.GetBlendShapeOrder()) if animation else ()
+    shapes = tuple(str(token) for token in animation.GetBlendShapeOrder()) if animation else ()
     to_root = frames.to_root(prim)
     if np.linalg.matrix_rank(to_root) < 4:
         raise refuse("SKELETON_INVALID", path, "its transform collapses space")
@@ -217,22 +218,23 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
     names = tuple(str(name) for name in query.GetJointOrder())
     if animation:
         _check_joint_values(UsdSkel.Animation(animated))
-    return Armature(record, query, animation or None, names, index, first, tokens)
+    return Armature(record, query, animation or None, names, index, first, shapes)
 
 
 def _check_joint_values(animation: UsdSkel.Animation) -> None:
-    """As many rotations, translations and scales as joints, wherever any are authored."""
-    joints = animation.GetJointsAttr().Get() or ()
+    """As many rotations, translations and scales as joints, wherever any are authored; raises also ARRAY_TYPE."""
+    path, first = str(animation.GetPath()), Usd.TimeCode.EarliestTime()
+    joints = tokens(animation.GetJointsAttr().Get(), path, "joints")
     if not joints:
         return
-    for attribute in (animation.GetTranslationsAttr(), animation.GetRotationsAttr(), animation.GetScalesAttr()):
-        values = attribute.Get(Usd.TimeCode.EarliestTime())
-        if values is not None and len(values) not in (0, len(joints)):
-            raise refuse(
-                "ANIMATION_LENGTH",
-                str(animation.GetPath()),
-                f"{len(joints)} joints but {len(values)} {attribute.GetName()}",
-            )
+    counts = {
+        "translations": vector_count(animation.GetTranslationsAttr().Get(first), path, "translations"),
+        "rotations": len(quaternions(animation.GetRotationsAttr().Get(first), path, "rotations")),
+        "scales": vector_count(animation.GetScalesAttr().Get(first), path, "scales"),
+    }
+    for name, count in counts.items():
+        if count not in (0, len(joints)):
+            raise refuse("ANIMATION_LENGTH", path, f"{len(joints)} joints but {count} {name}")
 
 
 def _parents(query: UsdSkel.SkeletonQuery, path: str) -> np.ndarray:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.usd import author, schema
+from usdrigui.usd import schema
+from usdrigui.usd.arrays import vector_count
 from usdrigui.usd.child import StandingPrim
-from usdrigui.usd.read_layout import layout_scopes
+from usdrigui.usd.read_layout import layout_scopes, value_of
+from usdrigui.usd.shapes import shape_tokens
 
 
 def standing_prims(stage: Usd.Stage) -> tuple[StandingPrim, ...]:
-    """What is drawn of every element of every layout on the stage, and how it is shaped; in stage order."""
+    """What is drawn of every element of every layout on the stage, and how it is shaped; in stage order.
+
+    Raises ARRAY_TYPE and LAYOUT_INVALID.
+    """
     return tuple(
         _standing(root, element, prim)
         for scope in layout_scopes(stage)
@@ -31,23 +35,17 @@ def _drawn(element: Usd.Prim) -> Iterator[Usd.Prim]:
 
 
 def _standing(root: str, element: Usd.Prim, prim: Usd.Prim) -> StandingPrim:
-    binding = UsdSkel.BindingAPI(prim)
-    points = UsdGeom.PointBased(prim).GetPointsAttr()
+    path, points = str(prim.GetPath()), UsdGeom.PointBased(prim).GetPointsAttr()
     return StandingPrim(
         root=root,
-        path=str(prim.GetPath()),
-        element=str(_told(element, schema.ELEMENT, "name") or element.GetName()),
+        path=path,
+        element=str(value_of(element, schema.ELEMENT, "name") or element.GetName()),
         role="handle" if schema.HANDLE in _applied(prim) else "area" if prim.IsA(UsdGeom.Mesh) else "track",
-        controls=tuple(str(each) for each in _told(prim, schema.TRACK, "controls") or ()),
-        points=len(points.Get() or ()) if points else 0,
-        shapes=tuple(str(token) for token in binding.GetBlendShapesAttr().Get() or ()),
-        targets=tuple(str(target) for target in binding.GetBlendShapeTargetsRel().GetTargets()),
+        controls=tuple(str(each) for each in value_of(prim, schema.TRACK, "controls")),
+        points=vector_count(points.Get(), path, "points") if points else 0,
+        shapes=shape_tokens(prim),
+        targets=tuple(str(target) for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()),
     )
-
-
-def _told(prim: Usd.Prim, api: str, name: str) -> Any:
-    attribute = prim.GetAttribute(author.properties(api)[name].name)
-    return attribute.Get() if attribute else None
 
 
 def _applied(prim: Usd.Prim) -> list[str]:
