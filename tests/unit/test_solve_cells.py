@@ -124,7 +124,8 @@ def test_stopped_ascent_keeps_an_honest_bound() -> None:
 
 def test_every_variable_is_in_play_however_many_there_are(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(crowding, "IN_PLAY", 8)
-    monkeypatch.setattr(reduce, "FEW", 10)
+    monkeypatch.setattr(reduce, "FEW_LABELS", 0)
+    monkeypatch.setattr(reduce, "LARGEST", 20)
     problem = crowd(3, variables=6, candidates=40)
     looked: list[int] = []
     plain = crowding.tightened

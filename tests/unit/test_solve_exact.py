@@ -72,8 +72,16 @@ def test_agrees_with_enumeration_on_random_problems(part: int) -> None:
     assert verdicts(range(PART * part, PART * part + PART)) == []
 
 
+def test_groups_agree_with_enumeration_on_random_problems(monkeypatch: pytest.MonkeyPatch) -> None:
+    by_groups(monkeypatch)
+    assert verdicts(range(10_000, 10_000 + PART)) == []
+
+
+@pytest.mark.parametrize("way", ["as one problem", "by groups"])
 @pytest.mark.parametrize("seed", range(4))
-def test_proves_crowds_optimal(seed: int) -> None:
+def test_proves_crowds_optimal(seed: int, way: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if way == "by groups":
+        by_groups(monkeypatch, 20)
     problem = crowd(seed, variables=4, candidates=30)
     best = solve(problem, ENUMERATE)
     assert faults(problem, solve(problem, HIGHS), best) == []
@@ -82,9 +90,8 @@ def test_proves_crowds_optimal(seed: int) -> None:
 def test_crowd_needs_more_than_the_pairwise_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = crowd(1, variables=5, candidates=30)
     assert solve(problem, HIGHS).status == "optimal"
-    monkeypatch.setattr(reduce, "NODES", 0)
-    monkeypatch.setattr(reduce, "MEMBERS", 0)
-    monkeypatch.setattr(reduce, "_grouped", lambda residual, *_: residual)
+    for step in ("_searched", "_grouped"):
+        monkeypatch.setattr(reduce, step, lambda residual, *_: residual)
     limited = solve(problem, replace(HIGHS, work_limit=150_000))
     assert limited.status == "stopped"
     assert limited.bound < limited.cost
@@ -111,12 +118,34 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch) -
     return count
 
 
+def by_groups(monkeypatch: pytest.MonkeyPatch, labels: int = 0) -> None:
+    """Small problems take the way of large ones, blocks, prices and groups, until no more than `labels` are left."""
+    monkeypatch.setattr(reduce, "FEW_LABELS", 0)
+    monkeypatch.setattr(reduce, "LARGEST", labels)
+
+
 def random_problems() -> list[LayoutProblem]:
     return [random_problem(seed) for seed in range(40)] + [crowd(seed, 4, 20) for seed in range(10)]
 
 
 def test_bounds_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
     assert overstated(random_problems(), monkeypatch) == 0
+
+
+def test_bounds_of_groups_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+    by_groups(monkeypatch)
+    assert overstated(random_problems(), monkeypatch) == 0
+
+
+def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = search.Part.bounds
+
+    def raised(self: search.Part) -> tuple[float, Floats]:
+        bound, excess = honest(self)
+        return bound + 1e-4, excess
+
+    monkeypatch.setattr(search.Part, "bounds", raised)
+    assert overstated(random_problems(), monkeypatch) > 0
 
 
 def test_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -137,6 +166,8 @@ def test_group_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch)
         found, used = honest(*arguments)
         return replace(found, bound=found.bound + 1e-4), used
 
+    by_groups(monkeypatch)
+    monkeypatch.setattr(reduce, "FAR", np.inf)  # At priced costs groups prove less than there is.
     monkeypatch.setattr(groups, "_solve", raised)
     assert overstated(random_problems(), monkeypatch) > 0
 

@@ -138,7 +138,7 @@ def test_groups_never_exceed_the_least() -> None:
 
 
 def test_parts_keep_their_costs() -> None:
-    """Sweeping, settling, picking, fixing: whatever is done to a part, solutions cost what they did."""
+    """Sweeping, settling, picking, folding: whatever is done to a part, solutions cost what they did."""
     for seed in range(200):
         problem = random_tables(seed)
         costs = every_cost(problem, 20.0)
@@ -149,10 +149,13 @@ def test_parts_keep_their_costs() -> None:
         entries = np.array([generator.integers(size) for size in part.sizes])
         assert part.value(part.start[:-1] + entries) == pytest.approx(costs[tuple(entries)])
         at = int(generator.integers(len(part.sizes)))
-        rest = part.fixed(at, int(entries[at]))
-        others = np.delete(entries, at)
-        value = rest.value(rest.start[:-1] + others) if len(others) else rest.constant
-        assert value == pytest.approx(costs[tuple(entries)])
+        entry = int(part.start[at] + entries[at])
+        rest = part.only_between(at, entry, entry + 1).folded()
+        kept = [int(variable) for variable in rest.variables]
+        assert at in rest.taken
+        assert sorted([*kept, *rest.taken]) == list(range(costs.ndim))
+        assert all(entries[variable] == taken for variable, taken in rest.taken.items())
+        assert rest.value(rest.start[:-1] + entries[kept]) == pytest.approx(costs[tuple(entries)])
 
 
 def test_program_agrees_with_the_search() -> None:

@@ -185,6 +185,15 @@ def halve(labels: Labels, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indice
     return Blocks(blocks.members[order], start, blocks.variable[parent]), parent
 
 
+def singled(labels: Labels, blocks: Blocks) -> tuple[Blocks, Indices]:
+    """The labels of the blocks one by one, neighbours next to each other; and the block each came from."""
+    parent = np.arange(len(blocks.variable))
+    while blocks.sizes.max(initial=1) > 1:
+        blocks, came_from = halve(labels, blocks, blocks.sizes > 1)
+        parent = parent[came_from]
+    return blocks, parent
+
+
 def keep(blocks: Blocks, alive: Flags) -> Blocks:
     """The blocks that are alive."""
     members = blocks.members[np.repeat(alive, blocks.sizes)]

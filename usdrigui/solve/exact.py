@@ -12,7 +12,7 @@ from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.reduce import reduce
 from usdrigui.solve.watch import Watch
 
-TRIES = 6
+TRIES = 12
 """Attempts of large-neighbourhood search per variable before the proof begins."""
 
 

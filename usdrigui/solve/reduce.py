@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem
-from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, whole
+from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, singled, whole
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
 from usdrigui.solve.crowding import Costs, places, tightened
-from usdrigui.solve.groups import LARGEST, decode, group_gains
+from usdrigui.solve.groups import LARGEST, decode, group_gains, group_part
+from usdrigui.solve.search import Search
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -25,8 +26,11 @@ SLOW = 0.1
 SMALL = 0.05
 FRUSTRATED = 0.7
 """Share of the missing bound that the blocks' own solution must leave before groups are searched."""
-FEW = 300
-"""Blocks left from which on they are searched at their true costs."""
+FEW_LABELS = 5000
+"""Labels left in blocks from which on they are looked at one by one."""
+THINNED = 0.8
+"""Share of the labels left below which they are bounded again before they are searched."""
+MOST_NODES = 10**6
 FAR = 20.0
 """Spots are priced while the bound is this many allowed gaps away; nearer, groups alone are quicker."""
 MOST_PRICED = 1000
@@ -86,11 +90,15 @@ def reduce(
             return residual
         nodes = nodes * 5 // 4 if residual.blocks.sizes[alive].max() > 1 else nodes * 2
         rest = keep(residual.blocks, alive)
-        chosen = _affordable(residual, alive, share, watch)
-        if chosen is None:
-            watch.note("memory limit", blocks=len(rest.variable), mebibytes=_planned(residual, alive.astype(np.int64)))
-            return residual
-        blocks, parent = halve(labels, rest, chosen)
+        if _few_labels(residual, alive, watch):
+            blocks, parent = singled(labels, rest)
+        else:
+            chosen = _affordable(residual, alive, share, watch)
+            if chosen is None:
+                needed = _planned(residual, alive.astype(np.int64))
+                watch.note("memory limit", blocks=len(rest.variable), mebibytes=needed)
+                return residual
+            blocks, parent = halve(labels, rest, chosen)
         before = residual.bound
         residual = _bounded(problem, labels, blocks, forbidden, watch, residual, np.flatnonzero(alive)[parent])
         share = NEAR if residual.bound - before > SLOW * (watch.cut - before) else min(1.0, 2.0 * share)
@@ -99,23 +107,55 @@ def reduce(
 def _examined(
     labels: Labels, residual: Residual, watch: Watch, nodes: int, radius: float, improve: Callable[[Indices], None]
 ) -> Residual:
-    """Tell of the bound, raise it by groups where splitting no longer would, and try the blocks' solution."""
+    """Tell of the bound, raise it by search where splitting no longer would, and try the blocks' solution."""
     watch.found(STEP, bound=min(residual.bound, watch.cut))
     improve(_representatives(labels, residual))
-    missing = watch.cut - residual.bound
-    splitting = residual.value - residual.bound <= FRUSTRATED * missing and not residual.exact
-    if watch.closed() or watch.stopped() or splitting:
+    if watch.closed() or watch.stopped():
         return residual
-    if len(residual.room) > FEW:
-        if missing > FAR * watch.allowed and residual.pool.count <= MOST_PRICED:
-            residual = _priced(residual, radius, watch)
+    alive = residual.room <= watch.cut
+    if residual.exact and alive.sum() <= LARGEST:
+        if alive.sum() < THINNED * len(alive):
+            return residual
+        residual = _searched(_without_prices(residual, watch), watch)
+    elif residual.exact or (_frustrated(residual, watch) and not _few_labels(residual, alive, watch)):
+        residual = _repriced(residual, radius, watch)
         if not watch.closed():
             residual = _grouped(residual, watch, nodes)
     else:
-        residual = _without_prices(residual, watch, nodes)
+        return residual
     improve(_representatives(labels, residual))
     watch.found(STEP, bound=min(residual.bound, watch.cut))
     return residual
+
+
+def _frustrated(residual: Residual, watch: Watch) -> bool:
+    """Whether splitting blocks would leave most of what the bound misses."""
+    return residual.value - residual.bound > FRUSTRATED * (watch.cut - residual.bound)
+
+
+def _few_labels(residual: Residual, alive: Flags, watch: Watch) -> bool:
+    """Whether what blocks hold is frustrated, and little enough to be looked at label by label."""
+    sizes = np.where(alive, residual.blocks.sizes, 0)
+    few = not residual.exact and _frustrated(residual, watch) and sizes.sum() <= FEW_LABELS
+    return bool(few and _planned(residual, sizes) <= watch.settings.memory_limit)
+
+
+def _searched(residual: Residual, watch: Watch) -> Residual:
+    """The residual of single labels with what a search of all of them as one problem proves and finds."""
+    alive = residual.room <= watch.cut
+    ends = list(zip(residual.pool.start[:-1], residual.pool.start[1:], strict=True))
+    part = group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
+
+    def proved(bound: float) -> None:
+        watch.found(STEP, bound=min(bound, watch.cut))
+
+    found = Search(watch, MOST_NODES).deepen(part, watch.cut, watch.cut - residual.bound, proved)
+    bound = max(residual.bound, found.bound)
+    residual = replace(residual, bound=bound, room=np.maximum(residual.room, bound))
+    if not np.isfinite(found.cost):
+        return residual
+    chosen = np.array([found.chosen[variable] for variable in range(len(ends))])
+    return replace(residual, chosen=chosen, value=found.cost)
 
 
 def _all_keep(residual: Residual, alive: Flags) -> bool:
@@ -162,6 +202,13 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
     return near if near.any() else several
 
 
+def _repriced(residual: Residual, radius: float, watch: Watch) -> Residual:
+    """The residual with better prices; single labels lose theirs where none better are found."""
+    far = watch.cut - residual.bound > FAR * watch.allowed and residual.pool.count <= MOST_PRICED
+    better = _priced(residual, radius, watch) if far else residual
+    return _without_prices(residual, watch) if residual.exact and better is residual else better
+
+
 def _priced(residual: Residual, radius: float, watch: Watch) -> Residual:
     """The residual with the bound raised by prices on crowded spots."""
     where = places(residual.pool, radius)
@@ -175,11 +222,10 @@ def _priced(residual: Residual, radius: float, watch: Watch) -> Residual:
     return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value)
 
 
-def _without_prices(residual: Residual, watch: Watch, nodes: int) -> Residual:
-    """The residual with what the search proves on the true costs: of few blocks left, that is more than what any
-    prices prove."""
+def _without_prices(residual: Residual, watch: Watch) -> Residual:
+    """The residual at its true costs: prices that are not quite right would leave a gap for ever."""
     if not len(residual.cells.count):
-        return _grouped(residual, watch, nodes)
+        return residual
     dual = residual.costs.dual(no_cells())
     dual.start_from(residual.dual, [np.arange(len(each)) for each in dual.theta])
     for _ in range(2 * SWEEPS):
@@ -187,10 +233,8 @@ def _without_prices(residual: Residual, watch: Watch, nodes: int) -> Residual:
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
     room = np.maximum(residual.room, bound + np.concatenate(excess))
-    plain = replace(residual, cells=no_cells(), dual=dual, bound=bound, room=room, chosen=chosen, value=value)
-    plain = _grouped(plain, watch, nodes)
-    bound = max(plain.bound, residual.bound)
-    return replace(residual, bound=bound, room=plain.room, chosen=plain.chosen, value=plain.value)
+    bound = max(bound, residual.bound)
+    return replace(residual, cells=no_cells(), dual=dual, bound=bound, room=room, chosen=chosen, value=value)
 
 
 def _grouped(residual: Residual, watch: Watch, nodes: int) -> Residual:

@@ -1,13 +1,13 @@
 """Exact search on what the bounds leave: depth first, with the dual kept warm and components apart.
 
 A node of the search is a smaller problem of the same kind, its costs reparametrised by the multipliers
-found so far.  Fixing a variable folds its rows into the neighbours' linear costs; entries that the bound
+found so far.  Variables with one entry left are folded into the neighbours' linear costs; entries that the bound
 rules out are dropped from the tables; what falls apart into components is solved component by component.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +18,10 @@ from usdrigui.solve.watch import Watch
 
 EPSILON = 1e-11
 ROOT_SWEEPS = 10
+HALVED = 10
+"""Entries of a variable beyond which a node parts them in two instead of trying them one by one."""
+IN_PLAY = 0.25
+"""Excess at which an entry counts 1/e where a domain is parted, in shares of what the node misses."""
 
 
 class Part:
@@ -40,6 +44,8 @@ class Part:
         self.sizes = self.start[1:] - self.start[:-1]
         """(k,) number of entries of each variable."""
         self.constant = 0.0
+        self.taken: dict[int, int] = {}
+        """Entries of the variables that were folded into the costs."""
         self.linked: Flags = np.zeros((len(variables), len(variables)), dtype=bool)
 
     def settle(self) -> None:
@@ -102,25 +108,33 @@ class Part:
         return self._kept(self.variables, self.owner[alive], alive)
 
     def picked(self, positions: Indices) -> Part:
-        """The part of some variables alone; its constant is 0."""
+        """The part of some variables alone; nothing is taken yet, and its constant is 0."""
         chosen = np.zeros(len(self.variables), dtype=bool)
         chosen[positions] = True
         mine = chosen[self.owner]
         part = self._kept(self.variables[chosen], (np.cumsum(chosen) - 1)[self.owner[mine]], mine)
-        part.constant = 0.0
+        part.constant, part.taken = 0.0, {}
         return part
 
-    def fixed(self, at: int, entry: int) -> Part:
-        """The rest of the part when the variable at a position takes its `entry`-th entry."""
-        low, high = self.start[at], self.start[at + 1]
-        row = low + entry
-        rest = np.ones(len(self.costs), dtype=bool)
-        rest[low:high] = False
-        others = np.arange(len(self.variables)) != at
-        part = self._kept(self.variables[others], self.owner[rest] - (self.owner[rest] > at), rest)
-        part.costs[:low] += self.matrix[:low, row]
-        part.costs[low:] += self.matrix[row, high:]
-        part.constant += float(self.costs[row])
+    def only_between(self, at: int, first: int, last: int) -> Part:
+        """The part when the variable at a position takes one of the entries first to last - 1 (of the part)."""
+        kept = np.ones(len(self.costs), dtype=bool)
+        kept[self.start[at] : self.start[at + 1]] = False
+        kept[first:last] = True
+        return self.only(kept)
+
+    def folded(self) -> Part:
+        """The part without the variables that have one entry; what those cost goes to the others."""
+        single = self.sizes == 1
+        if not single.any():
+            return self
+        rows = self.start[:-1][single]
+        rest = ~single[self.owner]
+        part = self._kept(self.variables[~single], (np.cumsum(~single) - 1)[self.owner[rest]], rest)
+        part.costs += (self.matrix[rows] + self.matrix[:, rows].T)[:, rest].sum(axis=0)
+        part.constant += float(self.costs[rows].sum() + self.matrix[np.ix_(rows, rows)].sum())
+        names = self.variables[single].tolist()
+        part.taken = self.taken | dict(zip(names, self.entries[rows].tolist(), strict=True))
         return part
 
     def components(self) -> list[Indices]:
@@ -139,7 +153,7 @@ class Part:
 
     def _kept(self, variables: Indices, owner: Indices, alive: Flags) -> Part:
         part = Part(variables, owner, self.entries[alive], self.costs[alive], self.matrix[np.ix_(alive, alive)])
-        part.constant = self.constant
+        part.constant, part.taken = self.constant, self.taken
         return part
 
 
@@ -164,11 +178,31 @@ class Search:
         self._watch = watch
         self._weight: dict[int, float] = {}
 
+    def deepen(self, part: Part, cut: float, gap: float, proved: Callable[[float], None] | None = None) -> Found:
+        """Like `solve`, with the cut-off raised step by step from the bound: stopped early, it has still proved
+        the last step.  `gap` is an estimate of the part's optimum over its bound; every step is told to `proved`."""
+        part.settle()
+        for _ in range(ROOT_SWEEPS):
+            part.sweep()
+        bound = part.bounds()[0]
+        step = max(0.25 * gap, 1e-6)
+        while True:
+            if proved is not None:
+                proved(bound)
+            limit = min(cut, bound + step)
+            found = self.solve(part.only(np.ones(len(part.costs), dtype=bool)), limit)
+            if not np.isfinite(found.cost) and found.bound < limit - 1e-9:
+                return Found(max(bound, found.bound), np.inf, {})
+            if np.isfinite(found.cost) or limit >= cut:
+                return Found(max(bound, found.bound), found.cost, found.chosen)
+            bound, step = limit - 1e-9, 1.5 * step
+
     def solve(self, part: Part, cut: float, sweeps: int = 1) -> Found:
         """Best solution of the part that costs less than `cut`; complete unless a limit is reached."""
         self.nodes += 1
+        part = part.folded()
         if not len(part.variables):
-            return Found(part.constant, part.constant if part.constant < cut else np.inf, {})
+            return Found(part.constant, part.constant if part.constant < cut else np.inf, part.taken)
         part.settle()
         self._watch.spend(len(part.costs) ** 2 // 16 * sweeps + 50)
         for _ in range(sweeps):
@@ -191,14 +225,13 @@ class Search:
         """Solve components one after another, each below what the others leave."""
         pieces = sorted((part.picked(group) for group in groups), key=lambda each: len(each.costs))
         bounds = [piece.bounds()[0] for piece in pieces]
-        costs = part.constant
-        chosen: dict[int, int] = {}
+        costs, chosen = part.constant, part.taken
         for at, piece in enumerate(pieces):
             others = part.constant + sum(bounds) - bounds[at]
             found = self.solve(piece, cut - others)
             bounds[at] = max(bounds[at], found.bound)
             costs += found.cost
-            chosen |= found.chosen
+            chosen = chosen | found.chosen
             if not np.isfinite(costs):
                 break
         total = part.constant + sum(bounds)
@@ -206,44 +239,43 @@ class Search:
         return Found(min(total, cut), costs if good else np.inf, chosen if good else {})
 
     def _branch(self, part: Part, excess: Floats, bound: float, cut: float) -> Found:
-        """Try the entries of one variable, likeliest first."""
-        weight = np.array([1.0 + self._weight.get(int(each), 0.0) for each in part.variables])
-        at = int(np.argmin(np.where(part.sizes == 1, 0.0, part.sizes / weight)))
-        low, high = part.start[at], part.start[at + 1]
+        """Try the entries of one variable, or the two halves of many entries, likeliest first."""
         best, lowest = Found(cut, np.inf, {}), np.inf
-        for entry in np.argsort(excess[low:high], kind="stable"):
+        at = self._variable(part)
+        for first, last in _choices(part, at, excess, IN_PLAY * (cut - bound)):
             limit = min(cut, best.cost)
-            if bound + excess[low + entry] >= limit:
-                lowest = min(lowest, bound + float(excess[low + entry]))
-                break
-            found = self.solve(part.fixed(at, int(entry)), limit)
+            least = bound + float(excess[first:last].min())
+            if least >= limit:
+                lowest = min(lowest, least)
+                continue
+            found = self.solve(part.only_between(at, first, last), limit)
             lowest = min(lowest, found.bound)
             if found.cost < limit:
-                mine = {int(part.variables[at]): int(part.entries[low + entry])}
-                best = Found(0.0, found.cost, found.chosen | mine)
+                best = found
         return Found(min(max(bound, min(lowest, best.cost)), cut), best.cost, best.chosen)
 
-    def deepen(self, part: Part, cut: float, gap: float) -> Found:
-        """Like `solve`, with the cut-off raised step by step from the bound: stopped early, it has still proved
-        the last step.  `gap` is an estimate of the part's optimum over its bound."""
-        part.settle()
-        for _ in range(ROOT_SWEEPS):
-            part.sweep()
-        bound = part.bounds()[0]
-        step = max(0.25 * gap, 1e-6)
-        while True:
-            limit = min(cut, bound + step)
-            found = self.solve(part.only(np.ones(len(part.costs), dtype=bool)), limit)
-            if not np.isfinite(found.cost) and found.bound < limit - 1e-9:
-                return Found(max(bound, found.bound), np.inf, {})
-            if np.isfinite(found.cost) or limit >= cut:
-                return Found(max(bound, found.bound), found.cost, found.chosen)
-            bound, step = limit - 1e-9, 1.5 * step
+    def _variable(self, part: Part) -> int:
+        """Position of the variable to branch on: few entries, in many failures."""
+        weight = np.array([1.0 + self._weight.get(int(each), 0.0) for each in part.variables])
+        return int(np.argmin(part.sizes / weight + np.where(part.sizes > 1, 0.0, np.inf)))
 
     def _blame(self, part: Part) -> None:
         """Weigh the variables of a failed node, most those with least room."""
         for variable, size in zip(part.variables.tolist(), part.sizes.tolist(), strict=True):
             self._weight[variable] = self._weight.get(variable, 0.0) + 1.0 / size
+
+
+def _choices(part: Part, at: int, excess: Floats, scale: float) -> list[tuple[int, int]]:
+    """The ranges of entries (of the part) that a node tries for the variable at a position, likeliest first.
+
+    Blocks are numbered as they were halved, neighbours next to each other: two halves are two places.
+    """
+    low, high = int(part.start[at]), int(part.start[at + 1])
+    if high - low <= HALVED:
+        return [(entry, entry + 1) for entry in (low + np.argsort(excess[low:high], kind="stable")).tolist()]
+    weight = np.cumsum(np.exp(-excess[low:high] / max(scale, EPSILON)))
+    middle = low + 1 + int(np.abs(weight[:-1] - weight[-1] / 2).argmin())
+    return sorted([(low, middle), (middle, high)], key=lambda each: float(excess[each[0] : each[1]].min()))
 
 
 def whole_part(unary: Sequence[Floats], tables: Sequence[Table], forbidden: float) -> Part:
