@@ -18,7 +18,7 @@ from usdrigui.solve.watch import Watch
 
 EPSILON = 1e-11
 ROOT_SWEEPS = 10
-HALVED = 10
+HALVED = 5
 """Entries of a variable beyond which a node parts them in two instead of trying them one by one."""
 IN_PLAY = 0.25
 """Excess at which an entry counts 1/e where a domain is parted, in shares of what the node misses."""
@@ -103,9 +103,21 @@ class Part:
             stars[high:] += (block + excess[low:high, None]).min(axis=0) - np.repeat(plain, self.sizes[at + 1 :])
         return total, stars
 
-    def only(self, alive: Flags) -> Part:
-        """The part with the entries that are alive; every variable must keep one."""
-        return self._kept(self.variables, self.owner[alive], alive)
+    def restricted(self, alive: Flags) -> Part:
+        """The part with the entries that are alive, at least one of every variable.
+
+        Variables with one entry are folded into the costs of the others.
+        """
+        single = np.add.reduceat(alive, self.start[:-1], dtype=np.int64) == 1
+        rest = alive & ~single[self.owner]
+        part = self._kept(self.variables[~single], (np.cumsum(~single) - 1)[self.owner[rest]], rest)
+        if single.any():
+            rows = np.flatnonzero(alive & single[self.owner])
+            part.costs += (self.matrix[rows] + self.matrix[:, rows].T)[:, rest].sum(axis=0)
+            part.constant += float(self.costs[rows].sum() + self.matrix[np.ix_(rows, rows)].sum())
+            names = self.variables[single].tolist()
+            part.taken = self.taken | dict(zip(names, self.entries[rows].tolist(), strict=True))
+        return part
 
     def picked(self, positions: Indices) -> Part:
         """The part of some variables alone; nothing is taken yet, and its constant is 0."""
@@ -114,27 +126,6 @@ class Part:
         mine = chosen[self.owner]
         part = self._kept(self.variables[chosen], (np.cumsum(chosen) - 1)[self.owner[mine]], mine)
         part.constant, part.taken = 0.0, {}
-        return part
-
-    def only_between(self, at: int, first: int, last: int) -> Part:
-        """The part when the variable at a position takes one of the entries first to last - 1 (of the part)."""
-        kept = np.ones(len(self.costs), dtype=bool)
-        kept[self.start[at] : self.start[at + 1]] = False
-        kept[first:last] = True
-        return self.only(kept)
-
-    def folded(self) -> Part:
-        """The part without the variables that have one entry; what those cost goes to the others."""
-        single = self.sizes == 1
-        if not single.any():
-            return self
-        rows = self.start[:-1][single]
-        rest = ~single[self.owner]
-        part = self._kept(self.variables[~single], (np.cumsum(~single) - 1)[self.owner[rest]], rest)
-        part.costs += (self.matrix[rows] + self.matrix[:, rows].T)[:, rest].sum(axis=0)
-        part.constant += float(self.costs[rows].sum() + self.matrix[np.ix_(rows, rows)].sum())
-        names = self.variables[single].tolist()
-        part.taken = self.taken | dict(zip(names, self.entries[rows].tolist(), strict=True))
         return part
 
     def components(self) -> list[Indices]:
@@ -190,23 +181,30 @@ class Search:
             if proved is not None:
                 proved(bound)
             limit = min(cut, bound + step)
-            found = self.solve(part.only(np.ones(len(part.costs), dtype=bool)), limit)
+            found = self.solve(part, limit)
             if not np.isfinite(found.cost) and found.bound < limit - 1e-9:
                 return Found(max(bound, found.bound), np.inf, {})
             if np.isfinite(found.cost) or limit >= cut:
                 return Found(max(bound, found.bound), found.cost, found.chosen)
             bound, step = limit - 1e-9, 1.5 * step
 
-    def solve(self, part: Part, cut: float, sweeps: int = 1) -> Found:
+    def solve(self, part: Part, cut: float) -> Found:
         """Best solution of the part that costs less than `cut`; complete unless a limit is reached."""
-        self.nodes += 1
-        part = part.folded()
         if not len(part.variables):
-            return Found(part.constant, part.constant if part.constant < cut else np.inf, part.taken)
+            return _only_solution(part, cut)
+        return self._node(part.restricted(np.ones(len(part.costs), dtype=bool)), cut)
+
+    def _node(self, part: Part, cut: float) -> Found:
+        """As `solve`, of a part in which every variable has several entries; it is used up."""
+        self.nodes += 1
+        if not len(part.variables):
+            return _only_solution(part, cut)
         part.settle()
-        self._watch.spend(len(part.costs) ** 2 // 16 * sweeps + 50)
-        for _ in range(sweeps):
-            part.sweep()
+        groups = part.components()
+        if len(groups) > 1:
+            return self._apart(part, groups, cut)
+        self._watch.spend(len(part.costs) ** 2 // 16 + 50)
+        part.sweep()
         bound, excess = part.bounds()
         alive = bound + excess < cut
         if bound >= cut or not np.logical_or.reduceat(alive, part.start[:-1]).all():
@@ -214,12 +212,7 @@ class Search:
             return Found(max(bound, cut), np.inf, {})
         if self.nodes >= self._most or self._watch.stopped():
             return Found(bound, np.inf, {})
-        part = part.only(alive)
-        part.settle()
-        groups = part.components()
-        if len(groups) > 1:
-            return self._apart(part, groups, cut)
-        return self._branch(part, excess[alive], bound, cut)
+        return self._branch(part, alive, excess, bound, cut)
 
     def _apart(self, part: Part, groups: list[Indices], cut: float) -> Found:
         """Solve components one after another, each below what the others leave."""
@@ -228,7 +221,7 @@ class Search:
         costs, chosen = part.constant, part.taken
         for at, piece in enumerate(pieces):
             others = part.constant + sum(bounds) - bounds[at]
-            found = self.solve(piece, cut - others)
+            found = self._node(piece, cut - others)
             bounds[at] = max(bounds[at], found.bound)
             costs += found.cost
             chosen = chosen | found.chosen
@@ -238,26 +231,32 @@ class Search:
         good = costs < cut
         return Found(min(total, cut), costs if good else np.inf, chosen if good else {})
 
-    def _branch(self, part: Part, excess: Floats, bound: float, cut: float) -> Found:
+    def _branch(self, part: Part, alive: Flags, excess: Floats, bound: float, cut: float) -> Found:
         """Try the entries of one variable, or the two halves of many entries, likeliest first."""
         best, lowest = Found(cut, np.inf, {}), np.inf
-        at = self._variable(part)
-        for first, last in _choices(part, at, excess, IN_PLAY * (cut - bound)):
+        at = self._variable(part, alive)
+        low, high = part.start[at], part.start[at + 1]
+        mine = low + np.flatnonzero(alive[low:high])
+        for tried in _choices(mine, excess[mine], IN_PLAY * (cut - bound)):
             limit = min(cut, best.cost)
-            least = bound + float(excess[first:last].min())
+            least = bound + float(excess[tried].min())
             if least >= limit:
                 lowest = min(lowest, least)
                 continue
-            found = self.solve(part.only_between(at, first, last), limit)
+            kept = alive.copy()
+            kept[low:high] = False
+            kept[tried] = True
+            found = self._node(part.restricted(kept), limit)
             lowest = min(lowest, found.bound)
             if found.cost < limit:
                 best = found
         return Found(min(max(bound, min(lowest, best.cost)), cut), best.cost, best.chosen)
 
-    def _variable(self, part: Part) -> int:
+    def _variable(self, part: Part, alive: Flags) -> int:
         """Position of the variable to branch on: few entries, in many failures."""
         weight = np.array([1.0 + self._weight.get(int(each), 0.0) for each in part.variables])
-        return int(np.argmin(part.sizes / weight + np.where(part.sizes > 1, 0.0, np.inf)))
+        sizes = np.add.reduceat(alive, part.start[:-1], dtype=np.int64)
+        return int(np.argmin(sizes / weight))
 
     def _blame(self, part: Part) -> None:
         """Weigh the variables of a failed node, most those with least room."""
@@ -265,17 +264,22 @@ class Search:
             self._weight[variable] = self._weight.get(variable, 0.0) + 1.0 / size
 
 
-def _choices(part: Part, at: int, excess: Floats, scale: float) -> list[tuple[int, int]]:
-    """The ranges of entries (of the part) that a node tries for the variable at a position, likeliest first.
+def _only_solution(part: Part, cut: float) -> Found:
+    """Of a part whose variables are all taken."""
+    return Found(part.constant, part.constant if part.constant < cut else np.inf, part.taken)
+
+
+def _choices(entries: Indices, excess: Floats, scale: float) -> list[Indices]:
+    """The sets of a variable's entries that a node tries, likeliest first: one by one, or half of many.
 
     Blocks are numbered as they were halved, neighbours next to each other: two halves are two places.
     """
-    low, high = int(part.start[at]), int(part.start[at + 1])
-    if high - low <= HALVED:
-        return [(entry, entry + 1) for entry in (low + np.argsort(excess[low:high], kind="stable")).tolist()]
-    weight = np.cumsum(np.exp(-excess[low:high] / max(scale, EPSILON)))
-    middle = low + 1 + int(np.abs(weight[:-1] - weight[-1] / 2).argmin())
-    return sorted([(low, middle), (middle, high)], key=lambda each: float(excess[each[0] : each[1]].min()))
+    if len(entries) <= HALVED:
+        return [entries[[at]] for at in np.argsort(excess, kind="stable")]
+    weight = np.cumsum(np.exp(-excess / max(scale, EPSILON)))
+    middle = 1 + int(np.abs(weight[:-1] - weight[-1] / 2).argmin())
+    halves = [(excess[:middle], entries[:middle]), (excess[middle:], entries[middle:])]
+    return [each for _, each in sorted(halves, key=lambda half: float(half[0].min()))]
 
 
 def whole_part(unary: Sequence[Floats], tables: Sequence[Table], forbidden: float) -> Part:
