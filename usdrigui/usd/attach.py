@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import os
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -19,11 +19,11 @@ from pxr import Sdf, Tf
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.child import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.safe_write import commit
 from usdrigui.usd.source import SourceFile, admit, check_unchanged
-from usdrigui.usd.stage import told
+from usdrigui.usd.stage import open_layer
 
 Outcome = Literal["written", "unchanged"]
 
@@ -48,8 +48,8 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     missing = sorted({layout.root for layout in layouts} - characters)
     if missing:
         raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
-    _check_bare(asset, layer)
-    source = _opened(asset)
+    _check_bare(asset, layer, settings)
+    source = open_layer(asset)
     if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
         return "unchanged"
     entry = relative_asset_path(layer, asset)
@@ -64,7 +64,8 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     reading and writing can raise.
     """
     before = _admitted(asset, settings)
-    source = _opened(asset)
+    read_layer_isolated(asset, settings)  # What survives that may be opened here.
+    source = open_layer(asset)
     entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
     if not entries:
         return "unchanged"
@@ -76,7 +77,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
     Raises FILE_NOT_USD, and the FILE_ codes of writing.
     """
-    copy = _opened(layer)
+    copy = open_layer(layer)
     copy.pseudoRoot.ClearInfo("subLayers")
     copy.pseudoRoot.ClearInfo("subLayerOffsets")
     return commit(layer_bytes(copy, target.suffix), target)
@@ -93,38 +94,15 @@ def _admitted(asset: Path, settings: Settings) -> SourceFile:
     return admit(asset, settings.read.size_limit)
 
 
-def _check_bare(asset: Path, layer: Path) -> None:
+def _check_bare(asset: Path, layer: Path, settings: Settings) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
     if _same(asset, layer):
         raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
-    if any(_same(asset, found) for found in _needed(layer, set())):
+    opened = read_layer_isolated(layer, settings)
+    if any(_same(asset, Path(found)) for found in opened.needed):
         raise refuse("ATTACH_CYCLE", str(layer), f"stands over {asset} already")
-    opened = _opened(layer)
-    if opened.subLayerPaths:
-        raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.subLayerPaths[0]}")
-
-
-def _needed(path: Path, seen: set[str]) -> Iterator[Path]:
-    """Every layer that a layer brings along by composition, as far as their files are there."""
-    if not path.is_file():
-        return
-    for each in _opened(path).GetCompositionAssetDependencies():
-        found = path.parent / each
-        if os.path.realpath(found) not in seen:
-            seen.add(os.path.realpath(found))
-            yield found
-            yield from _needed(found, seen)
-
-
-def _opened(path: Path) -> Sdf.Layer:
-    """The file as it is now, as a layer that nobody else holds."""
-    try:
-        layer = Sdf.Layer.OpenAsAnonymous(str(path))
-    except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
-    if layer is None:
-        raise refuse("FILE_NOT_USD", str(path), "is not a USD layer")
-    return layer
+    if opened.sublayers:
+        raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.sublayers[0]}")
 
 
 def _leads_to(asset: Path, entry: str, layer: Path) -> bool:

@@ -27,7 +27,7 @@ from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.source import SourceFile, admit, check_unchanged
 
-Task = Literal["rigs", "layouts", "clips", "faults"]
+Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
 _Part = TypeVar("_Part")
 
 _KEPT_TEXT = 1 << 16
@@ -114,6 +114,16 @@ class FaultsResult(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class LayerResult(Record):
+    """A layer as its file has it, before anything is composed."""
+
+    sublayers: tuple[str, ...]
+    """As authored."""
+    needed: tuple[str, ...]
+    """Every file that it, or what it brings along, names for composition; each need not be there."""
+
+
+@dataclass(frozen=True, eq=False)
 class Request:
     """What the child is asked; JSON on its standard input."""
 
@@ -133,6 +143,7 @@ class Answer:
     layouts: LayoutsResult | None = None
     faults: FaultsResult | None = None
     performances: tuple[Performance, ...] = ()
+    layer: LayerResult | None = None
     refusal: Issue | None = None
     exit_code: int = 0
 
@@ -169,6 +180,11 @@ def read_performances_isolated(path: Path, settings: Settings, limits: Limits | 
 def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> FaultsResult:
     """As `usdrigui.usd.faults.stage_faults`, in a child; raises as `read_rigs_isolated` where nothing can be read."""
     return _understood(_asked("faults", path, settings, limits).faults, path)
+
+
+def read_layer_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayerResult:
+    """A layer by itself, in a child; what it composes need not be there.  Raises as `read_rigs_isolated`."""
+    return _understood(_asked("layer", path, settings, limits).layer, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:

@@ -20,7 +20,7 @@ from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.model import Performance
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
-from usdrigui.usd.child import Answer, FaultsResult, LayoutsResult, Limits, ReadResult, Request
+from usdrigui.usd.child import Answer, FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request
 from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0
@@ -53,6 +53,8 @@ def answer(request: Request) -> Answer:
             return Answer(performances=_performances(path))
         if request.task == "faults":
             return Answer(faults=_faults(path))
+        if request.task == "layer":
+            return Answer(layer=_layer(path))
         return Answer(rigs=_rigs(path, request.settings))
     except RigUIError as error:
         return _refusal(_starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error)
@@ -131,6 +133,25 @@ def _faults(path: Path) -> FaultsResult:
     stage = open_stage(path)
     roots = sum(prim.IsA(UsdSkel.Root) for prim in stage.Traverse())
     return FaultsResult(stage_faults(stage), roots)
+
+
+def _layer(path: Path) -> LayerResult:
+    from usdrigui.usd.stage import open_layer
+
+    needed: dict[str, str] = {}
+
+    def follow(layer: Any, folder: Path) -> None:
+        """Note the files that a layer names, and those that these name, as far as they are there."""
+        for each in sorted(layer.GetCompositionAssetDependencies()):
+            found = folder / each
+            if os.path.realpath(found) not in needed:
+                needed[os.path.realpath(found)] = str(found)
+                if found.is_file():
+                    follow(open_layer(found), found.parent)
+
+    layer = open_layer(path)
+    follow(layer, path.parent)
+    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()))
 
 
 @contextlib.contextmanager

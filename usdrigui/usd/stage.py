@@ -39,6 +39,17 @@ def open_stage(path: Path) -> Usd.Stage:
     return stage
 
 
+def open_layer(path: Path) -> Sdf.Layer:
+    """The file as it is now, as a layer that nobody else holds.  Raises RigUIError FILE_NOT_USD."""
+    try:
+        layer = Sdf.Layer.OpenAsAnonymous(str(path))
+    except (Tf.ErrorException, RuntimeError) as error:
+        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
+    if layer is None:
+        raise refuse("FILE_NOT_USD", str(path), "is not a USD layer")
+    return layer
+
+
 def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
     """What USD could not compose.
 
