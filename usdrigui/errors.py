@@ -227,6 +227,11 @@ _CODES: dict[str, Code] = {
         "A mesh has blend shapes but no Skeleton is bound to it, so that nothing can move it.",
         "Bind it by skel:skeleton (a Skeleton without joints will do).",
     ),
+    "MESH_OUTSIDE": Code(
+        "warning",
+        "A mesh with blend shapes or joint influences lies outside every SkelRoot, where USD deforms nothing.",
+        "Move it below the SkelRoot, or make a prim above both the SkelRoot.",
+    ),
     "MESH_EMPTY": Code("warning", "A mesh has no points and is ignored.", "Remove it or restore its points."),
     "POINTS_ANIMATED": Code(
         "info",

@@ -115,6 +115,16 @@ EDITS: Mapping[str, tuple[tuple[str, str], ...]] = {
 
     def SkelAnimation "Anim\""""),
     ),
+    "MESH_OUTSIDE": (
+        ('def SkelRoot "Char"', """def Mesh "Hat" (prepend apiSchemas = ["SkelBindingAPI"])
+{
+    point3f[] points = [(0,3,0), (2,3,0), (2,4,0)]
+    uniform token[] skel:blendShapes = ["smile"]
+    rel skel:blendShapeTargets = </Char/Face/smile>
+}
+
+def SkelRoot "Char\""""),
+    ),
     "MESH_EMPTY": (('    def SkelAnimation "Anim"', '    def Mesh "Nothing" {}\n\n    def SkelAnimation "Anim"'),),
     "POINTS_ANIMATED": (
         (

@@ -21,6 +21,7 @@ _SOURCE = "rel skel:animationSource = </Char/Anim>"
 _POINTS = "point3f[] points = [(0,0,0), (2,0,0), (2,3,0), (0,3,0), (4,0,0), (4,3,0)]"
 _OFFSETS = "uniform vector3f[] offsets = [(0,0,1), (0,0,0.5)]"
 _INDICES = "uniform int[] pointIndices = [0, 1]"
+_FROWN = "[(0,0,0), (0,0,0), (0,0,0), (0,0,0), (0,0,0.3), (0,0,1)]"
 _JOINTS = 'uniform token[] joints = ["neck", "neck/jaw"]'
 _ROOT = 'def SkelRoot "Char"'
 _FACE = 'def Mesh "Face" (prepend apiSchemas = ["SkelBindingAPI"])\n    {\n'
@@ -87,9 +88,10 @@ TRAPS: Mapping[str, Trap] = {
     "a mesh without points": (((_POINTS, "point3f[] points = []"),), 1, frozenset({"CONTROLS_MISSING"})),
     "a missing sublayer": ((('upAxis = "Y"', 'upAxis = "Y"\n    subLayers = [@./gone.usda@]'),), 1, frozenset({"LAYER_MISSING"})),
     "a missing payload": (((_ROOT, _ROOT + " (payload = @./gone.usda@)"),), 1, frozenset({"LAYER_MISSING"})),
-    "a layer that is its own sublayer": ((('upAxis = "Y"', 'upAxis = "Y"\n    subLayers = [@./char.usda@]'),), 0, frozenset()),
+    "a layer that is its own sublayer": ((('upAxis = "Y"', 'upAxis = "Y"\n    subLayers = [@./char.usda@]'),), 0, frozenset({"COMPOSITION_ERROR"})),
     "a prim that references itself": (((_ROOT, _ROOT + " (references = </Char>)"),), 0, frozenset({"COMPOSITION_ERROR"})),
     "a mesh that is the class of itself": (((_FACE, _FACE.replace("prepend api", "inherits = </Char/Face>; prepend api")),), 0, frozenset({"COMPOSITION_ERROR"})),
+    "joints without animation or poses": (((_NAMES, "uniform token[] skel:blendShapes = []"), (_TARGETS, ""), ('token[] blendShapes = ["smile", "frown"]', "token[] blendShapes = []"), (_WEIGHTS, "")), 1, frozenset({"CONTROLS_MISSING"})),
     # --- strange but legal -----------------------------------------------------------------------
     "no animation source": (((_SOURCE, ""),), 0, frozenset({"TOKEN_NOT_ANIMATED"})),
     "a skeleton outside the SkelRoot": (
@@ -98,12 +100,17 @@ TRAPS: Mapping[str, Trap] = {
         frozenset({"TOKEN_NOT_ANIMATED"}),
     ),
     "a mesh outside the SkelRoot": (((_ROOT, 'def Mesh "Hat" {\npoint3f[] points = [(0,0,0)]\n}\n' + _ROOT),), 0, frozenset()),
+    "a mesh with influences outside the SkelRoot": (
+        ((_ROOT, 'def Mesh "Hat" {\npoint3f[] points = [(0,0,0)]\nint[] primvars:skel:jointIndices = [0]\n}\n' + _ROOT),),
+        0,
+        frozenset({"MESH_OUTSIDE"}),
+    ),
     "a skeleton without joints": (
         ((_JOINTS, "uniform token[] joints = []"), ("int[] primvars:skel:jointIndices", "int[] was:jointIndices"), ("float[] primvars:skel:jointWeights", "float[] was:jointWeights")),
         0,
         frozenset(),
     ),
-    "metersPerUnit as float": ((("metersPerUnit = 0.01", "metersPerUnit = 0.0"),), 0, frozenset({"UNITS_TYPE"})),
+    "metersPerUnit without meaning": ((("metersPerUnit = 0.01", "metersPerUnit = 0.0"),), 0, frozenset({"UNITS_TYPE"})),
     "a SkelRoot inside a SkelRoot": (((_ANIM, '    def SkelRoot "Inner" {}\n\n' + _ANIM),), 0, frozenset()),
     "time samples on the points": (
         ((_POINTS, "point3f[] points.timeSamples = {\n1: [(0,0,0), (2,0,0), (2,3,0), (0,3,0), (4,0,0), (4,3,0)],\n2: [(0,0,1), (2,0,0), (2,3,0), (0,3,0), (4,0,0), (4,3,0)] }"),),
@@ -129,6 +136,25 @@ TRAPS: Mapping[str, Trap] = {
     "a name with control characters": ((('"smile", "frown"', '"smi\\x1b[31mle", "frown"'), ('["smile", "frown"]', '["smi\\x1b[31mle", "frown"]')), 0, frozenset()),
     "a character so huge that its motion is nothing": (((_POINTS, _POINTS.replace("4,", "4e30,")),), 1, frozenset({"CONTROLS_MISSING"})),
     "a flat character": (((_POINTS, "point3f[] points = [(0,0,0), (0,0,0), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"),), 0, frozenset()),
+    "names that are numbers or hold dots, colons and hyphens": ((('"smile", "frown"', '"12", "-a.b:c d"'), ('["smile", "frown"]', '["12", "-a.b:c d"]')), 0, frozenset()),
+    "a token that no mesh implements": ((('blendShapes = ["smile", "frown"]\n        float', 'blendShapes = ["smile", "frown", "ghost"]\n        float'), (_WEIGHTS, "float[] blendShapeWeights = [0, 0, 0]")), 0, frozenset()),
+    "an empty shape": (((_OFFSETS, "uniform vector3f[] offsets = []"), (_INDICES, "uniform int[] pointIndices = []")), 0, frozenset()),
+    "two shapes that are the same": (((_FROWN, "[(0,0,1), (0,0,0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"),), 0, frozenset({"CONTROL_DUPLICATE"})),
+    "two shapes that are opposites on one line": (((_FROWN, "[(0,0,-1), (0,0,-0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"),), 0, frozenset()),
+    "a shape that moves a thousandth of the face": (((_OFFSETS, "uniform vector3f[] offsets = [(0,0,1e-4), (0,0,5e-5)]"),), 0, frozenset({"CONTROL_TINY"})),
+    "a shape that collapses the mesh to a point": (((_FROWN, "[(0,0,0), (-2,0,0), (-2,-3,0), (0,-3,0), (-4,0,0), (-4,-3,0)]"),), 0, frozenset()),
+    "a shape that moves the whole head": (((_FROWN, "[(0,0,1), (0,0,1), (0,0,1), (0,0,1), (0,0,1), (0,0,1)]"),), 0, frozenset()),
+    "a face driven by joints only": (
+        (
+            (_NAMES, "uniform token[] skel:blendShapes = []"), (_TARGETS, ""), ('token[] blendShapes = ["smile", "frown"]', "token[] blendShapes = []"),
+            (_WEIGHTS, 'uniform token[] joints = ["neck/jaw"]\nquatf[] rotations.timeSamples = { 0: [(1, 0, 0, 0)], 1: [(0.9, 0.43589, 0, 0)] }\nfloat3[] translations = [(0, 1, 0)]\nhalf3[] scales = [(1, 1, 1)]'),
+            ("[1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0]", "[1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 0, 1]"),
+        ),
+        0,
+        frozenset(),
+    ),
+    "a mesh with some of the joints": (((_FACE, _FACE + 'uniform token[] skel:joints = ["neck/jaw"]\n'), ("[0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1]", "[0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]")), 0, frozenset()),
+    "points split at a seam": ((("[0, 1, 2, 3, 1, 4, 5, 2]", "[0, 1, 2, 3, 6, 4, 5, 7]"), (_POINTS, _POINTS.replace("(4,3,0)]", "(4,3,0), (2,0,0), (2,3,0)]")), ("(0,0,0.3), (0,0,1)]", "(0,0,0.3), (0,0,1), (0,0,0), (0,0,0)]"), ("[0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1]", "[0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1]"), ("[1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0]", "[1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0]")), 0, frozenset()),
     "no faces": ((("[4, 4]", "[]"), ("[0, 1, 2, 3, 1, 4, 5, 2]", "[]")), 0, frozenset()),
 }  # fmt: skip
 

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 import pytest
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
 from skel_stages import (
     JOINTS,
     SIDE,
@@ -436,6 +436,36 @@ def test_units_of_the_wrong_type(tmp_path):
     rig = read(path)
     assert rig.metres_per_unit == 0.01
     assert [each.code for each in rig.issues] == ["UNITS_TYPE"]
+
+
+def test_units_of_a_type_that_usd_refuses(tmp_path):
+    """Some exporters write metersPerUnit as a float, for which USD's own API raises."""
+    text, path = head(tmp_path / "char.usda"), tmp_path / "char.usdc"
+    text.write_text(text.read_text().replace("#usda 1.0\n(", "#usda 1.0\n(\n    metersPerUnit = 0.40625"))
+    Sdf.Layer.FindOrOpen(str(text)).Export(str(path))
+    as_double, as_float = b"\xd0\x3e\0\0\x09\x40", b"\xd0\x3e\0\0\x08\x40"  # The type is the byte before the last.
+    content = path.read_bytes()
+    assert content.count(as_double) == 1
+    path.write_bytes(content.replace(as_double, as_float))
+    with pytest.raises(Tf.ErrorException):
+        UsdGeom.GetStageMetersPerUnit(Usd.Stage.Open(str(path)))
+    rig = read(path)
+    assert (rig.metres_per_unit, rig.issues) == (0.40625, ())
+
+
+def test_a_mesh_outside_the_skelroot_is_named(tmp_path):
+    def edit(stage):
+        skinned, shaped, plain = (add_mesh(stage, f"/{name}", seed=4) for name in ("Skinned", "Shaped", "Plain"))
+        add_skin(skinned, [[0]] * SIDE**2, [[1.0]] * SIDE**2, 1)
+        add_shape(shaped, "smile", np.ones((SIDE**2, 3)))
+        UsdSkel.BindingAPI.Apply(plain.GetPrim())
+
+    rig = edited(tmp_path, edit)
+    assert [(each.code, each.path) for each in rig.issues] == [
+        ("MESH_OUTSIDE", "/Skinned"),
+        ("MESH_OUTSIDE", "/Shaped"),
+    ]
+    assert [mesh.path for mesh in rig.meshes] == ["/Char/Face"]
 
 
 def test_hidden_and_left_handed_meshes_are_marked(tmp_path):

@@ -90,7 +90,9 @@ def check_finite(values: NDArray[np.floating], path: str, name: str) -> None:
     """Raise NOT_FINITE, naming the first place."""
     # One pass without a temporary; only a sum that is not finite calls for a closer look.
     flat = values.reshape(-1)
-    if not np.isfinite(flat @ flat) and not np.isfinite(flat).all():
+    with np.errstate(over="ignore", invalid="ignore"):
+        total = flat @ flat
+    if not np.isfinite(total) and not np.isfinite(flat).all():
         where = int(np.flatnonzero(~np.isfinite(values).reshape(len(values), -1).all(axis=1))[0])
         raise refuse("NOT_FINITE", path, f"{name}[{where}] is not a finite number")
 

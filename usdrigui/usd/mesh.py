@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import issue, refuse
+from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
 from usdrigui.usd.shapes import Binding, Found, note_tokens, read_shapes
@@ -36,6 +36,26 @@ def read_meshes(
         if mesh is not None:
             meshes.append(mesh)
     return tuple(meshes)
+
+
+def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
+    """One for each mesh that looks like a part of a character but has no SkelRoot above it."""
+    found = []
+    walk = iter(Usd.PrimRange.Stage(stage))
+    for prim in walk:
+        if prim.IsA(UsdSkel.Root):
+            walk.PruneChildren()
+        elif prim.IsA(UsdGeom.Mesh) and (said := _deforming(prim)):
+            found.append(issue("MESH_OUTSIDE", str(prim.GetPath()), f"has {said}"))
+    return tuple(found)
+
+
+def _deforming(prim: Usd.Prim) -> str:
+    """What would deform the mesh below a SkelRoot; empty if nothing."""
+    shapes = UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().HasAuthoredTargets()
+    indices = prim.GetAttribute("primvars:skel:jointIndices")
+    joints = bool(indices) and indices.HasAuthoredValue()
+    return " and ".join(["blend shapes"] * shapes + ["joint influences"] * joints)
 
 
 def _drawable(root: Usd.Prim) -> list[Usd.Prim]:
@@ -157,11 +177,13 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
     check_finite(weights, path, "primvars:skel:jointWeights")
     weights = weights.astype(np.float64).reshape(-1, width)
     _note_sums(weights, path, found)
+    geom_bind = np.array(query.GetGeomBindTransform(time), dtype=np.float64)
+    check_finite(geom_bind, path, "primvars:skel:geomBindTransform")
     return Skin(
         joints=np.broadcast_to(order[joints].reshape(-1, width), (count, width)),
         weights=np.broadcast_to(weights, (count, width)),
         method=_method(query, path, found),
-        geom_bind=np.array(query.GetGeomBindTransform(time), dtype=np.float64),
+        geom_bind=geom_bind,
         rigid=rigid,
     )
 

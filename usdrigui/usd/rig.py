@@ -27,7 +27,7 @@ from usdrigui.usd.controls import (
     unknown_names,
 )
 from usdrigui.usd.glyphs import read_glyphs
-from usdrigui.usd.mesh import read_meshes
+from usdrigui.usd.mesh import outside_issues, read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import metres_per_unit, read_ranges
 from usdrigui.usd.shapes import Binding, Found, left_off_tokens
@@ -53,7 +53,7 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     with listening() as heard:
         stage = open_stage(path)
         roots = _skel_roots(stage, settings.read.skel_root)
-        issues = composition_issues(stage, roots)
+        issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
             raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
         readings = [_guarded(root, settings) for root in roots]
