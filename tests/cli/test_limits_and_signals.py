@@ -14,6 +14,7 @@ import pytest
 from skel_stages import character, head
 
 from usdrigui.cli import main
+from usdrigui.settings import Settings
 from usdrigui.usd.read_layout import read_layout
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
@@ -126,14 +127,48 @@ def test_a_second_signal_ends_at_once(hanging):
     assert untouched(hanging)
 
 
+@pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
+def test_a_second_signal_does_not_wait_for_the_best_so_far(first):
+    """Where the first one is only noted: during the search and the write."""
+    program = f"""
+import signal
+from usdrigui.cli.outcomes import Interruption
+with Interruption() as interruption:
+    interruption.patient = True
+    signal.raise_signal({int(first)})
+    print("noted" if interruption.requested() else "lost", flush=True)
+    signal.raise_signal(signal.SIGINT)
+    print("still here", flush=True)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (4, "noted\n", "")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_while_writing_lets_the_write_finish(tmp_path, number, monkeypatch):
+    asset, layer = head(tmp_path / "char.usda"), tmp_path / "char.rigui.usda"
+    replaced = Path.replace
+
+    def interrupted(path, target):
+        signal.raise_signal(number)
+        return replaced(path, target)
+
+    monkeypatch.setattr(Path, "replace", interrupted)
+    assert main(["process", str(asset), "--quiet"]) == 0
+    assert read_layout(layer)
+    assert {each.name for each in tmp_path.iterdir()} == {asset.name, layer.name}
+
+
 def test_a_time_limit_on_the_search_gives_an_honest_layout(tmp_path, capsys):
-    asset = character(tmp_path / "char.usda")
-    assert main(["process", str(asset), "--time-limit", "0.001", "--gap", "0", "--json"]) == 0
+    target = tmp_path / "out.usda"
+    endless = ("--gap", "0", "--set", "solve.work_limit=2000000000000")
+    assert main(["process", str(SAMPLE), "-o", str(target), "--time-limit", "0.2", *endless, "--json"]) == 0
     (found,) = json.loads(capsys.readouterr().out)["characters"]
     solution = found["solution"]
-    assert solution["bound"] <= solution["cost"]
-    assert solution["status"] == ("optimal" if solution["gap"] <= 1e-9 else "stopped")
-    assert read_layout(tmp_path / "char.rigui.usda")
+    assert solution["status"] == "stopped"
+    assert solution["bound"] < solution["cost"]
+    assert solution["gap"] == pytest.approx((solution["cost"] - solution["bound"]) / abs(solution["cost"]), rel=1e-6)
+    assert read_layout(target)
 
 
 @pytest.mark.parametrize("limit", [1, 8, 64])
@@ -143,6 +178,10 @@ def test_a_memory_limit_on_the_search_gives_a_layout_or_a_code(tmp_path, limit, 
     document = json.loads(capsys.readouterr().out)
     assert code in (0, 4)
     assert document["exit"] == code
+    for found in document["characters"] if code == 0 else ():
+        solution = found["solution"]
+        assert solution["bound"] <= solution["cost"]
+        assert solution["status"] == ("optimal" if solution["gap"] <= Settings().solve.gap else "stopped")
     assert (tmp_path / "char.rigui.usda").exists() == (code == 0)
 
 

@@ -124,6 +124,18 @@ def test_a_read_only_disk(laid_out, small_disk, capfd):
     assert kept(target, old.read_bytes(), [target.name])
 
 
+@pytest.mark.skipif(not ROOT, reason="mounting needs root")
+def test_a_source_on_a_read_only_disk(character, tmp_path, small_disk):
+    """No file of the asset is ever opened for writing."""
+    place = small_disk("size=1m")
+    source, target = place / "char.usda", tmp_path / "out.usda"
+    (place / "geo.usda").write_bytes(character[0].read_bytes())
+    source.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
+    subprocess.run(["mount", "-o", "remount,ro", str(place)], check=True)
+    assert main(["process", str(source), "-o", str(target), "--quiet"]) == 0
+    assert target.is_file()
+
+
 @pytest.mark.skipif(not ROOT, reason="changing the user needs root")
 @pytest.mark.parametrize("what", ["folder", "file", "source"])
 def test_a_missing_permission(what, laid_out):

@@ -125,6 +125,22 @@ def test_a_failure_at_any_step_leaves_the_old_file(target, monkeypatch, step, nu
     assert only_file(target)
 
 
+@pytest.mark.parametrize("number", [errno.EIO, errno.EINVAL])
+def test_a_folder_that_cannot_be_synced_has_the_new_file_complete(target, monkeypatch, number):
+    """It stands there already; how long it outlives a power cut is the file system's affair."""
+    fsync = os.fsync
+
+    def failing(descriptor):
+        if stat.S_ISDIR(os.fstat(descriptor).st_mode):
+            raise OSError(number, os.strerror(number))
+        fsync(descriptor)
+
+    monkeypatch.setattr(os, "fsync", failing)
+    assert commit(NEW, target) == "written"
+    assert target.read_bytes() == NEW
+    assert only_file(target)
+
+
 def test_a_real_size_limit_leaves_the_old_file(target):
     """The kernel itself refuses to let the file grow."""
     script = f"""
