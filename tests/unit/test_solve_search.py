@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import highs
+from usdrigui.solve import highs, search
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.groups import decode, group_gains
 from usdrigui.solve.search import Part, Search, whole_part
@@ -113,6 +113,18 @@ def test_limited_search_keeps_an_honest_bound() -> None:
             deep = Search(watch(), nodes).deepen(whole_part(*problem, 20.0), least + 1.0, 0.3)
             assert deep.bound <= least + 1e-9
             assert deep.cost >= least - 1e-9
+
+
+def test_a_search_without_memory_leaves_nodes_open(monkeypatch: pytest.MonkeyPatch) -> None:
+    bounds = []
+    for room in (0, 2000, 10**9):
+        monkeypatch.setattr(search, "HELD_BYTES", room)
+        found = [Search(watch(), 10**6).solve(whole_part(*random_tables(seed), 20.0), np.inf) for seed in range(80)]
+        bounds.append([each.bound for each in found])
+    least = [every_cost(random_tables(seed), 20.0).min() for seed in range(80)]
+    assert all((np.array(each) <= np.array(least) + 1e-9).all() for each in bounds)
+    assert bounds[2] == pytest.approx(least)
+    assert sum(bounds[0]) < sum(bounds[1]) < sum(bounds[2])
 
 
 def test_groups_never_exceed_the_least() -> None:

@@ -13,7 +13,7 @@ from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
 from usdrigui.solve.crowding import Costs, places, tightened
 from usdrigui.solve.groups import LARGEST, decode, group_gains, group_part
-from usdrigui.solve.search import Search
+from usdrigui.solve.search import HELD_BYTES, Search
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -143,6 +143,8 @@ def _few_labels(residual: Residual, alive: Flags, watch: Watch) -> bool:
 def _searched(residual: Residual, watch: Watch) -> Residual:
     """The residual of single labels with what a search of all of them as one problem proves and finds."""
     alive = residual.room <= watch.cut
+    if not _all_keep(residual, alive):
+        return residual
     ends = list(zip(residual.pool.start[:-1], residual.pool.start[1:], strict=True))
     part = group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
 
@@ -187,9 +189,9 @@ def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) ->
 
 def _planned(residual: Residual, parts: Indices) -> float:
     """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, and the
-    tables of two rounds in both directions; the matrices of a group under search; and the pairs of cells."""
+    tables of two rounds in both directions; the matrices of a search; and the pairs of cells."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    return (BYTES_PER_PAIR * pairs + 4 * 8 * LARGEST**2 + MOST_BYTES) / 2**20
+    return (BYTES_PER_PAIR * pairs + HELD_BYTES + MOST_BYTES) / 2**20
 
 
 def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:

@@ -18,6 +18,8 @@ from usdrigui.solve.watch import Watch
 
 EPSILON = 1e-11
 ROOT_SWEEPS = 10
+HELD_BYTES = 200_000_000
+"""Matrices of a branch of the tree; below that, nodes are left open."""
 HALVED = 5
 """Entries of a variable beyond which a node parts them in two instead of trying them one by one."""
 IN_PLAY = 0.25
@@ -167,6 +169,8 @@ class Search:
         self.nodes = 0
         self._most = nodes
         self._watch = watch
+        self._held = 0
+        """Bytes of the matrices of the nodes above the one at hand."""
         self._weight: dict[int, float] = {}
 
     def deepen(self, part: Part, cut: float, gap: float, proved: Callable[[float], None] | None = None) -> Found:
@@ -210,9 +214,12 @@ class Search:
         if bound >= cut or not np.logical_or.reduceat(alive, part.start[:-1]).all():
             self._blame(part)
             return Found(max(bound, cut), np.inf, {})
-        if self.nodes >= self._most or self._watch.stopped():
+        if self.nodes >= self._most or self._held + part.matrix.nbytes > HELD_BYTES or self._watch.stopped():
             return Found(bound, np.inf, {})
-        return self._branch(part, alive, excess, bound, cut)
+        self._held += part.matrix.nbytes
+        found = self._branch(part, alive, excess, bound, cut)
+        self._held -= part.matrix.nbytes
+        return found
 
     def _apart(self, part: Part, groups: list[Indices], cut: float) -> Found:
         """Solve components one after another, each below what the others leave."""
