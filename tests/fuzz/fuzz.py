@@ -72,10 +72,10 @@ def run(content: bytes, form: str, folder: Path) -> End:
     arguments = ["process", str(source), "-o", str(target), "--json", "--quiet"]
     for setting in _SETTINGS:
         arguments += ["--set", setting]
-    start = time.monotonic()
+    start, before = time.monotonic(), time.process_time()
     with _captured() as printed:
         exit_code, escaped = _called(arguments)
-    seconds = time.monotonic() - start
+    seconds, used = time.monotonic() - start, time.process_time() - before
     out, err = printed
     faults = list(escaped)
     code = _code(out, exit_code, faults)
@@ -83,6 +83,8 @@ def run(content: bytes, form: str, folder: Path) -> End:
         faults.append("a traceback")
     if seconds > SECONDS + 2 and code == "SOURCE_TIME_LIMIT":
         faults.append(f"{seconds:.1f} s")
+    if used > SECONDS + 2:  # Of this process alone; time that it was stopped for does not count.
+        faults.append(f"{used:.1f} s of processor time after reading")
     if code == "SOURCE_READER_LOST":
         faults.append(f"the reader was lost: {json.loads(out)['issues'][0]['message']}")
     if source.read_bytes() != content:
