@@ -11,6 +11,7 @@ from usdrigui.settings import SolveSettings
 from usdrigui.solve import highs, search
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.groups import decode, group_gains
+from usdrigui.solve.polish import polished
 from usdrigui.solve.search import Part, Search, whole_part
 from usdrigui.solve.tables import Table
 from usdrigui.solve.watch import Watch
@@ -168,6 +169,21 @@ def test_parts_keep_their_costs() -> None:
         assert sorted([*kept, *rest.taken]) == list(range(costs.ndim))
         assert all(entries[variable] == taken for variable, taken in rest.taken.items())
         assert rest.value(rest.start[:-1] + entries[kept]) == pytest.approx(costs[tuple(entries)])
+
+
+def test_polishing_finds_good_solutions() -> None:
+    """Never below the least, mostly the least itself, and the same twice."""
+    hits = 0
+    for seed in range(60):
+        problem = random_tables(seed, variables=6, entries=6)
+        costs = every_cost(problem, 20.0)
+        part = whole_part(*problem, 20.0)
+        chosen, cost = polished(part, 0)
+        assert cost == pytest.approx(costs[tuple(part.entries[chosen])])
+        assert cost >= costs.min() - 1e-9
+        assert (polished(part, 0)[0] == chosen).all()
+        hits += cost < costs.min() + 1e-9
+    assert hits >= 55
 
 
 def test_program_agrees_with_the_search() -> None:

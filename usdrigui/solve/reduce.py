@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem
+from usdrigui.solve import polish
 from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, singled, whole
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
 from usdrigui.solve.crowding import Costs, places, tightened
 from usdrigui.solve.groups import LARGEST, decode, group_gains, group_part
-from usdrigui.solve.search import HELD_BYTES, Search
+from usdrigui.solve.search import HELD_BYTES, Part, Search
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -116,7 +118,9 @@ def _examined(
     if residual.exact and alive.sum() <= LARGEST:
         if alive.sum() < THINNED * len(alive):
             return residual
-        residual = _searched(_without_prices(residual, watch), watch)
+        residual = _polished(_without_prices(residual, watch), watch)
+        improve(_representatives(labels, residual))
+        residual = _searched(residual, watch)
     elif residual.exact or (_frustrated(residual, watch) and not _few_labels(residual, alive, watch)):
         residual = _repriced(residual, radius, watch)
         if not watch.closed():
@@ -140,13 +144,23 @@ def _few_labels(residual: Residual, alive: Flags, watch: Watch) -> bool:
     return bool(few and _planned(residual, sizes) <= watch.settings.memory_limit)
 
 
+def _polished(residual: Residual, watch: Watch) -> Residual:
+    """The residual of single labels with a better solution, if a local search among them finds one."""
+    part = _left(residual, watch)
+    if part is None:
+        return residual
+    watch.spend(polish.RUNS * polish.TRIES * len(part.variables) * len(part.costs) // 4)
+    chosen, value = polish.polished(part, watch.settings.seed)
+    if value >= residual.value:
+        return residual
+    return replace(residual, chosen=part.entries[chosen], value=value)
+
+
 def _searched(residual: Residual, watch: Watch) -> Residual:
     """The residual of single labels with what a search of all of them as one problem proves and finds."""
-    alive = residual.room <= watch.cut
-    if not _all_keep(residual, alive):
+    part = _left(residual, watch)
+    if part is None:
         return residual
-    ends = list(zip(residual.pool.start[:-1], residual.pool.start[1:], strict=True))
-    part = group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
 
     def proved(bound: float) -> None:
         watch.found(STEP, bound=min(bound, watch.cut))
@@ -156,8 +170,17 @@ def _searched(residual: Residual, watch: Watch) -> Residual:
     residual = replace(residual, bound=bound, room=np.maximum(residual.room, bound))
     if not np.isfinite(found.cost):
         return residual
-    chosen = np.array([found.chosen[variable] for variable in range(len(ends))])
+    chosen = np.array([found.chosen[variable] for variable in range(len(residual.chosen))])
     return replace(residual, chosen=chosen, value=found.cost)
+
+
+def _left(residual: Residual, watch: Watch) -> Part | None:
+    """All that may be in a better solution as one problem; None if some variable has nothing left."""
+    alive = residual.room <= watch.cut
+    if not _all_keep(residual, alive):
+        return None
+    ends = list(itertools.pairwise(residual.pool.start))
+    return group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
 
 
 def _all_keep(residual: Residual, alive: Flags) -> bool:
