@@ -126,7 +126,7 @@ def test_every_variable_is_in_play_however_many_there_are(monkeypatch: pytest.Mo
     monkeypatch.setattr(crowding, "IN_PLAY", 8)
     monkeypatch.setattr(reduce, "FEW_LABELS", 0)
     monkeypatch.setattr(reduce, "LARGEST", 20)
-    problem = crowd(3, variables=6, candidates=40)
+    problem = crowd(3, variables=6, candidates=25)
     looked: list[int] = []
     plain = crowding.tightened
     monkeypatch.setattr(reduce, "tightened", lambda *given: (looked.append(1), plain(*given))[1])
