@@ -464,6 +464,17 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
     assert inside.answer(child.Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
 
 
+@pytest.mark.parametrize("referenced", [False, True])
+def test_what_usd_says_while_it_parses_is_told_once(referenced, tmp_path):
+    path = head(tmp_path / "geo.usda")
+    path.write_text(path.read_text() + '\ndef "Prop" {\n    double count = 99999999999999999999\n}\n')
+    if referenced:
+        path = tmp_path / "char.usda"
+        path.write_text("#usda 1.0\n(\n    subLayers = [@./geo.usda@]\n)\n")
+    issues = read_rigs_isolated(path, Settings()).rigs[0].issues
+    assert ["99999999999999999999" in each.message for each in issues if each.code == "USD_DIAGNOSTIC"] == [True]
+
+
 def test_a_damaged_package_that_is_only_referenced(tmp_path):
     content = head(tmp_path / "head.usda").read_bytes()
     path = tmp_path / "char.usda"

@@ -11,13 +11,13 @@ import contextlib
 import os
 import signal
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
-from usdrigui.errors import Exit, Issue, RigUIError, refuse
-from usdrigui.model import Performance
+from usdrigui.errors import Exit, Issue, RigUIError, issue, refuse
+from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import wire
 from usdrigui.usd.child import Answer, FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request
@@ -97,8 +97,8 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.read_layout import own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
 
-    with _hashed_before(path) as before, _kept_stages() as stages:
-        rigs = read_rigs(path, settings)
+    with _hashed_before(path) as (before, heard), _kept_stages() as stages:
+        rigs = _told(read_rigs(path, settings), path, heard)
         stage = _stage_of(path, stages)
         cameras = _cameras(stage, rigs, settings.candidates.view)
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
@@ -111,7 +111,7 @@ def _layouts(path: Path) -> LayoutsResult:
     from usdrigui.usd.read_layout import edited_elements, read_layout, source_of
     from usdrigui.usd.standing import standing_prims
 
-    with _hashed_before(path) as before, _kept_stages() as stages:
+    with _hashed_before(path) as (before, _), _kept_stages() as stages:
         layouts = read_layout(path)
         stage = next(iter(stages.GetAllStages()))
         sources = _sources(path, stages.GetAllStages(), before)
@@ -171,20 +171,28 @@ def _stage_of(path: Path, stages: Any) -> Any:
 
 
 @contextlib.contextmanager
-def _hashed_before(path: Path) -> Iterator[Mapping[str, SourceFile]]:
+def _hashed_before(path: Path) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
     """The files that compose an asset of several, by path, as they were before anything is read for good.
 
     Which files they are only composition tells, so they are composed, let go, and hashed.  An asset of one file
-    was hashed by the parent: its layer is kept for the reading.
+    was hashed by the parent: its layer is kept for the reading, which will not hear what USD says while it parses
+    the file; that comes second.
     """
     from usdrigui.usd.stage import listening, open_stage
 
-    with listening():
+    with listening() as heard:
         stage = open_stage(path)
     names = _files(path, (stage,)) if _depends(stage) else ()
     if names:
         del stage
-    yield {each.path: each for each in map(hashed, names)}
+    yield {each.path: each for each in map(hashed, names)}, heard
+
+
+def _told(rigs: tuple[Rig, ...], path: Path, heard: Iterable[str]) -> tuple[Rig, ...]:
+    """The rigs, the first of which tells what USD said before they were read, too."""
+    said = [issue("USD_DIAGNOSTIC", str(path), text) for text in heard]
+    new = tuple(each for each in said if each not in rigs[0].issues)
+    return (replace(rigs[0], issues=(*rigs[0].issues, *new)), *rigs[1:])
 
 
 def _depends(stage: Any) -> bool:
@@ -199,7 +207,7 @@ def _sources(path: Path, stages: Iterable[Any], before: Mapping[str, SourceFile]
     from usdrigui.usd.stage import check_archive
 
     check_unchanged(before.values())
-    found = tuple(map(hashed, _files(path, stages)))
+    found = tuple(before.get(each) or hashed(each) for each in _files(path, stages))
     for each in found[1:]:
         if each.path.lower().endswith(".usdz"):
             check_archive(Path(each.path))
