@@ -16,8 +16,14 @@ from numpy.typing import NDArray
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem, Overlap, Record
 from usdrigui.overlap import overlap_cost
 
-CHUNK = 4096
-"""Pairs whose distance is worked out at a time: the buffers stay in the processor's cache."""
+CHUNK = 32768
+"""Distances of samples worked out at a time: the buffers stay in the processor's cache."""
+ROUNDING = 1e-12
+"""Share of the least costs by which a label may miss the cut-off and still be kept."""
+ALL = slice(None)
+"""As indices of bodies: every one."""
+PAIRS = 65536
+"""Pairs of elements looked at at a time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +37,8 @@ class Bodies(Record):
     """(n,) label or block, ascending."""
     samples: Floats
     """(u, 3, n) positions along the drawn element; for blocks of their centres."""
-    slack: Floats
-    """(n,) largest change of the element distance when a member replaces the centre."""
+    apart: Floats
+    """(2, n) mean and maximum, over the samples, of how far a member's sample is from the centre's at most."""
     handle: Floats
     """(3, n)."""
     handle_slack: Floats
@@ -40,7 +46,45 @@ class Bodies(Record):
     middle: Floats
     """(3, n) mean of the samples."""
     radius: Floats
-    """(n,) of a ball around `middle` that holds the samples and handles of all members."""
+    """(2, n) mean and maximum distance of the samples of all members from `middle`."""
+    handle_radius: Floats
+    """(n,) largest distance of a member's handle from `middle`."""
+
+    def of(self, kept: Indices, number: Indices) -> Bodies:
+        """Some of the bodies, their owners renumbered."""
+        return Bodies(
+            number[self.owner[kept]],
+            self.samples[:, :, kept],
+            self.apart[:, kept],
+            self.handle[:, kept],
+            self.handle_slack[kept],
+            self.middle[:, kept],
+            self.radius[:, kept],
+            self.handle_radius[kept],
+        )
+
+    def slack(self, at: Indices | slice, samples: int) -> Floats:
+        """(q,) largest change of the distance to an element of so many samples when a member replaces the centre
+        of bodies `at`.
+
+        Moving each sample by at most its own amount changes the sum over this element's samples by no more than
+        the sum of the amounts, and each of the other's nearest distances by no more than the largest.
+        """
+        return self._weighed(self.apart[:, at], samples)
+
+    def extent(self, at: Indices | slice, other: Bodies, reach: float, separation: float) -> Floats:
+        """(q,) such that members of two bodies interact only if the distance of the middles is below the sum of
+        both bodies' extents and the larger of `reach` and `separation`.
+
+        The distance of two samples is at least that of the middles less what each is off its own; averaged over
+        the nearest ones, the mean of these counts for the own samples and the maximum for the other's.
+        """
+        of_samples = self._weighed(self.radius[:, at], len(other.samples)) - max(0.0, separation - reach) / 2
+        return np.maximum(of_samples, self.handle_radius[at] - max(0.0, reach - separation) / 2)
+
+    def _weighed(self, mean_and_most: Floats, samples: int) -> Floats:
+        own = len(self.samples)
+        return np.asarray((own * mean_and_most[0] + samples * mean_and_most[1]) / max(own + samples, 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,18 +181,42 @@ def _single(owner: Indices, samples: Floats, handles: Floats) -> Bodies:
     """Bodies without slack from (n, u, 3) samples and (n, 3) handles."""
     positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1), dtype=np.float64)
     handle = np.ascontiguousarray(handles.T, dtype=np.float64)
-    none = np.zeros(len(owner))
-    centre, radius = _ball(positions, np.zeros(positions.shape[::2]), handle, none)
-    return Bodies(owner, positions, none, handle, none, centre, radius)
+    return _around(owner, positions, np.zeros(positions.shape[::2]), handle, np.zeros(len(owner)))
 
 
-def _ball(samples: Floats, around: Floats, handle: Floats, handle_around: Floats) -> tuple[Floats, Floats]:
-    """Middle (3, n) and radius (n,) of a ball around (u, 3, n) samples and (3, n) handles, each with the
-    ball that its members fill."""
-    centre = samples.mean(axis=0) if len(samples) else handle
-    far = np.linalg.norm(samples - centre, axis=1) + around
-    far_handle = np.linalg.norm(handle - centre, axis=0) + handle_around
-    return centre, np.maximum(far.max(axis=0, initial=0.0), far_handle)
+def _around(owner: Indices, samples: Floats, apart: Floats, handle: Floats, handle_slack: Floats) -> Bodies:
+    """Bodies of (u, 3, n) samples and (3, n) handles, each with the ball that its members fill."""
+    middle = samples.mean(axis=0) if len(samples) else handle
+    far = np.sqrt(np.square(samples - middle).sum(axis=1)) + apart
+    handle_radius = np.sqrt(np.square(handle - middle).sum(axis=0)) + handle_slack
+    return Bodies(
+        owner, samples, _mean_and_most(apart), handle, handle_slack, middle, _mean_and_most(far), handle_radius
+    )
+
+
+def _mean_and_most(values: Floats) -> Floats:
+    """(2, n) of (u, n); zeros without values."""
+    return np.stack([values.sum(axis=0) / max(len(values), 1), values.max(axis=0, initial=0.0)])
+
+
+def selected(labels: Labels, kept: Indices) -> Labels:
+    """Some of the labels (ascending), at least one of every variable, as a problem of their own."""
+    pool = labels.pool
+    number = np.full(len(pool.cost), -1, dtype=np.int64)
+    number[kept] = np.arange(len(kept))
+    variable, cost = pool.variable[kept], pool.cost[kept]
+    start = np.searchsorted(variable, np.arange(pool.count + 1))
+    bodies = tuple(each.of(np.flatnonzero(number[each.owner] >= 0), number) for each in pool.bodies)
+    best = np.minimum.reduceat(cost, start[:-1]) if len(cost) else labels.best
+    kept_bodies = tuple(each for each in bodies if len(each.owner))
+    return Labels(Pool(pool.count, variable, start, cost, kept_bodies), labels.label[kept], best)
+
+
+def in_play(labels: Labels, cost: float) -> Indices:
+    """The labels that a layout of less than `cost` may use: all others at their cheapest, and no overlap."""
+    pool = labels.pool
+    spare = cost - float(labels.best.sum()) + ROUNDING * (1.0 + float(np.abs(labels.best).sum()))
+    return np.flatnonzero(pool.cost - labels.best[pool.variable] <= spare)
 
 
 # --- blocks ------------------------------------------------------------------------------------------
@@ -194,6 +262,36 @@ def singled(labels: Labels, blocks: Blocks) -> tuple[Blocks, Indices]:
     return blocks, parent
 
 
+def cheapest(labels: Labels, blocks: Blocks) -> Indices:
+    """(blocks,) the member of least linear cost of each block."""
+    cost = labels.pool.cost[blocks.members]
+    least = np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)
+    hit = np.flatnonzero(cost == least)
+    owner = np.searchsorted(blocks.start, hit, side="right") - 1
+    return blocks.members[hit[np.diff(owner, prepend=-1) > 0]]
+
+
+def thinned(labels: Labels, blocks: Blocks, slack: Floats) -> Blocks:
+    """The blocks without the labels that cannot be in a better solution, those left empty left out.
+
+    `slack` (blocks,) is how far the bound of solutions that use the block lies below the cut-off.
+    """
+    alive = member_slack(labels, blocks, slack) >= 0
+    sizes = np.add.reduceat(alive, blocks.start[:-1], dtype=np.int64)
+    start = np.concatenate([[0], np.cumsum(sizes[sizes > 0])])
+    return Blocks(blocks.members[alive], start, blocks.variable[sizes > 0])
+
+
+def member_slack(labels: Labels, blocks: Blocks, slack: Floats) -> Floats:
+    """(members,) the slack of each member of the blocks, in their order.
+
+    The bound of a block counts the cost of its cheapest member; solutions that use another member cost more by what
+    that one costs more, all else being bounded for every member alike.
+    """
+    cost = labels.pool.cost[blocks.members]
+    return np.asarray(np.repeat(slack + np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes) - cost)
+
+
 def keep(blocks: Blocks, alive: Flags) -> Blocks:
     """The blocks that are alive."""
     members = blocks.members[np.repeat(alive, blocks.sizes)]
@@ -206,8 +304,7 @@ def block_pool(labels: Labels, blocks: Blocks) -> Pool:
     pool = labels.pool
     cost = np.minimum.reduceat(pool.cost[blocks.members], blocks.start[:-1])
     start = np.searchsorted(blocks.variable, np.arange(pool.count + 1))
-    most = max((len(each.samples) for each in pool.bodies), default=1)
-    bodies = tuple(_bounding(each, blocks, len(pool.cost), most) for each in pool.bodies)
+    bodies = tuple(_bounding(each, blocks, len(pool.cost)) for each in pool.bodies)
     return Pool(pool.count, blocks.variable, start, cost, bodies)
 
 
@@ -218,8 +315,8 @@ def _places(body: Bodies, labels: int) -> Indices:
     return place
 
 
-def _bounding(body: Bodies, blocks: Blocks, labels: int, most: int) -> Bodies:
-    """Centres and radii of the blocks' members in one set of bodies; `most` is the largest number of samples."""
+def _bounding(body: Bodies, blocks: Blocks, labels: int) -> Bodies:
+    """Centres and radii of the blocks' members in one set of bodies."""
     place = _places(body, labels)[blocks.members]
     with_body = place >= 0
     group = np.repeat(np.arange(len(blocks.variable)), blocks.sizes)[with_body]
@@ -234,14 +331,8 @@ def _bounding(body: Bodies, blocks: Blocks, labels: int, most: int) -> Bodies:
     apart = np.maximum.reduceat(apart, first, axis=-1)
     handles = body.handle[:, place]
     handle = _box_middle(handles, first)
-    off = np.linalg.norm(handles - np.repeat(handle, sizes, axis=-1), axis=0)
-    handle_slack = np.maximum.reduceat(off, first)
-    middle, radius = _ball(centre, apart, handle, handle_slack)
-    # Moving each sample i by at most apart[i] changes the sum over this element's samples by at most
-    # sum(apart), and each of the other element's v nearest distances by at most max(apart); the mean over
-    # both grows with v.
-    slack = (apart.sum(axis=0) + most * apart.max(axis=0)) / (len(apart) + most)
-    return Bodies(owner, centre, slack, handle, handle_slack, middle, radius)
+    off = np.sqrt(np.square(handles - np.repeat(handle, sizes, axis=-1)).sum(axis=0))
+    return _around(owner, centre, apart, handle, np.maximum.reduceat(off, first))
 
 
 def _box_middle(positions: Floats, first: Indices) -> Floats:
@@ -278,11 +369,8 @@ def _widest(pool: Pool, blocks: Blocks, cut: Flags) -> Floats:
 def near_pairs(one: Bodies, first: slice, other: Bodies, reach: float, extra: float) -> tuple[Indices, Indices]:
     """Pairs of bodies (of ``one[first]`` and of `other`) that may be nearer than `reach`, or whose handles may
     be nearer than `extra`; indices into the two sets, in order."""
-    a, b = one.middle[:, first, None], other.middle[:, None, :]
-    apart = np.square(a[0] - b[0])
-    apart += np.square(a[1] - b[1])
-    apart += np.square(a[2] - b[2])
-    limit = (one.radius[first, None] + other.radius[None]) + max(reach, extra)
+    limit = one.extent(first, other, reach, extra)[:, None] + other.extent(ALL, one, reach, extra) + max(reach, extra)
+    apart = squared(one.middle[:, first, None], other.middle[:, None, :])
     rows, columns = np.nonzero(apart < np.square(limit))
     return rows + first.start, columns
 
@@ -295,37 +383,47 @@ def pair_bounds(
     Returns the costs, +inf where all members' handles are nearer than the separation, and whether any
     members can interact at all.  Exact for blocks of one label.
     """
-    cost, near = np.empty(len(i)), np.empty(len(i), dtype=bool)
-    for at in range(0, len(i), CHUNK):
-        part = slice(at, at + CHUNK)
-        p, q = i[part], j[part]
+    cost, near = np.zeros(len(i)), np.zeros(len(i), dtype=bool)
+    for at in range(0, len(i), PAIRS):
+        p, q = i[at : at + PAIRS], j[at : at + PAIRS]
+        extents = one.extent(p, other, overlap.reach, separation) + other.extent(q, one, overlap.reach, separation)
+        limit = extents + max(overlap.reach, separation)
+        close = np.flatnonzero(squared(one.middle[:, p], other.middle[:, q]) < np.square(limit))
+        p, q = p[close], q[close]
         apart = sample_distance(one.samples, p, other.samples, q)
-        slack = one.slack[p] + other.slack[q]
-        cost[part] = overlap.weight * overlap_cost(apart + slack, overlap)
-        between = np.linalg.norm(one.handle[:, p] - other.handle[:, q], axis=0)
+        slack = one.slack(p, len(other.samples)) + other.slack(q, len(one.samples))
+        between = np.sqrt(squared(one.handle[:, p], other.handle[:, q]))
         handle_slack = one.handle_slack[p] + other.handle_slack[q]
-        cost[part][between + handle_slack < separation] = np.inf
-        near[part] = (apart - slack < overlap.reach) | (between - handle_slack < separation)
+        costs = overlap.weight * overlap_cost(apart + slack, overlap)
+        costs[between + handle_slack < separation] = np.inf
+        cost[at + close] = costs
+        near[at + close] = (apart - slack < overlap.reach) | (between - handle_slack < separation)
     return cost, near
+
+
+def squared(a: Floats, b: Floats) -> Floats:
+    """Squared distances of (3, ...) positions."""
+    total: Floats = np.square(a[0] - b[0])
+    total += np.square(a[1] - b[1])
+    total += np.square(a[2] - b[2])
+    return total
 
 
 def sample_distance(a: NDArray[np.float64], p: Indices, b: NDArray[np.float64], q: Indices) -> Floats:
     """`overlap.element_distance` of pairs of elements stored as (u, 3, n) and (v, 3, m) arrays."""
-    left, right = a[:, :, p], b[:, :, q]
-    to_left = np.full((len(left), len(p)), np.inf)
-    total = np.zeros(len(p))
-    square, part = np.empty(len(p)), np.empty(len(p))
-    for theirs in right:
-        nearest = np.full(len(p), np.inf)
-        for k, mine in enumerate(left):
-            np.subtract(mine[0], theirs[0], out=square)
-            np.multiply(square, square, out=square)
-            for axis in (1, 2):
-                np.subtract(mine[axis], theirs[axis], out=part)
-                np.multiply(part, part, out=part)
-                np.add(square, part, out=square)
-            np.minimum(nearest, square, out=nearest)
-            np.minimum(to_left[k], square, out=to_left[k])
-        total += np.sqrt(nearest, out=nearest)
-    total += np.sqrt(to_left, out=to_left).sum(axis=0)
-    return np.asarray(total / (len(left) + len(right)))
+    found = np.empty(len(p))
+    at_once = max(1, CHUNK // max(1, len(a) * len(b)))
+    buffers = np.empty((2, len(a), len(b), min(at_once, len(p))))
+    for at in range(0, len(p), at_once):
+        part = slice(at, at + at_once)
+        left, right = a[:, None, :, p[part]], b[None, :, :, q[part]]
+        square, along = buffers[..., : left.shape[-1]]
+        np.subtract(left[:, :, 0], right[:, :, 0], out=square)
+        np.multiply(square, square, out=square)
+        for axis in (1, 2):
+            np.subtract(left[:, :, axis], right[:, :, axis], out=along)
+            np.multiply(along, along, out=along)
+            np.add(square, along, out=square)
+        nearest = np.sqrt(square.min(axis=0)).sum(axis=0) + np.sqrt(square.min(axis=1)).sum(axis=0)
+        found[part] = nearest / (len(a) + len(b))
+    return found

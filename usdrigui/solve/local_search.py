@@ -13,7 +13,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from usdrigui.model import Floats, Indices, LayoutProblem
-from usdrigui.solve.blocks import Bodies, Labels, Pool, pair_bounds
+from usdrigui.solve.blocks import ALL, Labels, Pool, pair_bounds, squared
 from usdrigui.solve.watch import Watch
 
 STEP = "local search"
@@ -33,6 +33,13 @@ class Neighbours:
         self._known: OrderedDict[int, tuple[Indices, Floats]] = OrderedDict()
         self._entries = 0
         self._most = int(CACHE_SHARE * watch.settings.memory_limit * 2**20 / 16)
+        overlap, separation = problem.overlap, problem.separation
+        self._extents = [
+            [one.extent(ALL, other, overlap.reach, separation) for other in labels.pool.bodies]
+            for one in labels.pool.bodies
+        ]
+        """[a][b] (n,) extents of the bodies of set a against those of set b."""
+        self._top = max(overlap.reach, separation)
         self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.pool.bodies]
         for place, body in zip(self._place, labels.pool.bodies, strict=True):
             place[body.owner] = np.arange(len(body.owner))
@@ -53,31 +60,34 @@ class Neighbours:
         pool = self._labels.pool
         cost = np.zeros(len(pool.cost))
         together = self._problem.together[pool.variable[label]]
-        touched = []
-        for place, one in zip(self._place, pool.bodies, strict=True):
-            at = int(place[label])
+        on_face = False
+        for a, one in enumerate(pool.bodies):
+            at = int(self._place[a][label])
             if at < 0:
                 continue
-            for other in pool.bodies:
-                near = self._near(one, at, other)
+            on_face = True
+            for b, other in enumerate(pool.bodies):
+                near = self._near(a, at, b)
                 near = near[together[pool.variable[other.owner[near]]]]
+                if not len(near):
+                    continue
                 self._watch.spend(len(near))
                 piece, _ = pair_bounds(
                     one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation
                 )
                 cost[other.owner[near]] += piece
-                touched.append(other.owner[near])
-        if touched:
+        if on_face:
             self._add_explicit(label, cost)
         variable = pool.variable[label]
         cost[pool.start[variable] : pool.start[variable + 1]] = 0.0
         found = np.flatnonzero(cost)
         return found, cost[found]
 
-    def _near(self, one: Bodies, at: int, other: Bodies) -> Indices:
-        apart = np.square(other.middle - one.middle[:, at, None]).sum(axis=0)
-        limit = other.radius + (one.radius[at] + max(self._problem.overlap.reach, self._problem.separation))
-        return np.flatnonzero(apart < np.square(limit))
+    def _near(self, a: int, at: int, b: int) -> Indices:
+        """Bodies of set b that may interact with body `at` of set a."""
+        one, other = self._labels.pool.bodies[a], self._labels.pool.bodies[b]
+        limit = self._extents[b][a] + (self._extents[a][b][at] + self._top)
+        return np.flatnonzero(squared(one.middle[:, at, None], other.middle) < np.square(limit))
 
     def _add_explicit(self, label: int, cost: Floats) -> None:
         pool, candidate = self._labels.pool, self._labels.label
@@ -195,6 +205,11 @@ class Incumbent:
         count = self.state.pool.count
         insert(self.state, np.argsort([self.state.best(each)[1] for each in range(count)], kind="stable"))
         self._settle(range(count))
+
+    def start_from(self, chosen: Indices) -> None:
+        """A first layout: a given one, then descent."""
+        self.state.set(chosen)
+        self._settle(range(len(chosen)))
 
     def improve_from(self, chosen: Indices) -> None:
         """Descent from a given layout, unless it was tried before."""

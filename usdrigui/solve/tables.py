@@ -71,23 +71,41 @@ def _near(problem: LayoutProblem, one: Bodies, other: Bodies) -> tuple[Indices, 
 
 
 def refined(
-    problem: LayoutProblem, pool: Pool, older: list[NearPairs], parent: Indices, watch: Watch
+    problem: LayoutProblem,
+    pool: Pool,
+    older: list[NearPairs],
+    parent: Indices,
+    watch: Watch,
+    same: Flags | None = None,
 ) -> list[NearPairs]:
-    """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old number."""
+    """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old number.
+
+    `same` (n,) tells for which blocks the costs of the old one will do: not for a single label that is left of several,
+    whose costs must be exact.  Without it, for all that are the only part of the old one.
+    """
     count = int(max((each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)), default=-1)) + 1
     children = np.bincount(parent, minlength=count)
     child = np.full(len(children), -1, dtype=np.int64)
     child[parent[::-1]] = np.arange(len(parent))[::-1]
-    return [_children(problem, pool, pairs, children, child, watch) for pairs in older]
+    kept = children == 1
+    if same is not None:
+        kept[parent[~same]] = False
+    return [_children(problem, pool, pairs, children, child, kept, watch) for pairs in older]
 
 
 def _children(
-    problem: LayoutProblem, pool: Pool, pairs: NearPairs, children: Indices, child: Indices, watch: Watch
+    problem: LayoutProblem,
+    pool: Pool,
+    pairs: NearPairs,
+    children: Indices,
+    child: Indices,
+    kept: Flags,
+    watch: Watch,
 ) -> NearPairs:
     many, few = children[pairs.first], children[pairs.second]
-    same = (many == 1) & (few == 1)
-    kept = NearPairs(pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same])
-    split = (many * few > 1).nonzero()[0]
+    same = kept[pairs.first] & kept[pairs.second]
+    old = NearPairs(pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same])
+    split = (~same & (many * few > 0)).nonzero()[0]
     times = (many * few)[split]
     source = np.repeat(split, times)
     step = np.arange(len(source)) - np.repeat(np.cumsum(times) - times, times)
@@ -96,9 +114,9 @@ def _children(
     new = _evaluated(problem, pool, pairs.sets, first, second, watch)
     return NearPairs(
         pairs.sets,
-        np.concatenate([kept.first, new.first]),
-        np.concatenate([kept.second, new.second]),
-        np.concatenate([kept.costs, new.costs]),
+        np.concatenate([old.first, new.first]),
+        np.concatenate([old.second, new.second]),
+        np.concatenate([old.costs, new.costs]),
     )
 
 

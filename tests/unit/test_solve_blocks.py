@@ -1,0 +1,166 @@
+"""Distances of elements, blocks of candidates, and what is left out before any search."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from layout_problems import crowd, random_problem
+
+from usdrigui.model import LayoutProblem, Overlap
+from usdrigui.overlap import element_distance, pair_costs, total_cost
+from usdrigui.settings import SolveSettings
+from usdrigui.solve import blocks
+from usdrigui.solve.blocks import Blocks, Labels, all_labels, block_pool, cheapest, halve, in_play, selected, whole
+from usdrigui.solve.tables import near_blocks, refined
+from usdrigui.solve.watch import Watch
+
+
+def usable(problem: LayoutProblem) -> bool:
+    return all(np.isfinite(each) for each in all_labels(problem).best)
+
+
+def problems() -> list[LayoutProblem]:
+    drawn = [random_problem(seed) for seed in range(60)] + [crowd(seed, 4, 12) for seed in range(5)]
+    drawn += [replace(each, overlap=Overlap(5.0, 0.2, 20.0, 0.6, 0.15), separation=0.1) for each in drawn[-5:]]
+    return [each for each in drawn if usable(each)]
+
+
+def watch() -> Watch:
+    return Watch(SolveSettings())
+
+
+def parts(labels: Labels, times: int) -> Blocks:
+    """Blocks of whole variables, halved so often."""
+    found = whole(labels)
+    for _ in range(times):
+        found, _parent = halve(labels, found, np.ones(len(found.variable), dtype=bool))
+    return found
+
+
+@pytest.mark.parametrize("at_once", [1, 50, 32768])
+def test_distances_of_pairs_are_those_of_elements(at_once: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(blocks, "CHUNK", at_once)
+    generator = np.random.default_rng(0)
+    for u, v in itertools.product((1, 2, 5), repeat=2):
+        a, b = generator.normal(size=(u, 3, 7)), generator.normal(size=(v, 3, 9))
+        p, q = generator.integers(0, 7, 40), generator.integers(0, 9, 40)
+        wanted = element_distance(np.moveaxis(a, -1, 0)[p], np.moveaxis(b, -1, 0)[q])
+        assert blocks.sample_distance(a, p, b, q) == pytest.approx(wanted, abs=1e-12)
+
+
+def pairs_wrong(problem: LayoutProblem, times: int) -> int:
+    """How many pairs of members cost less than their blocks do, or anything at all where blocks were passed over."""
+    labels = all_labels(problem)
+    found = parts(labels, times)
+    pool = block_pool(labels, found)
+    costs = np.zeros((len(found.variable), len(found.variable)))
+    known = np.zeros(costs.shape, dtype=bool)
+    for pairs in near_blocks(problem, pool, watch()):
+        np.add.at(costs, (pairs.first, pairs.second), pairs.costs)
+        known[pairs.first, pairs.second] = True
+    wrong = 0
+    for a, b in itertools.combinations(range(len(found.variable)), 2):
+        one, other = (found.members[found.start[at] : found.start[at + 1]] for at in (a, b))
+        if found.variable[a] == found.variable[b]:
+            continue
+        i, j = (each.ravel() for each in np.meshgrid(one, other))
+        true = pair_costs(problem, found.variable[a], found.variable[b], labels.label[i], labels.label[j])
+        wrong += int((true < costs[a, b] - 1e-9).sum()) if known[a, b] else int((true > 0).sum())
+    return wrong
+
+
+@pytest.mark.parametrize("times", [0, 1, 2, 9])
+def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(times: int) -> None:
+    assert sum(pairs_wrong(each, times) for each in problems()) == 0
+
+
+@pytest.mark.parametrize(("name", "share"), [("extent", 0.5), ("slack", 0.5)])
+def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = getattr(blocks.Bodies, name)
+    monkeypatch.setattr(blocks.Bodies, name, lambda *given: share * honest(*given))
+    assert sum(pairs_wrong(each, times) for each in problems() for times in (0, 1)) > 0
+
+
+def layouts(problem: LayoutProblem, labels: Labels) -> tuple[np.ndarray, np.ndarray]:
+    """(n, count) every choice of labels (pool indices) of a small problem, and (n,) what it costs."""
+    ends = itertools.pairwise(labels.pool.start)
+    every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
+    every = every[:: max(1, len(every) // 500)]
+    return every, np.array([total_cost(problem, labels.label[each]) for each in every])
+
+
+def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
+    labels = all_labels(problem)
+    every, costs = layouts(problem, labels)
+    limit = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
+    kept = in_play(labels, limit - taken_off)
+    return int((costs[~np.isin(every, kept).all(axis=1)] < limit).sum())
+
+
+def test_what_is_not_in_play_is_in_no_better_layout() -> None:
+    assert sum(left_out_wrongly(each) for each in problems()) == 0
+
+
+def test_too_little_in_play_is_caught() -> None:
+    assert sum(left_out_wrongly(each, 0.3) for each in problems()) > 0
+
+
+def test_selected_labels_are_a_problem_of_their_own() -> None:
+    for problem in problems():
+        labels = all_labels(problem)
+        few = cheapest(labels, parts(labels, 2))
+        assert len(few) == len(parts(labels, 2).variable)
+        few = np.sort(few)
+        some = selected(labels, few)
+        assert some.label.tolist() == labels.label[few].tolist()
+        assert some.best.tolist() == labels.best.tolist()
+        for body, old in zip(some.pool.bodies, labels.pool.bodies, strict=True):
+            at = np.searchsorted(old.owner, few[body.owner])
+            assert (body.samples == old.samples[:, :, at]).all()
+            assert (body.handle == old.handle[:, at]).all()
+
+
+def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
+    """How many layouts below a cut-off use labels that were thinned out, by the blocks' true bounds."""
+    labels = all_labels(problem)
+    found = parts(labels, 1)
+    every, costs = layouts(problem, labels)
+    block_of = np.empty(len(labels.label), dtype=np.int64)
+    block_of[found.members] = np.repeat(np.arange(len(found.variable)), found.sizes)
+    least = np.minimum.reduceat(labels.pool.cost[found.members], found.start[:-1])
+    more = labels.pool.cost - least[block_of]
+    room = np.full(len(found.variable), np.inf)
+    for column in every.T:
+        np.minimum.at(room, block_of[column], costs - more[every].sum(axis=1))
+    cut = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
+    kept = blocks.thinned(labels, found, cut - taken_off - room)
+    assert (kept.sizes > 0).all()
+    return int((costs[~np.isin(every, kept.members).all(axis=1)] < cut - 1e-9).sum())
+
+
+def test_what_is_thinned_out_is_in_no_better_layout() -> None:
+    assert sum(thinned_wrongly(each) for each in problems()) == 0
+
+
+def test_too_much_thinned_out_is_caught() -> None:
+    assert sum(thinned_wrongly(each, 0.3) for each in problems()) > 0
+
+
+def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
+    for problem in problems():
+        labels = all_labels(problem)
+        found = parts(labels, 1)
+        older = near_blocks(problem, block_pool(labels, found), watch())
+        first = Blocks(found.members[found.start[:-1]], np.arange(len(found.variable) + 1), found.variable)
+        pool = block_pool(labels, first)
+        mine = refined(problem, pool, older, np.arange(len(found.variable)), watch(), found.sizes == 1)
+        wanted = near_blocks(problem, pool, watch())
+        for one, other in zip(mine, wanted, strict=True):
+            key = {(a, b): cost for a, b, cost in zip(other.first, other.second, other.costs, strict=True)}
+            got = {(a, b): cost for a, b, cost in zip(one.first, one.second, one.costs, strict=True)}
+            assert {each: got[each] for each in got if got[each] > 0} == pytest.approx(
+                {each: key[each] for each in key if key[each] > 0}
+            )
