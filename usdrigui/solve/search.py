@@ -7,6 +7,7 @@ rules out are dropped from the tables; what falls apart into components is solve
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -51,59 +52,64 @@ class Part:
         self.linked: Flags = np.zeros((len(variables), len(variables)), dtype=bool)
 
     def settle(self) -> None:
-        """Take the constants out of the tables and note which variables are linked at all."""
-        for at in range(len(self.variables) - 1):
-            low, high = self.start[at], self.start[at + 1]
-            block = self.matrix[low:high, high:]
-            segments = self.start[at + 1 : -1] - high
-            least = np.minimum.reduceat(block.min(axis=0), segments)
-            most = np.maximum.reduceat(block.max(axis=0), segments)
-            self.constant += float(least.sum())
-            block -= np.repeat(least, self.sizes[at + 1 :])
-            self.linked[at, at + 1 :] = self.linked[at + 1 :, at] = most - least > EPSILON
+        """Take the constants out of the tables, so that none is below 0, and note which variables are linked at all."""
+        least, most = self._of_pairs(np.minimum), self._of_pairs(np.maximum)
+        self.constant += float(least.sum())
+        if least.any():
+            self.matrix -= least[self.owner][:, self.owner]
+        ahead = most - least > EPSILON
+        self.linked = ahead | ahead.T
+
+    def _of_pairs(self, extreme: np.ufunc) -> Floats:
+        """(k, k) least or largest cost in the table of each pair of variables, above the diagonal."""
+        found = np.zeros((len(self.sizes), len(self.owner)))
+        ends = self.start.tolist()
+        for at, (low, high) in enumerate(itertools.pairwise(ends[:-1])):
+            extreme.reduce(self.matrix[low:high, high:], axis=0, out=found[at, high:])
+        return np.asarray(extreme.reduceat(found, self.start[:-1], axis=1))
 
     def sweep(self) -> None:
-        """One pass of dual ascent over the variables and one back (see `usdrigui.solve.bounds`)."""
-        count = len(self.variables)
-        linked = self.linked[:, self.owner]
-        ahead = np.triu(self.linked).sum(axis=1)
-        behind = np.tril(self.linked).sum(axis=1)
-        divisor = np.maximum(np.maximum(ahead, behind), 1)
-        for at in range(count):
-            if not ahead[at]:
-                continue
-            low, high = self.start[at], self.start[at + 1]
-            block, share = self.matrix[low:high, high:], self.costs[low:high] / divisor[at]
-            block += share[:, None] * linked[at, high:]
-            self.costs[low:high] -= share * ahead[at]
-            message = block.min(axis=0)
+        """One pass of dual ascent over the variables and one back (see `usdrigui.solve.bounds`).
+
+        Afterwards as before no table has a cost below 0.
+        """
+        matrix, costs, start = self.matrix, self.costs, self.start.tolist()
+        linked = self.linked[:, self.owner].astype(np.float64)
+        ahead, behind = np.triu(self.linked).sum(axis=1), np.tril(self.linked).sum(axis=1)
+        portion = 1.0 / np.maximum(np.maximum(ahead, behind), 1)
+        count = len(self.sizes)
+        for at in np.flatnonzero(ahead).tolist():
+            low, high = start[at], start[at + 1]
+            block, mine = matrix[low:high, high:], costs[low:high]
+            share = (mine * portion[at])[:, None]
+            block += share if ahead[at] == count - 1 - at else share * linked[at, high:]
+            mine *= 1.0 - portion[at] * ahead[at]
+            message = np.minimum.reduce(block, axis=0)
             block -= message
-            self.costs[high:] += message
-        for at in range(count - 1, -1, -1):
-            if not behind[at]:
-                continue
-            low, high = self.start[at], self.start[at + 1]
-            block, share = self.matrix[:low, low:high], self.costs[low:high] / divisor[at]
-            block += share * linked[at, :low, None]
-            self.costs[low:high] -= share * behind[at]
-            message = block.min(axis=1)
+            costs[high:] += message
+        for at in np.flatnonzero(behind)[::-1].tolist():
+            low, high = start[at], start[at + 1]
+            block, mine = matrix[:low, low:high], costs[low:high]
+            share = mine * portion[at]
+            block += share if behind[at] == at else linked[at, :low, None] * share
+            mine *= 1.0 - portion[at] * behind[at]
+            message = np.minimum.reduce(block, axis=1)
             block -= message[:, None]
-            self.costs[:low] += message
+            costs[:low] += message
 
     def bounds(self) -> tuple[float, Floats]:
-        """Lower bound of the part, and per entry a lower bound on the excess of solutions that use it."""
+        """Lower bound of the part, and per entry a lower bound on the excess of solutions that use it.
+
+        Counts on tables without costs below 0.
+        """
         least = np.minimum.reduceat(self.costs, self.start[:-1])
         excess = self.costs - least[self.owner]
+        both = self.matrix + self.matrix.T
+        both += excess[:, None]
         stars = excess.copy()
-        total = self.constant + float(least.sum())
-        for at in range(len(self.variables) - 1):
-            low, high = self.start[at], self.start[at + 1]
-            block, segments = self.matrix[low:high, high:], self.start[at + 1 : -1] - high
-            plain = np.minimum.reduceat(block.min(axis=0), segments)
-            total += float(plain.sum())
-            stars[low:high] += (np.minimum.reduceat(block + excess[high:], segments, axis=1) - plain).sum(axis=1)
-            stars[high:] += (block + excess[low:high, None]).min(axis=0) - np.repeat(plain, self.sizes[at + 1 :])
-        return total, stars
+        for low, high in itertools.pairwise(self.start.tolist()):
+            stars += np.minimum.reduce(both[low:high], axis=0)  # 0 of the own variable: its least excess
+        return self.constant + float(least.sum()), stars
 
     def restricted(self, alive: Flags) -> Part:
         """The part with the entries that are alive, at least one of every variable.
@@ -133,6 +139,8 @@ class Part:
     def components(self) -> list[Indices]:
         """Positions of the variables of each connected component."""
         label = np.arange(len(self.variables))
+        if self.linked.sum(axis=1).max(initial=0) == len(label) - 1:
+            return [label]
         while True:
             reached = np.where(self.linked, label, len(label)).min(axis=1, initial=len(label))
             new = np.minimum(label, reached)
@@ -145,7 +153,7 @@ class Part:
         return self.constant + float(self.costs[chosen].sum() + np.triu(self.matrix[np.ix_(chosen, chosen)], 1).sum())
 
     def _kept(self, variables: Indices, owner: Indices, alive: Flags) -> Part:
-        part = Part(variables, owner, self.entries[alive], self.costs[alive], self.matrix[np.ix_(alive, alive)])
+        part = Part(variables, owner, self.entries[alive], self.costs[alive], self.matrix[alive][:, alive])
         part.constant, part.taken = self.constant, self.taken
         return part
 
