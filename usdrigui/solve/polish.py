@@ -23,6 +23,8 @@ NOISE = 0.02
 """Mean cost by which a label put back may be worse than the best."""
 WORSE = 0.02
 """How much worse than the best of a run a solution may be for the run to go on from it."""
+SAME = 1e-9
+"""Costs that differ by no more are of the same solution; when two runs end with it no others follow."""
 PAYING = 1e-3
 """Added to what a variable pays when one is drawn: those that pay nothing are drawn seldom, not never."""
 
@@ -35,28 +37,35 @@ def polished(part: Part, seed: int) -> tuple[Indices, float]:
     best, cost = np.empty(0, dtype=np.int64), np.inf
     for _ in range(RUNS):
         chosen, value = _run(part, across, least, generator)
-        if value < cost - 1e-12:
+        if abs(value - cost) <= SAME:
+            break
+        if value < cost:
             best, cost = chosen, value
-    return best, cost
+    return best, part.value(best)
 
 
 def _run(part: Part, across: Floats, least: Floats, generator: np.random.Generator) -> tuple[Indices, float]:
     first = np.array([low + part.costs[low:high].argmin() for low, high in itertools.pairwise(part.start)])
     here, costs = _descended(part, across, first, part.costs + across[first].sum(axis=0))
-    value = best_value = part.value(here)
+    value = best_value = _value(part, here, costs)
     best, best_costs = here, costs
     for _ in range(TRIES * len(part.variables)):
         group = _group(part, across, least, here, costs, generator)
         new, new_costs = _put_back(part, across, here, costs, group, generator)
         new, new_costs = _descended(part, across, new, new_costs)
-        new_value = part.value(new)
+        new_value = _value(part, new, new_costs)
         if new_value < value + WORSE / 2:
             here, costs, value = new, new_costs, new_value
-        if value < best_value - 1e-12:
+        if value < best_value - SAME:
             best, best_costs, best_value = here, costs, value
         elif value > best_value + WORSE:
             here, costs, value = best, best_costs, best_value
     return best, best_value
+
+
+def _value(part: Part, chosen: Indices, costs: Floats) -> float:
+    """Cost of a solution from what every entry costs against it: pairs are counted at both ends."""
+    return part.constant + 0.5 * float(part.costs[chosen].sum() + costs[chosen].sum())
 
 
 def _group(
@@ -64,7 +73,8 @@ def _group(
 ) -> Indices:
     """Variables to take out together: one that pays much, and some that stand where it wants to."""
     pays = np.maximum(costs[chosen] - least, 0.0) + PAYING
-    seed = int(generator.choice(len(chosen), p=pays / pays.sum()))
+    drawn = np.cumsum(pays)
+    seed = int(np.searchsorted(drawn, generator.random() * drawn[-1], side="right"))
     wanted = across[part.start[seed] : part.start[seed + 1]][:, chosen].max(axis=0)
     wanted[seed] = 0.0
     rivals = generator.permutation(np.flatnonzero(wanted > 0))
