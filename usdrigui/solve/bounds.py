@@ -36,15 +36,20 @@ class Edge:
 
     def toward(self, side: int, add: Floats | None = None) -> Floats:
         """(n,) least over the other end's entries j of ``T[i, j] - f_other[j] (+ add[j])``."""
-        other = -self.given[1 - side]
-        if add is not None:
-            other = other + add
-        elsewhere = other[self.rest[1 - side]].min() if not self.full[1 - side] else np.inf
-        inside = other[self.used[1 - side]]
-        least = min(elsewhere, inside.min(initial=np.inf))
-        found = np.full(len(self.given[side]), least)
-        if len(self.used[side]):
-            found[self.used[side]] = np.minimum((self.costs[1 - side] + inside[:, None]).min(axis=0), elsewhere)
+        theirs = self.given[1 - side]
+        other = -theirs if add is None else add - theirs
+        inside, elsewhere = other, np.inf
+        if not self.full[1 - side]:
+            inside, elsewhere = other[self.used[1 - side]], float(np.minimum.reduce(other[self.rest[1 - side]]))
+        if not len(inside):
+            return np.full(len(self.given[side]), elsewhere)
+        near = np.minimum.reduce(self.costs[1 - side] + inside[:, None], axis=0)
+        if elsewhere < np.inf:
+            np.minimum(near, elsewhere, out=near)
+        if self.full[side]:
+            return np.asarray(near)
+        found = np.full(len(self.given[side]), min(elsewhere, float(np.minimum.reduce(inside))))
+        found[self.used[side]] = near
         return found
 
     def least(self) -> float:
