@@ -149,6 +149,16 @@ def test_too_much_thinned_out_is_caught() -> None:
     assert sum(thinned_wrongly(each, 0.3) for each in problems()) > 0
 
 
+def test_a_block_with_any_slack_keeps_its_cheapest_label() -> None:
+    for problem in problems():
+        labels = all_labels(problem)
+        found = parts(labels, 1)
+        for slack in (0.0, 1e-300, 5e-17):
+            assert blocks.thinned(labels, found, np.full(len(found.variable), slack)).variable.tolist() == (
+                found.variable.tolist()
+            )
+
+
 def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
     for problem in problems():
         labels = all_labels(problem)

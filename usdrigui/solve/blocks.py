@@ -289,7 +289,8 @@ def member_slack(labels: Labels, blocks: Blocks, slack: Floats) -> Floats:
     that one costs more, all else being bounded for every member alike.
     """
     cost = labels.pool.cost[blocks.members]
-    return np.asarray(np.repeat(slack + np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes) - cost)
+    more = cost - np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)  # 0 of the cheapest, exactly
+    return np.asarray(np.repeat(slack, blocks.sizes) - more)
 
 
 def keep(blocks: Blocks, alive: Flags) -> Blocks:
