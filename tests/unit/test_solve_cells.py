@@ -17,8 +17,10 @@ from usdrigui.solve import cells, crowding, reduce, solve
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.cells import Cells, cells_of, inherited, members, no_cells
-from usdrigui.solve.crowding import Costs, places, tightened
+from usdrigui.solve.cells import Cells, Costs, cells_of, inherited, members, no_cells
+from usdrigui.solve.crowding import tightened
+from usdrigui.solve.groups import decode
+from usdrigui.solve.spots import places
 from usdrigui.solve.tables import near_blocks, pair_tables
 from usdrigui.solve.watch import Watch
 
@@ -99,11 +101,12 @@ def test_prices_raise_the_bound_of_a_crowd(seed: int) -> None:
         dual.sweep()
     before = dual.bound()
     where = places(costs.pool, problem.overlap.radius)
-    better, prices = tightened(costs, where, dual, no_cells(), optimum, Watch(SolveSettings()))
+    good = costs.pool.start[:-1] + decode(dual, 0)[0]
+    better, prices = tightened(costs, where, dual, no_cells(), good, optimum, Watch(SolveSettings()))
     assert better.bound() <= optimum + 1e-9
     assert better.bound() > before + 0.3 * (optimum - before)
     assert len(prices.count) > 0
-    again, _ = tightened(costs, where, dual, no_cells(), optimum, Watch(SolveSettings()))
+    again, _ = tightened(costs, where, dual, no_cells(), good, optimum, Watch(SolveSettings()))
     assert again.bound() == better.bound()
 
 

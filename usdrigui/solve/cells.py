@@ -14,6 +14,7 @@ solution, whatever C, k and mu: k mu more for each entry of C, mu less for each 
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -22,12 +23,16 @@ from numpy.typing import ArrayLike
 
 from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.solve.blocks import Pool
-from usdrigui.solve.tables import Table, split_tables
+from usdrigui.solve.bounds import Dual
+from usdrigui.solve.search import Part
+from usdrigui.solve.tables import Table
 
-PAIRS = 1_000_000
-"""Pairs of members of all cells together, at most."""
-MOST_BYTES = 100 * PAIRS
-"""Memory that they take while prices are worked into tables."""
+GRAIN = 2.0**-30
+"""Prices are whole multiples of this."""
+PAIRS = 20_000_000
+"""Pairs of entries that prices may link, at most."""
+BYTES_PER_PAIR = 24
+"""Memory that one takes in the tables of a dual."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +68,7 @@ def no_cells() -> Cells:
 def cells_of(members: Sequence[Indices], count: ArrayLike, price: ArrayLike) -> Cells:
     """Cells from the members of each; those without a price yet get none."""
     start = np.concatenate([[0], np.cumsum([len(each) for each in members])]).astype(np.int64)
-    known = np.asarray(price, dtype=np.float64)
+    known = np.floor(np.asarray(price, dtype=np.float64) / GRAIN) * GRAIN
     prices = np.concatenate([known, np.zeros(len(members) - len(known))])
     entries = np.concatenate([np.empty(0, dtype=np.int64), *members])
     return Cells(entries, start, np.array(count, dtype=np.float64), prices)
@@ -92,11 +97,17 @@ def inherited(cells: Cells, parent: Indices) -> Cells:
 
 
 def bounded(cells: Cells) -> Cells:
-    """The dearest cells, as many as have `PAIRS` pairs of members together; the memory for prices is planned so."""
-    pairs = np.square(np.diff(cells.start)) // 2
-    order = np.argsort(-cells.price, kind="stable")
-    kept = np.sort(order[np.cumsum(pairs[order]) <= PAIRS])
+    """The dearest cells, as many as link `PAIRS` pairs of entries at most; the memory for prices is planned so."""
     each = members(cells)
+    order = np.argsort(-cells.price, kind="stable")
+    seen = np.zeros(int(cells.entries.max(initial=-1)) + 1, dtype=bool)
+    kept = []
+    for at in order:
+        seen[each[at]] = True
+        if int(seen.sum()) ** 2 > 2 * PAIRS:
+            break
+        kept.append(int(at))
+    kept.sort()
     return cells_of([each[at] for at in kept], cells.count[kept], cells.price[kept])
 
 
@@ -116,16 +127,19 @@ def priced(
 
 def _rebates(cells: Cells, pool: Pool) -> list[Table]:
     """What the prices take off the pairs of members, as tables."""
-    size = len(pool.cost)
-    keys, amounts = [], []
-    for mine, price in zip(members(cells), cells.price, strict=True):
-        variable = pool.variable[mine]
-        first, second = np.nonzero(variable[:, None] < variable)
-        keys.append(mine[first] * size + mine[second])
-        amounts.append(np.full(len(first), -price))
-    key, at = np.unique(np.concatenate(keys), return_inverse=True)
-    summed: Floats = np.bincount(at, np.concatenate(amounts), len(key)).astype(np.float64)
-    return split_tables(pool, key // size, key % size, summed)
+    member = flags(cells, np.arange(len(pool.cost)), len(pool.cost))
+    used = [low + np.flatnonzero(member[:, low:high].any(axis=0)) for low, high in itertools.pairwise(pool.start)]
+    inside = [member[:, each] for each in used]
+    touched = np.array([each.any(axis=1) for each in inside])
+    found = []
+    for first, second in itertools.combinations(range(pool.count), 2):
+        both = np.flatnonzero(touched[first] & touched[second])
+        if len(both):
+            # Whole multiples of `GRAIN`: the sum is exact, whatever the order of its terms.
+            costs = -(inside[first][both].T * cells.price[both]) @ inside[second][both].astype(np.float64)
+            rows, columns = used[first] - pool.start[first], used[second] - pool.start[second]
+            found.append(Table(first, second, rows, columns, costs))
+    return found
 
 
 def _merged(tables: Sequence[Table], others: Sequence[Table]) -> list[Table]:
@@ -153,3 +167,35 @@ def flags(cells: Cells, chosen: Indices, size: int) -> Flags:
     found: Flags = np.zeros((len(cells.count), len(chosen)), dtype=bool)
     found[cells.owner[at >= 0], at[at >= 0]] = True
     return found
+
+
+@dataclass(frozen=True, eq=False)
+class Costs(Record):
+    """A pairwise problem without prices, over the entries of a pool."""
+
+    pool: Pool
+    linear: Floats
+    """(n,)."""
+    tables: tuple[Table, ...]
+    forbidden: float
+    """Finite stand-in for +inf."""
+
+    def dual(self, cells: Cells) -> Dual:
+        """The dual of the problem with prices."""
+        linear, tables = priced(cells, self.pool, self.linear, self.tables, self.forbidden)
+        ends = itertools.pairwise(self.pool.start)
+        return Dual([linear[a:b].copy() for a, b in ends], tables, self.forbidden, cells.constant)
+
+    def part(self, chosen: Indices) -> Part:
+        """The problem over some entries of the pool (ascending, some of every variable), its costs in one matrix."""
+        pool = self.pool
+        place = np.full(len(pool.cost), -1, dtype=np.int64)
+        place[chosen] = np.arange(len(chosen))
+        matrix = np.zeros((len(chosen), len(chosen)))
+        for table in self.tables:
+            rows, columns = place[pool.start[table.first] + table.rows], place[pool.start[table.second] + table.columns]
+            costs = table.costs[np.ix_(rows >= 0, columns >= 0)]
+            matrix[np.ix_(rows[rows >= 0], columns[columns >= 0])] = np.minimum(costs, self.forbidden)
+        owner = pool.variable[chosen]
+        entries = chosen - pool.start[owner]
+        return Part(np.arange(pool.count), owner, entries, self.linear[chosen], matrix)

@@ -211,14 +211,14 @@ class Incumbent:
         self.state.set(chosen)
         self._settle(range(len(chosen)))
 
-    def improve_from(self, chosen: Indices) -> None:
-        """Descent from a given layout, unless it was tried before."""
+    def improve_from(self, chosen: Indices) -> Indices:
+        """Descend from a given layout, unless it was tried before; the best layout so far."""
         key = chosen.tobytes()
-        if key in self._tried:
-            return
-        self._tried.add(key)
-        self.state.set(chosen)
-        self._settle(range(len(chosen)))
+        if key not in self._tried:
+            self._tried.add(key)
+            self.state.set(chosen)
+            self._settle(range(len(chosen)))
+        return self.chosen
 
     def search(self, tries: int) -> None:
         """Large-neighbourhood search: take a few rivals out, put them back in another order, descend."""

@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, LayoutProblem
 from usdrigui.solve import polish
-from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, keep, singled, whole
+from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool, halve, member_slack, singled, thinned, whole
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.cells import MOST_BYTES, Cells, inherited, no_cells
-from usdrigui.solve.crowding import Costs, places, tightened
+from usdrigui.solve.cells import BYTES_PER_PAIR as BYTES_PER_LINK
+from usdrigui.solve.cells import PAIRS, Cells, Costs, inherited, no_cells
+from usdrigui.solve.crowding import tightened
 from usdrigui.solve.groups import LARGEST, decode, group_gains, group_part
+from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.search import HELD_BYTES, Part, Search
+from usdrigui.solve.spots import places
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -23,12 +25,12 @@ STEP = "blocks"
 NODES = 400
 MEMBERS = 10
 """Variables of a group at first."""
-NEAR = 0.02
+NEAR = 0.1
 SLOW = 0.1
 SMALL = 0.05
 FRUSTRATED = 0.7
 """Share of the missing bound that the blocks' own solution must leave before groups are searched."""
-FEW_LABELS = 5000
+FEW_LABELS = 20000
 """Labels left in blocks from which on they are looked at one by one."""
 THINNED = 0.8
 """Share of the labels left below which they are bounded again before they are searched."""
@@ -37,8 +39,19 @@ FAR = 20.0
 """Spots are priced while the bound is this many allowed gaps away; nearer, groups alone are quicker."""
 MOST_PRICED = 1000
 """Variables up to which spots are priced: two entries of each are in play, in tables of all their pairs."""
-BYTES_PER_PAIR = 120
+PRICED = 2.0
+"""Times that less must be missing with prices than without for a search to go by prices."""
+SOLVED = 0.1
+"""Share of the gap allowed within which single labels with prices count as solved: the rest is the prices' fault."""
+MOST_ENTRIES = 8000
+"""Entries up to which spots are priced."""
+BYTES_PER_PAIR = 80
+"""Of a near pair of blocks: itself, and in the tables in both directions."""
+BYTES_PER_KEY = 110
+"""More of it while pairs are sorted into tables."""
 SWEEPS = 8
+TRIES = 16
+"""Attempts of large-neighbourhood search per variable once blocks are found to be crowded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +72,8 @@ class Residual:
     """(variables,) entries of the best solution known of the problem that the blocks bound from below."""
     value: float
     """Its cost there: at best the bound can rise to this before blocks are split."""
+    barren: bool = False
+    """Whether better prices were looked for in vain."""
 
     @property
     def pool(self) -> Pool:
@@ -71,65 +86,98 @@ class Residual:
         return bool(self.blocks.sizes.max(initial=1) == 1)
 
 
-def reduce(
-    problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch, improve: Callable[[Indices], None]
-) -> Residual:
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """How the rounds are going, and what the next one may spend."""
+
+    nodes: int = NODES
+    """Of the search of groups."""
+    share: float = NEAR
+    """Of the way from the bound to the cut-off in which blocks are split."""
+    stuck: bool = False
+    """Whether the last round raised the bound by little."""
+
+    def after(self, before: Residual, examined: Residual, split: Residual, cut: float) -> Pace:
+        """The pace after a round: before it, after its searches, and after the blocks were split."""
+        slow = split.bound - examined.bound <= SLOW * (cut - examined.bound)
+        return Pace(
+            nodes=self.nodes * 2 if examined.exact else self.nodes * 5 // 4,
+            share=min(1.0, 2.0 * self.share) if slow else NEAR,
+            stuck=split.bound - before.bound < SLOW * (cut - before.bound),
+        )
+
+
+def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch, incumbent: Incumbent) -> Residual:
     """Split and discard blocks until the gap is closed or a limit is reached.
 
-    `improve` is handed labels (pool indices, one per variable) that may be near a better layout.
+    `incumbent` holds the best layout known of these labels; it is improved on the way.
     """
     blocks = whole(labels)
     for _ in range(3):
         blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
     residual = _bounded(problem, labels, blocks, forbidden, watch, None, None)
-    nodes, share = NODES, NEAR
+    pace = Pace()
     while True:
-        residual = _examined(labels, residual, watch, nodes, problem.overlap.radius, improve)
+        before = residual
+        residual = _examined(labels, residual, watch, pace, problem.overlap.radius, incumbent)
         alive = residual.room <= watch.cut
         if not _all_keep(residual, alive):
             watch.found(STEP, bound=watch.cut)
         if watch.closed() or watch.stopped():
             return residual
-        nodes = nodes * 5 // 4 if residual.blocks.sizes[alive].max() > 1 else nodes * 2
-        rest = keep(residual.blocks, alive)
-        if _few_labels(residual, alive, watch):
+        rest = thinned(labels, residual.blocks, watch.cut - residual.room)
+        if _few_labels(labels, residual, watch):
             blocks, parent = singled(labels, rest)
         else:
-            chosen = _affordable(residual, alive, share, watch)
+            chosen = _affordable(residual, alive, pace.share, watch)
             if chosen is None:
                 needed = _planned(residual, alive.astype(np.int64))
                 watch.note("memory limit", blocks=len(rest.variable), mebibytes=needed)
                 return residual
             blocks, parent = halve(labels, rest, chosen)
-        before = residual.bound
+        examined = residual
         residual = _bounded(problem, labels, blocks, forbidden, watch, residual, np.flatnonzero(alive)[parent])
-        share = NEAR if residual.bound - before > SLOW * (watch.cut - before) else min(1.0, 2.0 * share)
+        pace = pace.after(before, examined, residual, watch.cut)
 
 
 def _examined(
-    labels: Labels, residual: Residual, watch: Watch, nodes: int, radius: float, improve: Callable[[Indices], None]
+    labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
 ) -> Residual:
     """Tell of the bound, raise it by search where splitting no longer would, and try the blocks' solution."""
     watch.found(STEP, bound=min(residual.bound, watch.cut))
-    improve(_representatives(labels, residual))
+    incumbent.improve_from(_representatives(labels, residual, residual.chosen))
     if watch.closed() or watch.stopped():
         return residual
     alive = residual.room <= watch.cut
     if residual.exact and alive.sum() <= LARGEST:
         if alive.sum() < THINNED * len(alive):
             return residual
-        residual = _polished(_without_prices(residual, watch), watch)
-        improve(_representatives(labels, residual))
-        residual = _searched(residual, watch)
-    elif residual.exact or (_frustrated(residual, watch) and not _few_labels(residual, alive, watch)):
-        residual = _repriced(residual, radius, watch)
-        if not watch.closed():
-            residual = _grouped(residual, watch, nodes)
+        incumbent.improve_from(_representatives(labels, residual, _polished(residual, watch)))
+        if len(residual.cells.count) and pace.stuck:
+            residual = _repriced(residual, _entries_of(residual, incumbent.chosen), radius, watch)
+        residual = _searched(_at_better_costs(residual, watch), watch)
+    elif residual.exact or (_frustrated(residual, watch) and not _few_labels(labels, residual, watch)):
+        residual = _crowded(labels, residual, watch, pace, radius, incumbent)
     else:
         return residual
-    improve(_representatives(labels, residual))
+    incumbent.improve_from(_representatives(labels, residual, residual.chosen))
     watch.found(STEP, bound=min(residual.bound, watch.cut))
-    return residual
+    solved = residual.exact and residual.value - residual.bound < SOLVED * watch.allowed
+    return replace(_without_prices(residual, watch), barren=True) if solved else residual
+
+
+def _crowded(
+    labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
+) -> Residual:
+    """Prices and groups for many entries; before the first prices, a longer look for a good layout."""
+    first = not len(residual.cells.count)
+    if first and not residual.barren:
+        incumbent.search(TRIES * residual.pool.count)
+    if (first or pace.stuck) and not residual.barren:
+        residual = _repriced(residual, _entries_of(residual, incumbent.chosen), radius, watch)
+    if residual.exact and not watch.closed():
+        incumbent.improve_from(_representatives(labels, residual, _polished(residual, watch)))
+    return residual if watch.closed() else _grouped(residual, watch, pace.nodes)
 
 
 def _frustrated(residual: Residual, watch: Watch) -> bool:
@@ -137,23 +185,26 @@ def _frustrated(residual: Residual, watch: Watch) -> bool:
     return residual.value - residual.bound > FRUSTRATED * (watch.cut - residual.bound)
 
 
-def _few_labels(residual: Residual, alive: Flags, watch: Watch) -> bool:
+def _few_labels(labels: Labels, residual: Residual, watch: Watch) -> bool:
     """Whether what blocks hold is frustrated, and little enough to be looked at label by label."""
-    sizes = np.where(alive, residual.blocks.sizes, 0)
-    few = not residual.exact and _frustrated(residual, watch) and sizes.sum() <= FEW_LABELS
-    return bool(few and _planned(residual, sizes) <= watch.settings.memory_limit)
+    if residual.exact or not _frustrated(residual, watch):
+        return False
+    left = member_slack(labels, residual.blocks, watch.cut - residual.room) >= 0
+    sizes = np.add.reduceat(left, residual.blocks.start[:-1], dtype=np.int64)
+    return bool(sizes.sum() <= FEW_LABELS and _planned(residual, sizes) <= watch.settings.memory_limit)
 
 
-def _polished(residual: Residual, watch: Watch) -> Residual:
-    """The residual of single labels with a better solution, if a local search among them finds one."""
-    part = _left(residual, watch)
-    if part is None:
-        return residual
+def _polished(residual: Residual, watch: Watch) -> Indices:
+    """(variables,) entries of a good solution at true costs, by local search among the single labels most likely."""
+    variable, start = residual.pool.variable, residual.pool.start
+    order = np.lexsort((residual.room, variable))
+    first = np.zeros(len(order), dtype=bool)
+    first[order[start[:-1]]] = True
+    likely = np.argsort(np.where(first, -np.inf, residual.room), kind="stable")[: max(LARGEST, residual.pool.count)]
+    part = residual.costs.part(np.sort(likely))
     watch.spend(polish.RUNS * polish.TRIES * len(part.variables) * len(part.costs) // 4)
-    chosen, value = polish.polished(part, watch.settings.seed)
-    if value >= residual.value:
-        return residual
-    return replace(residual, chosen=part.entries[chosen], value=value)
+    chosen, _value = polish.polished(part, watch.settings.seed)
+    return part.entries[chosen]
 
 
 def _searched(residual: Residual, watch: Watch) -> Residual:
@@ -180,7 +231,9 @@ def _left(residual: Residual, watch: Watch) -> Part | None:
     if not _all_keep(residual, alive):
         return None
     ends = list(itertools.pairwise(residual.pool.start))
-    return group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
+    part = group_part(residual.dual, tuple(range(len(ends))), [alive[low:high] for low, high in ends])
+    part.constant = residual.dual.constant
+    return part
 
 
 def _all_keep(residual: Residual, alive: Flags) -> bool:
@@ -188,14 +241,20 @@ def _all_keep(residual: Residual, alive: Flags) -> bool:
     return bool(np.logical_or.reduceat(alive, residual.pool.start[:-1]).all())
 
 
-def _representatives(labels: Labels, residual: Residual) -> Indices:
-    """(variables,) for each block of the solution its member of least linear cost."""
+def _representatives(labels: Labels, residual: Residual, chosen: Indices) -> Indices:
+    """(variables,) for each block that a solution chooses its member of least linear cost."""
     blocks = residual.blocks
-    found = np.empty(len(residual.chosen), dtype=np.int64)
-    for variable, at in enumerate(residual.pool.start[:-1] + residual.chosen):
+    found = np.empty(len(chosen), dtype=np.int64)
+    for variable, at in enumerate(residual.pool.start[:-1] + chosen):
         members = blocks.members[blocks.start[at] : blocks.start[at + 1]]
         found[variable] = members[labels.pool.cost[members].argmin()]
     return found
+
+
+def _entries_of(residual: Residual, chosen: Indices) -> Indices:
+    """The blocks that hold some labels; those of labels that were discarded are left out."""
+    at = np.flatnonzero(np.isin(residual.blocks.members, chosen))
+    return np.searchsorted(residual.blocks.start, at, side="right") - 1
 
 
 def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) -> Flags | None:
@@ -211,10 +270,13 @@ def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) ->
 
 
 def _planned(residual: Residual, parts: Indices) -> float:
-    """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, and the
-    tables of two rounds in both directions; the matrices of a search; and the pairs of cells."""
+    """MiB needed when every block is replaced by so many parts: near pairs and their tables, then either keys while
+    pairs are sorted into tables, or what prices link and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    return (BYTES_PER_PAIR * pairs + HELD_BYTES + MOST_BYTES) / 2**20
+    entries = int(parts.sum())
+    links = min(PAIRS, entries**2 // 2) if entries <= MOST_ENTRIES else 0
+    later = max(BYTES_PER_KEY * pairs, BYTES_PER_LINK * links + HELD_BYTES)
+    return (BYTES_PER_PAIR * pairs + later) / 2**20
 
 
 def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:
@@ -227,24 +289,31 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
     return near if near.any() else several
 
 
-def _repriced(residual: Residual, radius: float, watch: Watch) -> Residual:
-    """The residual with better prices; single labels lose theirs where none better are found."""
-    far = watch.cut - residual.bound > FAR * watch.allowed and residual.pool.count <= MOST_PRICED
-    better = _priced(residual, radius, watch) if far else residual
-    return _without_prices(residual, watch) if residual.exact and better is residual else better
+def _repriced(residual: Residual, solution: Indices, radius: float, watch: Watch) -> Residual:
+    """The residual with better prices, if it is worth while to look for them and any are found."""
+    few = residual.pool.count <= MOST_PRICED and len(residual.pool.cost) <= MOST_ENTRIES
+    far = few and watch.cut - residual.bound > FAR * watch.allowed
+    return _priced(residual, solution, radius, watch) if far else residual
 
 
-def _priced(residual: Residual, radius: float, watch: Watch) -> Residual:
+def _priced(residual: Residual, solution: Indices, radius: float, watch: Watch) -> Residual:
     """The residual with the bound raised by prices on crowded spots."""
     where = places(residual.pool, radius)
-    dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, watch.cut, watch)
+    dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, solution, watch.cut, watch)
     bound, excess = dual.parts()
+    barren = bound - residual.bound < SLOW * (watch.cut - residual.bound)
     if bound <= residual.bound:
-        return residual
+        return replace(residual, barren=barren)
     chosen, value = decode(dual, watch.settings.seed)
     watch.found(STEP, bound=min(bound, watch.cut))
     room = np.maximum(residual.room, bound + np.concatenate(excess))
-    return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value)
+    return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value, barren=barren)
+
+
+def _at_better_costs(residual: Residual, watch: Watch) -> Residual:
+    """The residual at its true costs, unless prices save a search most of the way from the bound to the cut-off."""
+    true = _without_prices(residual, watch)
+    return residual if watch.cut - true.bound > PRICED * (watch.cut - residual.bound) else true
 
 
 def _without_prices(residual: Residual, watch: Watch) -> Residual:
@@ -258,7 +327,6 @@ def _without_prices(residual: Residual, watch: Watch) -> Residual:
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
     room = np.maximum(residual.room, bound + np.concatenate(excess))
-    bound = max(bound, residual.bound)
     return replace(residual, cells=no_cells(), dual=dual, bound=bound, room=room, chosen=chosen, value=value)
 
 
@@ -296,7 +364,8 @@ def _bounded(
     if older is None or parent is None:
         near = near_blocks(problem, pool, watch)
     else:
-        near = refined(problem, pool, older.near, parent, watch)
+        same = (blocks.sizes > 1) | (older.blocks.sizes[parent] == 1)
+        near = refined(problem, pool, older.near, parent, watch, same)
     costs = Costs(pool, pool.cost, tuple(pair_tables(problem, pool, near, candidate)), forbidden)
     cells = inherited(older.cells, parent) if older is not None and parent is not None else no_cells()
     dual = costs.dual(cells)
@@ -308,4 +377,7 @@ def _bounded(
     watch.spend(1000 + SWEEPS * (dual.size // 16 + 64 * len(dual.edges)))
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
-    return Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)
+    residual = Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)
+    # Prices that blocks did not have may be found for single labels.
+    same = older is not None and older.barren and older.exact == residual.exact
+    return replace(residual, barren=same)

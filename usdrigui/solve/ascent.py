@@ -1,0 +1,224 @@
+"""Ascent of the smoothed dual over the entries in play, with prices on cells.
+
+The bound over multipliers and prices is concave but has corners; replacing every least value by a soft one,
+-eps log sum exp(-x / eps), makes it smooth (Y. Nesterov 2005; for such problems B. Savchynskyy et al., "Efficient
+MRF energy minimization via adaptive diminishing smoothing", 2012), and its derivatives are marginals: how much of
+every entry, and of every pair, the relaxation chooses.  Those tell which cells are crowded and how to change their
+prices.  All of this only proposes: `usdrigui.solve.bounds` works the bound out afresh from what is proposed.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from usdrigui.model import Flags, Floats, Indices
+from usdrigui.solve.bounds import Dual
+from usdrigui.solve.cells import Cells, Costs, flags
+
+Singles = NDArray[np.float32]
+"""Proposals are worked out in single precision."""
+
+STEP = 8.0
+"""First step of a price, in Newton steps."""
+GROWTH, DECAY = 1.3, 0.4
+"""Of a price's step while its slope keeps its sign, and when that changes."""
+STEPS = (0.1, 300.0)
+"""Least and largest step."""
+
+
+class Ascent:
+    """Multipliers of all entries of a pool and prices of cells, improved over the few entries in play."""
+
+    def __init__(self, costs: Costs, dual: Dual, cells: Cells, dear: float) -> None:
+        self.costs = costs
+        self._dear = dear
+        """Pairs that cost more count as much: no solution of interest has them."""
+        self.start = costs.pool.start
+        """(variables + 1,) first entry of each variable in the pool."""
+        count, size = costs.pool.count, len(costs.pool.cost)
+        self.given: Singles = np.zeros((size, count), dtype=np.float32)
+        """(n, variables) what the table with each variable gives to each entry of the pool."""
+        self.linked: Flags = np.zeros((count, count), dtype=bool)
+        for edge in dual.edges:
+            self.linked[edge.ends] = self.linked[edge.ends[::-1]] = True
+            for side in (0, 1):
+                mine = slice(self.start[edge.ends[side]], self.start[edge.ends[side] + 1])
+                self.given[mine, edge.ends[1 - side]] = edge.given[side]
+        self.member: Flags = flags(cells, np.arange(size), size)
+        """(cells, n) whether an entry of the pool is in a cell."""
+        self.count, self.price = cells.count, cells.price
+        self._step = np.full(len(self.price), STEP)
+        self._slope = np.zeros(len(self.price))
+        self.play(np.arange(0))
+
+    # --- entries in play -----------------------------------------------------------------------------
+
+    def play(self, chosen: Indices) -> None:
+        """Work on these entries of the pool from now on (ascending), with the multipliers that they have."""
+        self.chosen = chosen
+        self.variable = self.costs.pool.variable[chosen]
+        self.first = np.searchsorted(self.variable, np.arange(len(self.start)))
+        """(variables + 1,) first entry in play of each variable."""
+        self.across = self._across()
+        """(n, m) pair costs of every entry of the pool against those in play, without prices."""
+        self._mine: Singles = self.given[chosen]
+        self._apply()
+
+    def _across(self) -> Singles:
+        pool = self.costs.pool
+        found = np.zeros((len(pool.cost), len(self.chosen)), dtype=np.float32)
+        for table in self.costs.tables:
+            for mine, rows, other, columns, costs in (
+                (table.first, table.rows, table.second, table.columns, table.costs),
+                (table.second, table.columns, table.first, table.rows, table.costs.T),
+            ):
+                low, high = self.first[other], self.first[other + 1]
+                wanted = self.chosen[low:high] - pool.start[other]
+                at = np.minimum(np.searchsorted(columns, wanted), len(columns) - 1)
+                hit = np.flatnonzero(columns[at] == wanted)
+                part = np.minimum(costs[:, at[hit]], self._dear)
+                found[np.ix_(pool.start[mine] + rows, low + hit)] = part
+        return found
+
+    def _apply(self) -> None:
+        """Costs of the entries in play as the prices are now."""
+        self.inside = [np.flatnonzero(each) for each in self.member[:, self.chosen]]
+        """Of each cell, its entries in play."""
+        self.pairs: Singles = self.across[self.chosen]
+        """(m, m) pair costs of the entries in play, less what prices take off."""
+        for mine, price in zip(self.inside, self.price, strict=True):
+            if price > 0:
+                self.pairs[mine[:, None], mine] -= np.float32(price)
+        self._charge()
+
+    def _charge(self) -> None:
+        linear = self.costs.linear[self.chosen]
+        for mine, price in zip(self.inside, self.price * self.count, strict=True):
+            linear[mine] += price
+        self.linear: Singles = linear.astype(np.float32)
+
+    def settle(self) -> Floats:
+        """(n,) how much dearer every entry of the pool is than the cheapest in play of its variable.
+
+        Those out of play get multipliers that leave every table between them and entries in play as it is.
+        """
+        linear = self.costs.linear + np.where(self.member, (self.price * self.count)[:, None], 0.0).sum(axis=0)
+        costs = self.across.copy()
+        for mine, inside, price in zip(self.member, self.inside, self.price, strict=True):
+            if price > 0:
+                costs[np.flatnonzero(mine)[:, None], inside] -= np.float32(price)
+        self.given[self.chosen] = self._mine
+        message = np.zeros_like(self.given)
+        for variable, (low, high) in enumerate(itertools.pairwise(self.start)):
+            least = np.minimum.reduceat(costs[low:high] - self._mine[:, variable], self.first[:-1], axis=1)
+            message[low:high] = np.where(self.linked[variable], least, 0.0)
+        total = linear + message.sum(axis=1)
+        best = np.minimum.reduceat(total[self.chosen], self.first[:-1])
+        share = total / (self.linked.sum(axis=1) + 1)[self.costs.pool.variable]
+        outside = np.ones(len(total), dtype=bool)
+        outside[self.chosen] = False
+        self.given[outside] = (message - share[:, None])[outside]
+        return np.asarray(total - best[self.costs.pool.variable])
+
+    # --- multipliers ---------------------------------------------------------------------------------
+
+    def sweep(self, eps: float) -> None:
+        """Best multipliers of one variable after another, forth and back; hard minima with `eps` 0."""
+        count = len(self.first) - 1
+        for variable in (*range(count), *range(count - 1, -1, -1)):
+            near = np.flatnonzero(self.linked[variable])
+            mine = slice(self.first[variable], self.first[variable + 1])
+            message = _soft_least(self.pairs[mine] - self._mine[:, variable], self.first, eps)[:, near]
+            total = self.linear[mine] + message.sum(axis=1)
+            self._mine[mine, near] = message - (total / (len(near) + 1))[:, None]
+
+    def hand_over(self, dual: Dual) -> None:
+        """Give the multipliers to a dual of all entries."""
+        for edge in dual.edges:
+            for side in (0, 1):
+                low, high = self.start[edge.ends[side]], self.start[edge.ends[side] + 1]
+                given = self.given[low:high, edge.ends[1 - side]].astype(np.float64)
+                dual.move(edge, side, given - edge.given[side])
+
+    def shares(self, eps: float) -> tuple[Singles, Singles]:
+        """(m,) how much of each entry in play the relaxation chooses, and (m, m) of each pair; pairs stand above
+        the diagonal blocks, where they are settled after a sweep."""
+        left = self.linear + np.where(self.linked[self.variable], self._mine, np.float32(0)).sum(axis=1)
+        soft = _soft_least(left[None], self.first, eps)[0]
+        share = np.exp((soft[self.variable] - left) / np.float32(eps))
+        pairs = np.zeros_like(self.pairs)
+        for variable, (low, high) in enumerate(itertools.pairwise(self.first[:-1])):
+            found = self.pairs[low:high, high:] - self._mine[high:, variable]
+            found -= self._mine[low:high][:, self.variable[high:]]
+            np.subtract(soft[variable], found, out=found)
+            np.minimum(found, 0.0, out=found)
+            np.exp(found / np.float32(eps), out=found)
+            apart = ~self.linked[variable][self.variable[high:]]
+            found[:, apart] = share[low:high, None] * share[high:][apart]
+            pairs[low:high, high:] = found
+        return share, pairs
+
+    # --- prices --------------------------------------------------------------------------------------
+
+    def extend(self, member: Flags, count: Sequence[float]) -> None:
+        """Take more cells, at no price yet; their variables are linked."""
+        self.member = np.concatenate([self.member, member])
+        self.count = np.append(self.count, count)
+        self.price = np.append(self.price, np.zeros(len(count)))
+        self._step = np.append(self._step, np.full(len(count), STEP))
+        self._slope = np.append(self._slope, np.zeros(len(count)))
+        touched = np.logical_or.reduceat(member, self.start[:-1], axis=1)
+        for each in touched:
+            self.linked[np.ix_(each, each)] = True
+        np.fill_diagonal(self.linked, False)
+        self.inside += [np.flatnonzero(each) for each in member[:, self.chosen]]
+
+    def drop(self, least: float) -> None:
+        """Forget the cells whose price is no more than `least`."""
+        kept = self.price > least
+        self.member, self.count, self.price = self.member[kept], self.count[kept], self.price[kept]
+        self._step, self._slope = self._step[kept], self._slope[kept]
+        self._apply()
+
+    def price_step(self, eps: float) -> None:
+        """Raise the prices of crowded cells, lower those of others: a Newton step of each by itself, longer for
+        those that keep their direction and shorter for those that turn (M. Riedmiller and H. Braun, 1993)."""
+        share, pairs = self.shares(eps)
+        mass = np.array([share[each].sum() for each in self.inside])
+        both = np.array([pairs[each[:, None], each].sum() for each in self.inside])
+        slope = self.count * mass - self.count * (self.count + 1) / 2 - both
+        active = (self.price > 0) | (slope > 0)
+        others = np.zeros(len(share))
+        for each in itertools.compress(self.inside, active):
+            others[each] += 1.0
+        weighted = np.array([(share[each] * others[each]).sum() for each in self.inside])
+        crowd = np.maximum(weighted / np.maximum(mass, 1e-9), 1.0)
+        bend = (self.count**2 * np.minimum(mass, 1.0) + both + 0.1) / eps
+        turned = np.sign(slope * self._slope)
+        self._step = np.clip(self._step * np.where(turned > 0, GROWTH, np.where(turned < 0, DECAY, 1.0)), *STEPS)
+        self._slope = slope
+        self._change(np.maximum(0.0, self.price + self._step * slope / (bend * crowd)))
+
+    def _change(self, price: Floats) -> None:
+        for mine, more in zip(self.inside, price - self.price, strict=True):
+            if more:
+                self.pairs[mine[:, None], mine] -= np.float32(more)
+        self.price = price
+        self._charge()
+
+
+def _soft_least(values: Singles, first: Indices, eps: float) -> Singles:
+    """(rows, variables) soft least of each row over the entries of each variable; the least with `eps` 0."""
+    least: Singles = np.minimum.reduceat(values, first[:-1], axis=1)
+    if not eps:
+        return least
+    weight = np.repeat(least, np.diff(first), axis=1)
+    weight -= values
+    weight *= np.float32(1.0 / eps)
+    np.exp(weight, out=weight)
+    total: Singles = np.add.reduceat(weight, first[:-1], axis=1)
+    return np.asarray(least - np.log(total) * np.float32(eps), dtype=np.float32)
