@@ -21,7 +21,11 @@ from usdrigui.model import GAP_FLOOR, Assignment, Floats, Indices, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, bounds, groups, local_search, reduce, search, solve
-from usdrigui.solve.blocks import Blocks, Labels
+from usdrigui.solve.assignment import forbidden_price
+from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
+from usdrigui.solve.reduce import Residual
+from usdrigui.solve.search import Part
+from usdrigui.solve.watch import Watch
 
 ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
@@ -101,7 +105,7 @@ def _nothing(*_: object) -> None:
     """Stands in for a step of the local search."""
 
 
-def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch) -> int:
+def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, work: int = 20_000) -> int:
     """How many bounds lie above the optimum when the local search is kept from finding it.
 
     A good layout would hide a wrong bound: no more is claimed than the cost at hand.
@@ -113,7 +117,7 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch) -
     count = 0
     for problem in problems:
         best = solved(problem, ENUMERATE)
-        mine = solved(problem, replace(HIGHS, work_limit=20_000))
+        mine = solved(problem, replace(HIGHS, work_limit=work))
         if best is not None and mine is not None:
             count += mine.bound > best.cost + 1e-9
     return count
@@ -136,6 +140,51 @@ def test_bounds_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyP
 def test_bounds_of_groups_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
     by_groups(monkeypatch)
     assert overstated(random_problems(), monkeypatch) == 0
+
+
+def by_prices(monkeypatch: pytest.MonkeyPatch, problem: LayoutProblem) -> None:
+    """Searches of single labels go by priced costs."""
+
+    def priced(residual: Residual, watch: Watch) -> Residual:
+        solution = residual.pool.start[:-1] + residual.chosen
+        return reduce._priced(residual, solution, problem.overlap.radius, watch)
+
+    monkeypatch.setattr(reduce, "_at_better_costs", priced)
+
+
+def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> None:
+    problems = [crowd(seed, 4, 20) for seed in range(5)]
+    by_prices(monkeypatch, problems[0])
+    assert overstated(problems, monkeypatch, 300_000) == 0
+
+
+def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    problems = [crowd(seed, 4, 20) for seed in range(5)]
+    by_prices(monkeypatch, problems[0])
+    honest = reduce._left
+
+    def forgetful(residual: Residual, watch: Watch) -> Part | None:
+        part = honest(residual, watch)
+        if part is not None:
+            part.constant -= residual.dual.constant
+        return part
+
+    monkeypatch.setattr(reduce, "_left", forgetful)
+    assert overstated(problems, monkeypatch, 300_000) > 0
+
+
+def test_prices_left_behind_take_their_bound_with_them() -> None:
+    problem = crowd(1, variables=5, candidates=30)
+    watch = Watch(HIGHS)
+    labels = all_labels(problem)
+    forbidden = forbidden_price(problem, labels)
+    residual = reduce._bounded(problem, labels, singles(labels), forbidden, watch, None, None)
+    watch.found("test", cost=solve(problem, HIGHS).cost)
+    solution = residual.pool.start[:-1] + residual.chosen
+    priced = reduce._priced(residual, solution, problem.overlap.radius, watch)
+    true = reduce._without_prices(priced, watch)
+    assert priced.bound > true.bound
+    assert true.bound == true.dual.bound()  # what groups gain is added to it
 
 
 def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -258,7 +307,7 @@ def test_work_limit_is_reproducible() -> None:
 
 def test_memory_is_planned_before_it_is_spent() -> None:
     problem = crowd(7, variables=8, candidates=400)
-    plan = 287  # MiB: as much as the matrices of a group and the pairs of cells take
+    plan = 230  # MiB: little more than the matrices of a search take
     found = solve(problem, SolveSettings(memory_limit=plan))
     assert "memory limit" in [each.name for each in found.steps]
     assert found.status == "stopped"

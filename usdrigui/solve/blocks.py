@@ -293,13 +293,6 @@ def member_slack(labels: Labels, blocks: Blocks, slack: Floats) -> Floats:
     return np.asarray(np.repeat(slack, blocks.sizes) - more)
 
 
-def keep(blocks: Blocks, alive: Flags) -> Blocks:
-    """The blocks that are alive."""
-    members = blocks.members[np.repeat(alive, blocks.sizes)]
-    start = np.concatenate([[0], np.cumsum(blocks.sizes[alive])])
-    return Blocks(members, start, blocks.variable[alive])
-
-
 def block_pool(labels: Labels, blocks: Blocks) -> Pool:
     """Cost and bounding geometry of every block."""
     pool = labels.pool

@@ -25,7 +25,7 @@ STEP = "blocks"
 NODES = 400
 MEMBERS = 10
 """Variables of a group at first."""
-NEAR = 0.1
+NEAR = 0.02
 SLOW = 0.1
 SMALL = 0.05
 FRUSTRATED = 0.7
@@ -43,15 +43,13 @@ PRICED = 2.0
 """Times that less must be missing with prices than without for a search to go by prices."""
 SOLVED = 0.1
 """Share of the gap allowed within which single labels with prices count as solved: the rest is the prices' fault."""
-MOST_ENTRIES = 8000
-"""Entries up to which spots are priced."""
-BYTES_PER_PAIR = 80
-"""Of a near pair of blocks: itself, and in the tables in both directions."""
-BYTES_PER_KEY = 110
-"""More of it while pairs are sorted into tables."""
+BYTES_PER_PAIR = 250
+"""Of a near pair of blocks: itself, and in keys and tables while those of two rounds are held."""
+BYTES_PER_TABLED = 105
+"""Of one in near pairs and tables alone."""
 SWEEPS = 8
 TRIES = 16
-"""Attempts of large-neighbourhood search per variable once blocks are found to be crowded."""
+"""Attempts of large-neighbourhood search per variable once the bound rises slowly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +94,13 @@ class Pace:
     """Of the way from the bound to the cut-off in which blocks are split."""
     stuck: bool = False
     """Whether the last round raised the bound by little."""
+    searched: bool = False
+    """Whether a good layout was looked for longer than at first, because the bound rose slowly."""
+
+    @property
+    def slow(self) -> bool:
+        """Whether splitting raises the bound by little."""
+        return self.share > NEAR
 
     def after(self, before: Residual, examined: Residual, split: Residual, cut: float) -> Pace:
         """The pace after a round: before it, after its searches, and after the blocks were split."""
@@ -104,6 +109,7 @@ class Pace:
             nodes=self.nodes * 2 if examined.exact else self.nodes * 5 // 4,
             share=min(1.0, 2.0 * self.share) if slow else NEAR,
             stuck=split.bound - before.bound < SLOW * (cut - before.bound),
+            searched=self.searched or self.slow,
         )
 
 
@@ -148,6 +154,8 @@ def _examined(
     incumbent.improve_from(_representatives(labels, residual, residual.chosen))
     if watch.closed() or watch.stopped():
         return residual
+    if pace.slow and not pace.searched:
+        incumbent.search(TRIES * residual.pool.count)
     alive = residual.room <= watch.cut
     if residual.exact and alive.sum() <= LARGEST:
         if alive.sum() < THINNED * len(alive):
@@ -169,10 +177,8 @@ def _examined(
 def _crowded(
     labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
 ) -> Residual:
-    """Prices and groups for many entries; before the first prices, a longer look for a good layout."""
+    """Prices and groups for many entries."""
     first = not len(residual.cells.count)
-    if first and not residual.barren:
-        incumbent.search(TRIES * residual.pool.count)
     if (first or pace.stuck) and not residual.barren:
         residual = _repriced(residual, _entries_of(residual, incumbent.chosen), radius, watch)
     if residual.exact and not watch.closed():
@@ -260,7 +266,7 @@ def _entries_of(residual: Residual, chosen: Indices) -> Indices:
 def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) -> Flags | None:
     """The blocks to split, fewer than wished where their tables would not fit into the memory allowed; None
     when even those of the solution alone would not."""
-    for wanted in (share, 0.25 * share, 0.0):
+    for wanted in (*(share / 2**halved for halved in range(6)), 0.0):
         chosen = _worth_splitting(residual, alive, watch.cut, wanted)
         parts = alive.astype(np.int64)
         parts[np.flatnonzero(alive)[chosen]] = 2
@@ -270,13 +276,17 @@ def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) ->
 
 
 def _planned(residual: Residual, parts: Indices) -> float:
-    """MiB needed when every block is replaced by so many parts: near pairs and their tables, then either keys while
-    pairs are sorted into tables, or what prices link and the matrices of a search."""
+    """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, the tables of
+    two rounds in both directions, and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    entries = int(parts.sum())
-    links = min(PAIRS, entries**2 // 2) if entries <= MOST_ENTRIES else 0
-    later = max(BYTES_PER_KEY * pairs, BYTES_PER_LINK * links + HELD_BYTES)
-    return (BYTES_PER_PAIR * pairs + later) / 2**20
+    return max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES) / 2**20
+
+
+def _planned_for_prices(residual: Residual) -> float:
+    """MiB needed to price the residual's entries: its own tables, and those of all pairs that prices may link."""
+    pairs = sum(len(each.first) for each in residual.near)
+    links = min(PAIRS, len(residual.pool.cost) ** 2 // 2)
+    return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + HELD_BYTES) / 2**20
 
 
 def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float) -> Flags:
@@ -291,7 +301,7 @@ def _worth_splitting(residual: Residual, alive: Flags, cut: float, share: float)
 
 def _repriced(residual: Residual, solution: Indices, radius: float, watch: Watch) -> Residual:
     """The residual with better prices, if it is worth while to look for them and any are found."""
-    few = residual.pool.count <= MOST_PRICED and len(residual.pool.cost) <= MOST_ENTRIES
+    few = residual.pool.count <= MOST_PRICED and _planned_for_prices(residual) <= watch.settings.memory_limit
     far = few and watch.cut - residual.bound > FAR * watch.allowed
     return _priced(residual, solution, radius, watch) if far else residual
 
