@@ -32,6 +32,8 @@ FRUSTRATED = 0.7
 """Share of the missing bound that the blocks' own solution must leave before groups are searched."""
 FEW_LABELS = 20000
 """Labels left in blocks from which on they are looked at one by one."""
+SINGLED = 0.5
+"""Share of the pairs of two blocks' labels that are near, at most, when blocks are small enough to be frustrated."""
 THINNED = 0.8
 """Share of the labels left below which they are bounded again before they are searched."""
 MOST_NODES = 10**6
@@ -197,7 +199,7 @@ def _few_labels(labels: Labels, residual: Residual, watch: Watch) -> bool:
         return False
     left = member_slack(labels, residual.blocks, watch.cut - residual.room) >= 0
     sizes = np.add.reduceat(left, residual.blocks.start[:-1], dtype=np.int64)
-    return bool(sizes.sum() <= FEW_LABELS and _planned(residual, sizes) <= watch.settings.memory_limit)
+    return bool(sizes.sum() <= FEW_LABELS and SINGLED * _planned(residual, sizes) <= watch.settings.memory_limit)
 
 
 def _polished(residual: Residual, watch: Watch) -> Indices:

@@ -22,6 +22,7 @@ BODY_RADII = (0.5, 0.65, 0.8, 1.0, 1.25)
 PAIR_COSTS = (0.03, 0.1, 0.3, 1.0)
 """Cells tried around an entry: all that cost it at least this much."""
 COUNTS = np.arange(1.0, 5.0)
+GRAIN = 2.0**-12
 SUPPORT = 0.003
 """Least share of an entry that cells are looked for among."""
 
@@ -58,7 +59,7 @@ def crowded(ascent: Ascent, where: Places, eps: float, exchanges: int) -> tuple[
     """
     share, pairs = ascent.shares(eps)
     support = np.flatnonzero(share > SUPPORT)
-    share, pairs = share[support], pairs[np.ix_(support, support)]
+    share, pairs = _rounded(share[support]), _rounded(pairs[np.ix_(support, support)])
     pairs += pairs.T
     sets, family, centre = _candidates(ascent, where, support, share)
     count, worst = _violation(sets, share, pairs)
@@ -84,6 +85,12 @@ def crowded(ascent: Ascent, where: Places, eps: float, exchanges: int) -> tuple[
             break
     member = np.array([each for each, _ in found], dtype=bool).reshape(len(found), len(ascent.costs.pool.cost))
     return member, [each for _, each in found]
+
+
+def _rounded(values: Singles) -> Singles:
+    """Whole multiples of `GRAIN`: sums of some thousand are exact, so a matrix product does not depend on the order of
+    its terms, which differs between processors."""
+    return np.asarray(np.rint(values / np.float32(GRAIN)) * np.float32(GRAIN), dtype=np.float32)
 
 
 def _violation(sets: Singles, share: Singles, pairs: Singles) -> tuple[Floats, Floats]:
