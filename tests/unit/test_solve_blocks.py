@@ -81,7 +81,7 @@ def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(tim
 def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
     honest = getattr(blocks.Bodies, name)
     monkeypatch.setattr(blocks.Bodies, name, lambda *given: share * honest(*given))
-    assert sum(pairs_wrong(each, times) for each in problems() for times in (0, 1)) > 0
+    assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
 def layouts(problem: LayoutProblem, labels: Labels) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +105,7 @@ def test_what_is_not_in_play_is_in_no_better_layout() -> None:
 
 
 def test_too_little_in_play_is_caught() -> None:
-    assert sum(left_out_wrongly(each, 0.3) for each in problems()) > 0
+    assert any(left_out_wrongly(each, 0.3) for each in problems())
 
 
 def test_selected_labels_are_a_problem_of_their_own() -> None:
@@ -146,7 +146,7 @@ def test_what_is_thinned_out_is_in_no_better_layout() -> None:
 
 
 def test_too_much_thinned_out_is_caught() -> None:
-    assert sum(thinned_wrongly(each, 0.3) for each in problems()) > 0
+    assert any(thinned_wrongly(each, 0.3) for each in problems())
 
 
 def test_a_block_with_any_slack_keeps_its_cheapest_label() -> None:

@@ -147,7 +147,8 @@ def _settled(value: Any, type_name: str) -> Any:
     numbers = np.asarray(value, dtype=np.float64)
     largest = np.abs(numbers[np.isfinite(numbers)]).max(initial=0.0)
     # A power of two, so that noise about a power of ten (unit vectors) does not change the digits kept.
-    scale = np.frexp(1.5 * largest)[1] * np.log10(2.0) if largest > 0.0 else 0.0
+    mantissa, exponent = np.frexp(largest)
+    scale = (exponent + (1.5 * mantissa >= 1.0)) * np.log10(2.0) if largest > 0.0 else 0.0
     decimals = min(_DIGITS[type_name] - int(np.ceil(scale)), 290)  # ten to that power is finite
     settled = np.round(numbers, decimals) + 0.0  # no -0
     return settled if settled.ndim else settled.item()
