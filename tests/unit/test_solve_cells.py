@@ -13,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, crowding, reduce, solve
+from usdrigui.solve import cells, crowding, pricing, residual_search, solve, splitting
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
@@ -127,12 +127,12 @@ def test_stopped_ascent_keeps_an_honest_bound() -> None:
 
 def test_every_variable_is_in_play_however_many_there_are(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(crowding, "IN_PLAY", 8)
-    monkeypatch.setattr(reduce, "FEW_LABELS", 0)
-    monkeypatch.setattr(reduce, "LARGEST", 20)
+    monkeypatch.setattr(splitting, "FEW_LABELS", 0)
+    monkeypatch.setattr(residual_search, "LARGEST", 20)
     problem = crowd(3, variables=6, candidates=25)
     looked: list[int] = []
     plain = crowding.tightened
-    monkeypatch.setattr(reduce, "tightened", lambda *given: (looked.append(1), plain(*given))[1])
+    monkeypatch.setattr(pricing, "tightened", lambda *given: (looked.append(1), plain(*given))[1])
     found = solve(problem, SolveSettings(gap=1e-6))
     assert looked
     monkeypatch.undo()

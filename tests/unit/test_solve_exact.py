@@ -20,10 +20,21 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import GAP_FLOOR, Assignment, Floats, Indices, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, bounds, groups, local_search, reduce, search, solve
+from usdrigui.solve import (
+    Progress,
+    bounds,
+    groups,
+    local_search,
+    pricing,
+    reduce,
+    residual_search,
+    search,
+    solve,
+    splitting,
+)
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
-from usdrigui.solve.reduce import Residual
+from usdrigui.solve.residual import Residual, bounded_blocks
 from usdrigui.solve.search import Part
 from usdrigui.solve.watch import Watch
 
@@ -94,7 +105,7 @@ def test_proves_crowds_optimal(seed: int, way: str, monkeypatch: pytest.MonkeyPa
 def test_crowd_needs_more_than_the_pairwise_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = crowd(1, variables=5, candidates=30)
     assert solve(problem, HIGHS).status == "optimal"
-    for step in ("_searched", "_grouped"):
+    for step in ("searched", "grouped"):
         monkeypatch.setattr(reduce, step, lambda residual, *_: residual)
     limited = solve(problem, replace(HIGHS, work_limit=150_000))
     assert limited.status == "stopped"
@@ -113,7 +124,7 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
     monkeypatch.setattr(local_search.Incumbent, "search", _nothing)
     monkeypatch.setattr(local_search.Incumbent, "improve_from", _nothing)
     monkeypatch.setattr(local_search, "descend", _nothing)
-    monkeypatch.setattr(reduce, "_polished", lambda residual, _: residual.chosen)
+    monkeypatch.setattr(reduce, "likely_solution", lambda residual, _: residual.chosen)
     count = 0
     for problem in problems:
         best = solved(problem, ENUMERATE)
@@ -125,8 +136,8 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
 
 def by_groups(monkeypatch: pytest.MonkeyPatch, labels: int = 0) -> None:
     """Small problems take the way of large ones, blocks, prices and groups, until no more than `labels` are left."""
-    monkeypatch.setattr(reduce, "FEW_LABELS", 0)
-    monkeypatch.setattr(reduce, "LARGEST", labels)
+    monkeypatch.setattr(splitting, "FEW_LABELS", 0)
+    monkeypatch.setattr(residual_search, "LARGEST", labels)
 
 
 def random_problems() -> list[LayoutProblem]:
@@ -147,9 +158,9 @@ def by_prices(monkeypatch: pytest.MonkeyPatch, problem: LayoutProblem) -> None:
 
     def priced(residual: Residual, watch: Watch) -> Residual:
         solution = residual.pool.start[:-1] + residual.chosen
-        return reduce._priced(residual, solution, problem.overlap.radius, watch)
+        return pricing._priced(residual, solution, problem.overlap.radius, watch)
 
-    monkeypatch.setattr(reduce, "_at_better_costs", priced)
+    monkeypatch.setattr(reduce, "at_better_costs", priced)
 
 
 def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -161,7 +172,7 @@ def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> N
 def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     problems = [crowd(seed, 4, 20) for seed in range(5)]
     by_prices(monkeypatch, problems[0])
-    honest = reduce._left
+    honest = residual_search._left
 
     def forgetful(residual: Residual, watch: Watch) -> Part | None:
         part = honest(residual, watch)
@@ -169,7 +180,7 @@ def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pyt
             part.constant -= residual.dual.constant
         return part
 
-    monkeypatch.setattr(reduce, "_left", forgetful)
+    monkeypatch.setattr(residual_search, "_left", forgetful)
     assert overstated(problems, monkeypatch, 300_000) > 0
 
 
@@ -178,11 +189,11 @@ def test_prices_left_behind_take_their_bound_with_them() -> None:
     watch = Watch(HIGHS)
     labels = all_labels(problem)
     forbidden = forbidden_price(problem, labels)
-    residual = reduce._bounded(problem, labels, singles(labels), forbidden, watch, None, None)
+    residual = bounded_blocks(problem, labels, singles(labels), forbidden, watch)
     watch.found("test", cost=solve(problem, HIGHS).cost)
     solution = residual.pool.start[:-1] + residual.chosen
-    priced = reduce._priced(residual, solution, problem.overlap.radius, watch)
-    true = reduce._without_prices(priced, watch)
+    priced = pricing._priced(residual, solution, problem.overlap.radius, watch)
+    true = pricing.without_prices(priced, watch)
     assert priced.bound > true.bound
     assert true.bound == true.dual.bound()  # what groups gain is added to it
 
@@ -217,13 +228,13 @@ def test_group_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch)
         return replace(found, bound=found.bound + 1e-4), used
 
     by_groups(monkeypatch)
-    monkeypatch.setattr(reduce, "FAR", np.inf)  # At priced costs groups prove less than there is.
+    monkeypatch.setattr(pricing, "FAR", np.inf)  # At priced costs groups prove less than there is.
     monkeypatch.setattr(groups, "_solve", raised)
     assert overstated(random_problems(), monkeypatch) > 0
 
 
 def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = reduce.thinned
+    honest = splitting.thinned
 
     def off(labels: Labels, parts: Blocks, slack: Floats) -> Blocks:
         shifted = slack.copy()
@@ -232,7 +243,7 @@ def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
         shifted[first] = slack[first]
         return honest(labels, parts, shifted)
 
-    monkeypatch.setattr(reduce, "thinned", off)
+    monkeypatch.setattr(splitting, "thinned", off)
     try:
         assert overstated(random_problems(), monkeypatch) > 0
     except (ValueError, IndexError):
