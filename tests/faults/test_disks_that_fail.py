@@ -16,8 +16,8 @@ from pathlib import Path
 import pytest
 from skel_stages import head
 
-from usdrigui import pipeline
 from usdrigui.cli import main
+from usdrigui.pipeline import laying_out
 from usdrigui.settings import Settings
 from usdrigui.usd.child import read_rigs_isolated
 from usdrigui.usd.source import hashed
@@ -54,7 +54,7 @@ def laid_out(tmp_path, character, monkeypatch):
     target = tmp_path / "char.rigui.usda"
     target.write_bytes(OLD)
     there = replace(found, sources=(hashed(copy),))
-    monkeypatch.setattr(pipeline, "read_rigs_isolated", lambda *_: there)
+    monkeypatch.setattr(laying_out, "read_rigs_isolated", lambda *_: there)
     return copy, target
 
 
@@ -149,7 +149,7 @@ def test_a_missing_permission(what, laid_out):
         folder.chmod(0o777 if what == "file" else 0o755)
         target.chmod(0o444 if what == "file" else 0o666)
         source.chmod(0o000 if what == "source" else 0o644)
-        there = replace(pipeline.read_rigs_isolated(), sources=())
+        there = replace(laying_out.read_rigs_isolated(), sources=())
         exit_code = _as_nobody(source, None if what == "source" else there)
         assert exit_code == 3
         said = (folder / "said").read_text() if what == "file" else ""
@@ -167,7 +167,7 @@ def _as_nobody(source, found):
         os.setgroups([])
         os.setgid(65534)
         os.setuid(65534)
-        pipeline.read_rigs_isolated = read_rigs_isolated if found is None else lambda *_: found
+        laying_out.read_rigs_isolated = read_rigs_isolated if found is None else lambda *_: found
         writable = os.access(source.parent, os.W_OK)
         with (source.parent / "said" if writable else Path(os.devnull)).open("w") as said:
             sys.stderr = said
@@ -213,13 +213,13 @@ def test_the_command_survives_each_step_failing(step, number, laid_out, monkeypa
 def test_a_source_that_changes_meanwhile(laid_out, monkeypatch, capfd):
     source, target = laid_out
     before = target.read_bytes()
-    lay_out = pipeline._lay_out
+    lay_out = laying_out._lay_out
 
     def meddling(*arguments, **named):
         source.write_bytes(source.read_bytes() + b"\n")
         return lay_out(*arguments, **named)
 
-    monkeypatch.setattr(pipeline, "_lay_out", meddling)
+    monkeypatch.setattr(laying_out, "_lay_out", meddling)
     assert main(["process", str(source)]) == 3
     assert "SOURCE_CHANGED" in capfd.readouterr().err
     assert kept(target, before, [source.name, target.name])

@@ -1,0 +1,33 @@
+"""The line from USD in to USD out, and what can be asked of its two ends.
+
+    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
+
+`process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer back, `check` and
+`diff` review layers.  Nothing here prints; what a run has to say is in the record that it returns.
+"""
+
+from __future__ import annotations
+
+from usdrigui.pipeline.inspecting import inspect
+from usdrigui.pipeline.laying_out import process
+from usdrigui.pipeline.progress import Event, Watch
+from usdrigui.pipeline.reviewing import LayerDifference, LayerReview, Loaded, check, diff, load_layer
+from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.pipeline.targets import default_output, write_file
+
+__all__ = [
+    "Event",
+    "LayerDifference",
+    "LayerReview",
+    "Loaded",
+    "Posed",
+    "Watch",
+    "check",
+    "default_output",
+    "diff",
+    "inspect",
+    "load_layer",
+    "posed",
+    "process",
+    "write_file",
+]

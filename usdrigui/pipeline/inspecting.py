@@ -1,0 +1,100 @@
+"""inspect(): what the stages before the search find out about an asset."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from usdrigui import animation
+from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
+from usdrigui.layout import groups as groups_stage
+from usdrigui.pipeline.progress import Clock, Watch
+from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.settings import Settings
+from usdrigui.usd.child import read_rigs_isolated
+
+
+def inspect(
+    asset: Path, settings: Settings, *, progress: Watch | None = None, animations: Sequence[Path] = ()
+) -> Inspection:
+    """What the stages before the search find out about `asset`, and what `animations` tell of its controls;
+    writes nothing.
+    """
+    clock = Clock(progress)
+    with clock.stage("read"):
+        source = read_rigs_isolated(asset, settings)
+        clips = animation.performances(animations, settings)
+    found = [posed(rig, settings, clock, source.cameras) for rig in source.rigs]
+    issues = [each for ready in found for each in ready.issues]
+    characters = []
+    for ready in found:
+        facts = _facts(ready)
+        if clips:
+            told, heard = animation.animation_facts(ready.context, ready.candidates, clips)
+            facts = replace(facts, animation=told)
+            issues += heard
+        characters.append(facts)
+    return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
+
+
+def _facts(ready: Posed) -> CharacterFacts:
+    rig, trajectories, symmetry = ready.context.rig, ready.context.trajectories, ready.context.symmetry
+    sets = {trajectories.motions[each.motion].control: each for each in ready.candidates.sets}
+    motions = {each.control: each for each in trajectories.motions}
+    twins = ready.twin_names
+    said: dict[str, list[str]] = {}
+    for note in (*rig.left_off, *ready.notes):
+        said.setdefault(note.control, []).append(note.reason)
+    for found in trajectories.issues:
+        said.setdefault(found.path, []).append(found.message)
+    rows = []
+    for index, control in enumerate(rig.controls):
+        chosen, motion = sets.get(index), motions.get(index)
+        flags = list(said.get(control.name, ()))
+        if chosen is not None:
+            marks = (
+                ("global", chosen.globally),
+                ("hidden", chosen.hidden),
+                ("composite", chosen.composite),
+                ("beside by request", chosen.requested),
+            )
+            flags += [name for name, on in marks if on]
+        rows.append(
+            ControlFacts(
+                control=control.name,
+                kind=control.kind,
+                source=control.source,
+                minimum=control.minimum,
+                default=control.default,
+                maximum=control.maximum,
+                range_source=control.range_source,
+                points=0 if motion is None else len(motion.points),
+                coverage=0.0 if chosen is None else chosen.coverage,
+                peak=0.0 if motion is None else float(motion.arc_length.max()) / trajectories.typical_length,
+                twin=twins.get(control.name, "self" if symmetry.twins[index] == index else ""),
+                twin_source=symmetry.sources[index],
+                flags=tuple(flags),
+            )
+        )
+    return CharacterFacts(
+        root=rig.root,
+        points=len(trajectories.base),
+        meshes=len(rig.meshes),
+        joints=len(rig.joints),
+        symmetric=float((symmetry.partner >= 0).mean()),
+        controls=tuple(rows),
+        groups=_group_lines(ready),
+    )
+
+
+def _group_lines(ready: Posed) -> tuple[str, ...]:
+    names = [control.name for control in ready.context.rig.controls]
+    return tuple(
+        f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)} ({group.reason})"
+        for group in ready.groups
+        if len(group.controls) > 1
+    ) + tuple(
+        f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one element"
+        for found in groups_stage.suggested_groups(ready.context, ready.candidates)
+    )

@@ -1,0 +1,151 @@
+"""process(): from an asset to its layout layer.
+
+    Usd.Stage → Rig → LayoutProblem → Assignment → Layout → Sdf.Layer
+
+What lies between a rig and its problem is told by `usdrigui.pipeline.stages`.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.examples import ExampleLayers, Examples, read_examples, rigs_over
+from usdrigui.layout import additions as additions_stage
+from usdrigui.layout import difference as difference_stage
+from usdrigui.layout import elements as elements_stage
+from usdrigui.layout import gain as gain_stage
+from usdrigui.model import Assignment, Floats, Layout, Rig
+from usdrigui.pipeline.progress import Clock, Watch
+from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.pipeline.targets import check_target, default_output
+from usdrigui.pipeline.writing import write_layer
+from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
+from usdrigui.settings import Settings
+from usdrigui.settings import document as settings_document
+from usdrigui.usd.child import ReadResult, read_rigs_isolated
+from usdrigui.usd.source import SourceFile
+
+
+def process(
+    asset: Path,
+    settings: Settings,
+    *,
+    output: Path | None = None,
+    dry_run: bool = False,
+    progress: Watch | None = None,
+    stop: Callable[[], bool] | None = None,
+    examples: ExampleLayers | None = None,
+) -> Report:
+    """Lay out every character of `asset` and write the layer.
+
+    Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
+    search, which then ends with the best layout so far; `examples` are existing layouts and animations to
+    heed.  Raises `usdrigui.errors.RigUIError`; then nothing has been written.
+    """
+    clock = Clock(progress)
+    target = output if output is not None else default_output(asset)
+    check_target(asset, target)
+    with clock.stage("read"):
+        source = read_rigs_isolated(asset, settings)
+        _check_character(asset, source)
+        heeded = read_examples(examples or ExampleLayers(), settings)
+    rigs = rigs_over(heeded, source.rigs)
+    laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
+    outcome: Outcome = "dry run"
+    if not dry_run:
+        # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
+        with clock.stage("write", can_stop=True):
+            outcome = write_layer(asset, target, settings, source, laid, heeded)
+    return Report(
+        asset=str(asset),
+        output="" if dry_run else str(target),
+        outcome=outcome,
+        characters=tuple(laid),
+        issues=tuple(found for character in laid for found in character.issues),
+        seconds=clock.seconds,
+        settings=settings_document(settings),
+        sources=tuple(_source_row(each, asset) for each in source.sources),
+    )
+
+
+def _check_character(asset: Path, source: ReadResult) -> None:
+    """Refuse what was laid out already: a layer over a layout layer would hold a second layout in the first."""
+    if source.layouts:
+        below = f"stands over {source.below}" if source.below else "stands over nothing else"
+        raise refuse("SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}")
+
+
+def _lay_out(
+    rig: Rig,
+    settings: Settings,
+    clock: Clock,
+    stop: Callable[[], bool] | None,
+    cameras: Mapping[str, Floats],
+    examples: Examples,
+) -> CharacterReport:
+    from usdrigui.solve import solve
+
+    ready = posed(rig, settings, clock, cameras, examples)
+    with clock.stage("solve", can_stop=True):
+        assignment = solve(ready.problem, settings.solve, clock.solving, stop)
+    with clock.stage("layout"):
+        layout = elements_stage.layout(
+            ready.context,
+            ready.candidates,
+            ready.groups,
+            ready.problem,
+            ready.choices,
+            assignment,
+            ready.base_values,
+        )
+    standing = ready.context.standing
+    if standing is not None:
+        layout = additions_stage.joined(standing, additions_stage.told_apart(layout, standing))
+    previous = examples.previous.get(rig.root)
+    return _account(ready, layout, assignment, _changes(ready, previous, layout, assignment) if previous else None)
+
+
+def _changes(ready: Posed, previous: Layout, layout: Layout, assignment: Assignment) -> difference_stage.Difference:
+    gains = gain_stage.gains_of_leaving(ready.context, ready.groups, ready.problem, ready.choices, assignment.labels)
+    return difference_stage.difference(previous, layout, gains)
+
+
+def _account(
+    ready: Posed, layout: Layout, assignment: Assignment, changes: difference_stage.Difference | None
+) -> CharacterReport:
+    rig = ready.context.rig
+    controls = rig.controls
+    motions = ready.context.trajectories.motions
+    peaks = {controls[each.control].name: float(each.arc_length.max()) for each in motions}
+    laid = {member.control for element in layout.elements for member in element.members}
+    return CharacterReport(
+        root=rig.root,
+        rig=rig,
+        layout=layout,
+        assignment=assignment,
+        rows=rows_of(rig, layout, peaks, ready.twin_names),
+        notes=tuple(note for note in ready.notes if note.control in laid),
+        issues=(*ready.issues, *_nothing_added(ready, layout)),
+        difference=changes,
+        added=_added(ready, layout),
+    )
+
+
+def _added(ready: Posed, layout: Layout) -> frozenset[str]:
+    """Names of the elements that do not stand in another layer."""
+    standing = ready.context.standing
+    return frozenset(e.name for e in layout.elements[len(standing.elements) if standing is not None else 0 :])
+
+
+def _nothing_added(ready: Posed, layout: Layout) -> tuple[Issue, ...]:
+    if ready.context.standing is None or _added(ready, layout):
+        return ()
+    return (issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand"),)
+
+
+def _source_row(source: SourceFile, asset: Path) -> SourceRow:
+    folder = os.path.realpath(asset.parent)
+    return SourceRow(os.path.relpath(source.path, folder).replace(os.sep, "/"), source.sha256)

@@ -1,0 +1,59 @@
+"""What a run tells while it goes on, and how long its stages take."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from usdrigui.solve.watch import Progress
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something worth showing while a run goes on."""
+
+    stage: str
+    detail: str = ""
+    seconds: float | None = None
+    """Given when the stage has ended."""
+    can_stop: bool = False
+    """True while a request to stop is answered with the best layout so far."""
+
+
+Watch = Callable[[Event], None]
+
+
+@dataclass
+class Clock:
+    """Times the stages and tells the watcher."""
+
+    watch: Watch | None = None
+    _seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def seconds(self) -> tuple[tuple[str, float], ...]:
+        """Spent in each stage, in the order of their first beginning."""
+        return tuple(self._seconds.items())
+
+    @contextmanager
+    def stage(self, name: str, *, can_stop: bool = False) -> Iterator[None]:
+        """Time what is done within; a stage may be entered once for every character."""
+        self._tell(Event(name, can_stop=can_stop))
+        start = time.perf_counter()
+        yield
+        spent = time.perf_counter() - start
+        self._seconds[name] = self._seconds.get(name, 0.0) + spent
+        self._tell(Event(name, seconds=spent))
+
+    def solving(self, progress: Progress) -> None:
+        """Tell how far the solver is."""
+        detail = f"{progress.step}: cost {progress.cost:.4f}, bound {progress.bound:.4f}, gap {progress.gap:.1e}"
+        self._tell(Event("solve", detail, can_stop=True))
+
+    def _tell(self, event: Event) -> None:
+        if self.watch is not None:
+            self.watch(event)

@@ -1,0 +1,59 @@
+"""Where output goes: its name, its folder, and what it may replace."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from usdrigui.errors import RigUIError, refuse
+from usdrigui.settings import Settings
+from usdrigui.usd.child import read_layouts_isolated
+
+_USD_SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
+
+
+def default_output(asset: Path) -> Path:
+    """``char.usda`` → ``char.rigui.usda``, beside it."""
+    return asset.with_name(asset.stem + ".rigui.usda")
+
+
+def write_file(content: bytes, target: Path) -> str:
+    """Write a report, picture or page all or nothing; returns ``written`` or ``unchanged``.
+
+    Raises FILE_TARGET for the name of a USD file, so that no slip of the hand replaces a character.
+    """
+    from usdrigui.usd.safe_write import commit
+
+    if target.suffix in _USD_SUFFIXES:
+        raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+    make_folder(target)
+    return commit(content, target)
+
+
+def check_target(asset: Path, target: Path) -> None:
+    """Refuse to write over the asset; raises FILE_TARGET."""
+    if target.resolve() == asset.resolve():
+        raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
+
+
+def check_replaceable(target: Path, settings: Settings) -> None:
+    """What stands at the target must be a layout layer: nobody's own work is replaced by a slip of the hand.
+
+    Raises FILE_TARGET.
+    """
+    if not target.is_file() or not target.stat().st_size:
+        return
+    try:
+        read_layouts_isolated(target, settings)
+    except RigUIError as error:
+        if error.issue.code == "LAYOUT_MISSING" or error.issue.code.startswith("FILE_NOT"):
+            raise refuse("FILE_TARGET", str(target), "exists and is no layout layer") from error
+
+
+def make_folder(target: Path) -> None:
+    """The folder of a file that is to be written; raises RigUIError with a FILE_ code."""
+    from usdrigui.usd.safe_write import file_error
+
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise file_error(target, error) from error
