@@ -1,6 +1,6 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from usdrigui/settings.py, issue-codes.md from usdrigui/errors.py, schema.md from
+settings.md comes from usdrigui/settings/parts.py, issue-codes.md from usdrigui/codes.py, schema.md from
 schemas/generatedSchema.usda.  With ``--check``
 nothing is written and the exit code says whether the pages are up to date.
 """
@@ -14,7 +14,9 @@ from pathlib import Path
 
 from pxr import Sdf
 
-from usdrigui import errors, settings
+from usdrigui.codes import CODES
+from usdrigui.settings import PRESETS
+from usdrigui.settings import parts as settings_parts
 
 ROOT = Path(__file__).resolve().parents[1]
 NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
@@ -42,7 +44,7 @@ def pages() -> dict[str, str]:
 
 def settings_page() -> str:
     """Every setting with its type, default and meaning."""
-    tree = ast.parse(Path(settings.__file__).read_text(encoding="utf-8"))
+    tree = ast.parse(Path(settings_parts.__file__).read_text(encoding="utf-8"))
     classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     parts = [
         "# Settings\n",
@@ -58,7 +60,7 @@ def settings_page() -> str:
         table = f'[{name}."NAME"]' if kind.startswith("Mapping") else f"[{name}]"
         parts.append(f"\n## `{table}`\n\n{ast.get_docstring(classes[inner]) or ''}\n\n" + _table(classes[inner]))
     parts.append("\n## Presets\n\n")
-    for name, values in settings.PRESETS.items():
+    for name, values in PRESETS.items():
         changed = [f"`{part}.{key}` = `{value}`" for part, keys in values.items() for key, value in keys.items()]
         parts.append(f"- `{name}`: {', '.join(changed) or 'the defaults above'}\n")
     return "".join(parts)
@@ -69,7 +71,7 @@ def codes_page() -> str:
     rows = [
         f"| `{name}` | {code.severity} | {int(code.exit) if code.severity == 'error' else 0} "
         f"| {code.meaning} | {code.repair} |\n"
-        for name, code in sorted(errors.CODES.items())
+        for name, code in sorted(CODES.items())
     ]
     head = "| code | severity | exit | meaning | how to repair |\n|---|---|---|---|---|\n"
     intro = "Codes are stable: never renamed, never reused. An error ends the run; the exit code is the one given.\n\n"

@@ -1,0 +1,542 @@
+"""The catalogue of issue codes: how severe each is, what it means, how to repair its cause.
+
+A code is never reused or renamed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from types import MappingProxyType
+from typing import Literal
+
+Severity = Literal["info", "warning", "error"]
+
+
+class Exit(IntEnum):
+    """Process exit codes of every command."""
+
+    OK = 0
+    """Written or unchanged; warnings allowed."""
+    REFUSED = 1
+    """The asset was refused, or `--strict` met a warning."""
+    USAGE = 2
+    """Wrong command line or configuration."""
+    FILE = 3
+    """A file could not be read or written."""
+    LIMIT = 4
+    """A time or memory limit was hit before there was a usable result."""
+    BUG = 5
+    """A mistake of ours."""
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """Catalogue entry of one issue code."""
+
+    severity: Severity
+    meaning: str
+    """One sentence, without the facts of the case."""
+    repair: str
+    """What the user can do about it."""
+    exit: Exit = Exit.REFUSED
+    """Exit code when the issue ends the run."""
+
+
+_CODES: dict[str, Code] = {
+    # --- files -----------------------------------------------------------------------------------
+    "FILE_NOT_FOUND": Code(
+        "error", "The file does not exist or cannot be read.", "Check the path and the permissions.", Exit.FILE
+    ),
+    "FILE_NOT_USD": Code(
+        "error", "USD cannot read the file as a layer.", "Re-export the asset as .usd, .usda, .usdc or .usdz."
+    ),
+    # --- the process that reads the asset --------------------------------------------------------
+    "SOURCE_NOT_A_FILE": Code("error", "The asset is not a regular file.", "Name the asset's root layer.", Exit.FILE),
+    "SOURCE_IS_LAYOUT": Code(
+        "error",
+        "What is to be laid out is a layout layer itself, not a character.",
+        "Process the character that it stands over; --previous keeps what the layer has.",
+    ),
+    "SOURCE_LFS_POINTER": Code(
+        "error",
+        "The file is a Git LFS pointer: the asset itself was never fetched.",
+        "Run `git lfs pull` in its repository.",
+        Exit.FILE,
+    ),
+    "SOURCE_TOO_LARGE": Code(
+        "error", "The file is larger than the limit.", "Raise `read.size_limit` (MiB).", Exit.LIMIT
+    ),
+    "SOURCE_CRASHES_USD": Code(
+        "error",
+        "USD crashed, or gave an answer without sense, while it read the asset.",
+        "Export the asset again; if a sound file does this, report it to the makers of USD.",
+    ),
+    "SOURCE_TIME_LIMIT": Code(
+        "error",
+        "Reading the asset took longer than the limit.",
+        "Raise `read.time_limit` (seconds), or export the asset as .usdc.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_MEMORY_LIMIT": Code(
+        "error",
+        "Reading the asset took more memory than the limit.",
+        "Raise `read.memory_limit` (MiB), or export the asset as .usdc.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_READER_LOST": Code(
+        "error",
+        "The process that reads the asset could not be started, or was ended from outside.",
+        "Look for a memory limit of the machine or the farm, and run again.",
+        Exit.LIMIT,
+    ),
+    "SOURCE_CHANGED": Code(
+        "error",
+        "A file of the asset changed while usdrigui was at work; nothing was written.",
+        "Run again when the asset is complete.",
+        Exit.FILE,
+    ),
+    # --- reading the asset -----------------------------------------------------------------------
+    "FILE_NAME": Code("error", "No layer could refer to a file of this name.", "Rename the file."),
+    "USD_ERROR": Code(
+        "error", "USD failed while the asset was read.", "Check the asset with `usdchecker`, or export it again."
+    ),
+    "ARRAY_TYPE": Code("error", "An attribute holds values of another type.", "Author it with its schema's type."),
+    "FILE_CORRUPT": Code("error", "The archive is damaged.", "Copy or export the asset again."),
+    "LAYER_MISSING": Code(
+        "error",
+        "The asset refers to a layer that cannot be found or read.",
+        "Restore the file, correct the asset path, or set the resolver's search path.",
+    ),
+    "COMPOSITION_ERROR": Code(
+        "warning", "USD could not compose a part of the stage.", "Correct the composition arc at the prim named."
+    ),
+    "USD_DIAGNOSTIC": Code(
+        "info", "USD complained while the asset was read.", "See the message; often another issue tells more."
+    ),
+    "SKELROOT_MISSING": Code(
+        "error", "The stage has no SkelRoot.", "Put the character's meshes and Skeleton under a SkelRoot prim."
+    ),
+    "SKELROOT_UNKNOWN": Code(
+        "error",
+        "The prim that `read.skel_root` names is not a SkelRoot of the stage.",
+        "Name one of the SkelRoots listed, or leave the setting out.",
+        Exit.USAGE,
+    ),
+    "CONTROLS_MISSING": Code(
+        "error",
+        "No SkelRoot has anything to control.",
+        "Add blend shapes or an animated skeleton, or name joints or poses in the configuration.",
+    ),
+    "INSTANCE": Code(
+        "error",
+        "The character is inside an instance, where no layer can add or edit prims.",
+        "Set `instanceable = false` on the prim named, or process the referenced asset itself.",
+    ),
+    "TARGETS_LENGTH": Code(
+        "error",
+        "skel:blendShapes and skel:blendShapeTargets differ in length.",
+        "Author one target for each blend-shape name, in the same order.",
+    ),
+    "TARGET_INVALID": Code(
+        "warning",
+        "A blend-shape target is not a BlendShape prim; the shape is ignored, as UsdSkel does.",
+        "Correct the target or remove the name.",
+    ),
+    "OFFSETS_LENGTH": Code(
+        "error",
+        "A blend shape's offsets do not match its pointIndices or the mesh's points.",
+        "Author one offset per point index, or per point when there are no indices.",
+    ),
+    "INDEX_RANGE": Code("error", "An index is out of range.", "Correct the array named, or export the asset again."),
+    "NOT_FINITE": Code("error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."),
+    "INFLUENCES_LENGTH": Code(
+        "error",
+        "The joint influences do not match each other or the mesh's points.",
+        "Author jointIndices and jointWeights of equal size: points times elementSize, or elementSize if constant.",
+    ),
+    "JOINT_UNKNOWN": Code(
+        "error", "A mesh names a joint that its Skeleton does not have.", "Correct skel:joints of the prim named."
+    ),
+    "SKELETON_INVALID": Code(
+        "error",
+        "The Skeleton's joints, bind transforms or rest transforms are unusable.",
+        "Author one valid bind and rest transform per joint, parents before children.",
+    ),
+    "ANIMATION_LENGTH": Code(
+        "error",
+        "A SkelAnimation's values do not match its names in number.",
+        "Author one value per blend shape or joint at every time.",
+    ),
+    "TOPOLOGY_INVALID": Code(
+        "error",
+        "The face counts and face indices of a mesh contradict each other.",
+        "Correct the mesh, or export the asset again.",
+    ),
+    "MESH_UNBOUND": Code(
+        "warning",
+        "A mesh has blend shapes but no Skeleton is bound to it, so that nothing can move it.",
+        "Bind it by skel:skeleton (a Skeleton without joints will do).",
+    ),
+    "MESH_OUTSIDE": Code(
+        "warning",
+        "A mesh with blend shapes or joint influences lies outside every SkelRoot, where USD deforms nothing.",
+        "Move it below the SkelRoot, or make a prim above both the SkelRoot.",
+    ),
+    "MESH_EMPTY": Code("warning", "A mesh has no points and is ignored.", "Remove it or restore its points."),
+    "POINTS_ANIMATED": Code(
+        "info",
+        "A mesh has time samples on its points or topology; only those of the base pose are used.",
+        "Nothing, if the base pose is the one wanted; else set `read.time`.",
+    ),
+    "PRIM_UNSUPPORTED": Code(
+        "warning",
+        "A prim other than a Mesh has blend shapes or joint influences; it is ignored.",
+        "Convert it to a Mesh if it must carry controls.",
+    ),
+    "WEIGHTS_UNNORMALISED": Code(
+        "warning",
+        "Joint weights of a mesh do not add up to one, so that points shrink towards the origin.",
+        "Normalise the weights.",
+    ),
+    "SKINNING_METHOD": Code(
+        "warning", "The skinning method is unknown; classicLinear is taken.", "Author classicLinear or dualQuaternion."
+    ),
+    "TOKEN_NOT_ANIMATED": Code(
+        "info",
+        "No SkelAnimation lists some blend shapes; they are laid out, but move only once one is authored.",
+        "Add the names to the blendShapes of the SkelAnimation.",
+    ),
+    "TOKEN_REPEATED": Code(
+        "warning",
+        "A list names the same blend shape twice; the last is taken, as UsdSkel does.",
+        "Remove the repetition.",
+    ),
+    "INBETWEEN_INVALID": Code(
+        "warning",
+        "An in-between has no weight, or one that another shape has; it is ignored.",
+        "Give it a weight of its own other than 0 and 1.",
+    ),
+    "TOKEN_ORDER": Code(
+        "info",
+        "A mesh and its SkelAnimation list the same blend shapes in another order.",
+        "Nothing for USD, which goes by name; use one order for applications that go by index.",
+    ),
+    "WEIGHTS_BEYOND_LIMITS": Code(
+        "warning",
+        "An animation has weights outside the limits that it states itself.",
+        "Widen the limits, or correct the animation.",
+    ),
+    "RANGE_INVALID": Code(
+        "warning", "An authored range is not a pair of ascending numbers; it is ignored.", "Correct it."
+    ),
+    "POSES_MISMATCH": Code(
+        "warning",
+        "The list of pose names and the animation's frames differ in number.",
+        "Name one pose per frame, the first being the rest pose.",
+    ),
+    "REST_MISSING": Code(
+        "warning",
+        "The Skeleton has no rest transforms; they are derived from the bind transforms.",
+        "Author restTransforms.",
+    ),
+    "JOINT_MOTION_IGNORED": Code(
+        "info",
+        "The animation moves or scales joints besides turning them; only rotations become joint controls.",
+        "Name its frames or clips as poses in the configuration to lay out the rest.",
+    ),
+    "CLIP_THINNED": Code(
+        "info", "The animation is too long to keep whole; evenly spaced frames of it are kept.", "Nothing."
+    ),
+    "UNITS_TYPE": Code(
+        "warning", "metersPerUnit is not a double or not above zero.", "Author metersPerUnit as a positive double."
+    ),
+    # --- glyphs ----------------------------------------------------------------------------------
+    "GLYPH_MISSING": Code(
+        "error",
+        "A glyph that the configuration names does not exist.",
+        "Correct the name: /PRIM for a prim of the asset, FILE</PRIM> for one of a file named from the asset's folder.",
+        Exit.USAGE,
+    ),
+    "GLYPH_TYPE": Code(
+        "error",
+        "A glyph is neither a Mesh nor BasisCurves.",
+        "Name a Mesh or BasisCurves, or convert the prim to one.",
+        Exit.USAGE,
+    ),
+    "GLYPH_EMPTY": Code(
+        "error",
+        "A glyph has no points, too many, or all of them at one place.",
+        "Give it a shape, of a thousand points at most.",
+        Exit.USAGE,
+    ),
+    # --- settings --------------------------------------------------------------------------------
+    "CONFIG_SYNTAX": Code("error", "The configuration is not valid TOML.", "Correct the line named.", Exit.USAGE),
+    "CONFIG_UNKNOWN_KEY": Code(
+        "error",
+        "The configuration has a key that usdrigui does not know.",
+        "Remove or correct the key; docs/settings.md lists all.",
+        Exit.USAGE,
+    ),
+    "CONFIG_VALUE": Code(
+        "error", "A setting has a value outside its range or of the wrong type.", "Correct the value.", Exit.USAGE
+    ),
+    "CONFIG_UNKNOWN_CONTROL": Code(
+        "error",
+        "The configuration names a control that the asset does not have.",
+        "Use a name listed by `usdrigui inspect`.",
+        Exit.USAGE,
+    ),
+    "FIXED_IMPOSSIBLE": Code(
+        "error",
+        "A fixed anchor asks for what no layout can give.",
+        "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
+        Exit.USAGE,
+    ),
+    "PREVIOUS_MISMATCH": Code(
+        "error",
+        "The layout given as --previous is of another character.",
+        "Name the layer that was written for this asset; --like imitates another character's layout.",
+    ),
+    "BASE_MISMATCH": Code(
+        "error",
+        "The layout given as --base is of another character.",
+        "Name the layout layer of the asset that the shot brings in.",
+    ),
+    "BASE_APART": Code(
+        "error",
+        "The shot has the character at another path than its layout, and does not bring the layout in.",
+        "Let the shot reference the layout layer instead of the asset, or write that layer with --bare.",
+    ),
+    "BASE_COMPLETE": Code(
+        "info",
+        "The layout given as --base has every control of the shot already; the layer adds none.",
+        "Nothing; the layer can go.",
+    ),
+    "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
+    # --- installation ----------------------------------------------------------------------------
+    "EXTRA_MISSING": Code(
+        "error",
+        "An optional package that was asked for is not installed.",
+        "Install it: `pip install usdrigui[rays]` for Embree.",
+        Exit.USAGE,
+    ),
+    # --- controls --------------------------------------------------------------------------------
+    "CONTROL_TINY": Code(
+        "info",
+        "The control moves so little that its slider is drawn enlarged.",
+        "Exclude it in the configuration, or widen its range.",
+    ),
+    "CONTROL_DUPLICATE": Code(
+        "info",
+        "The control does the same as another one.",
+        "Exclude one of the two in the configuration.",
+    ),
+    # --- viewer ----------------------------------------------------------------------------------
+    "VIEW_MISMATCH": Code(
+        "error",
+        "The layout and the rig shown with it do not belong together, or hold broken numbers.",
+        "Process the asset again with `usdrigui process` and view the new layer.",
+    ),
+    # --- schema and layer ------------------------------------------------------------------------
+    "EXTENSION_MISSING": Code(
+        "error",
+        "The Blender extension's files were not installed with the package.",
+        "Install usdrigui again, from a wheel or a complete checkout.",
+        Exit.USAGE,
+    ),
+    "SCHEMA_MISSING": Code(
+        "error",
+        "The schema's folder was not installed with the package.",
+        "Install usdrigui again; `usdrigui schema-path` must print a folder.",
+        Exit.USAGE,
+    ),
+    "SCHEMA_TOO_LATE": Code(
+        "error",
+        "The schema was registered after USD had built its registry, which has no effect.",
+        "Register before any stage is opened, or set PXR_PLUGINPATH_NAME to the folder named.",
+        Exit.USAGE,
+    ),
+    "LAYOUT_MISSING": Code(
+        "error", "The layer holds no layout.", "Make one with `usdrigui process`, and name the layer that it wrote."
+    ),
+    "LAYOUT_INVALID": Code(
+        "error",
+        "A layout in the layer contradicts itself.",
+        "Correct the property named (schemas/CONTRACT.md), or process the asset again.",
+    ),
+    "LAYOUT_VERSION": Code(
+        "error", "The layout was written by a later usdrigui, in a way this one does not know.", "Update usdrigui."
+    ),
+    "SOURCE_UNREFERABLE": Code(
+        "error", "No USD layer can refer to a file of this name.", "Rename the file, or write with --bare.", Exit.FILE
+    ),
+    # --- writing ---------------------------------------------------------------------------------
+    "FILE_FULL": Code("error", "There is no room for the file.", "Free some space and run again.", Exit.FILE),
+    "FILE_READ_ONLY": Code("error", "The folder or file is read-only.", "Choose another place with -o.", Exit.FILE),
+    "FILE_PERMISSION": Code(
+        "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
+    ),
+    "FILE_TARGET": Code(
+        "error", "The output cannot be a file of this name.", "Choose another name with -o.", Exit.FILE
+    ),
+    "FILE_WRITE": Code(
+        "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
+    ),
+    "FILE_VERIFY": Code(
+        "error",
+        "What was written did not read back as it should; what was there before is untouched.",
+        "Check the disk and run again.",
+        Exit.FILE,
+    ),
+    # --- layouts inside the asset ------------------------------------------------------------------
+    "ATTACH_PACKAGE": Code(
+        "error",
+        "A usdz is read-only for USD; no layer can be added to it.",
+        "Unpack it and attach the layout to its root layer, or keep the layout beside it.",
+    ),
+    "ATTACH_LINK": Code(
+        "error",
+        "The asset is a symbolic link, from which the layout's path would lead elsewhere than from the file.",
+        "Name the file itself.",
+        Exit.FILE,
+    ),
+    "ATTACH_NOT_BARE": Code(
+        "error", "The layout brings sublayers of its own into the asset.", "Write it with `usdrigui process --bare`."
+    ),
+    "ATTACH_CYCLE": Code(
+        "error",
+        "The layout already stands over the asset, so that each would contain the other.",
+        "Write it with `usdrigui process --bare`, or detach it from the asset first.",
+    ),
+    # --- many assets -------------------------------------------------------------------------------
+    "BATCH_NO_MATCH": Code(
+        "error",
+        "A pattern matches no asset.",
+        "Correct it; put it in quotes, so that the shell leaves it alone.",
+        Exit.USAGE,
+    ),
+    "BATCH_TIME_LIMIT": Code(
+        "error", "An asset took longer than the batch allows.", "Raise --timeout, or process it alone.", Exit.LIMIT
+    ),
+    "BATCH_KILLED": Code(
+        "error",
+        "The process of an asset was ended from outside.",
+        "Look for a memory limit of the machine or the farm, and run again.",
+        Exit.LIMIT,
+    ),
+    "BATCH_NO_REPORT": Code(
+        "error",
+        "The process of an asset ended without its report.",
+        "Run `usdrigui process` on the asset alone to see what it says.",
+        Exit.BUG,
+    ),
+    "BATCH_SCHEDULER": Code(
+        "error", "No dask scheduler answers.", "Check the address and that the scheduler runs.", Exit.FILE
+    ),
+    "BATCH_TOO_MANY": Code("error", "There are more assets than one job can hold.", "Make several jobs.", Exit.USAGE),
+    # --- posing ----------------------------------------------------------------------------------
+    "SOURCE_MISSING": Code(
+        "error",
+        "The layout layer does not say which asset it stands over.",
+        "Name the asset as its first sublayer, or write the layer without --bare.",
+    ),
+    "LAYOUT_STALE": Code(
+        "error",
+        "The layout was made for another version of the character.",
+        "Run `usdrigui process` on the character again.",
+    ),
+    "POSE_CONTROL": Code(
+        "error",
+        "A pose names a control that the character does not have.",
+        "Use a name listed by `usdrigui inspect`.",
+        Exit.USAGE,
+    ),
+    "POSE_POINT": Code(
+        "error",
+        "A point to be pulled or pinned does not exist.",
+        "Use an index below the number of points.",
+        Exit.USAGE,
+    ),
+    "POSE_VALUE": Code(
+        "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
+    ),
+    "NORMALS_INWARD": Code(
+        "warning",
+        "The faces of the character are wound so that their normals point inward.",
+        "Correct the meshes' orientation attribute, or reverse their faces.",
+    ),
+    "TERM_INVALID": Code(
+        "error",
+        "A term of the objective from another package gave an answer that cannot be used.",
+        "Correct the term, or leave it out of objective.terms.",
+        Exit.USAGE,
+    ),
+    # --- layouts that exist ------------------------------------------------------------------------
+    "ANIMATION_MISSING": Code(
+        "error", "The character has no animation that could be shown.", "Bind a SkelAnimation with time samples to it."
+    ),
+    "CLIP_UNKNOWN_CONTROL": Code(
+        "warning",
+        "An animation moves blend shapes for which the character has no control.",
+        "Give the animations of this character, or correct their blendShapes.",
+    ),
+    "LAYOUT_MESH_GONE": Code(
+        "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_TOPOLOGY": Code(
+        "error",
+        "The mesh under an element has other points or faces than when it was laid out.",
+        "Run `usdrigui process` again, with --previous to keep what can be kept.",
+    ),
+    "LAYOUT_ANCHOR_MOVED": Code(
+        "warning",
+        "The point under an element is no longer where it was.",
+        "Run `usdrigui process` again if the shape of the face has changed.",
+    ),
+    "LAYOUT_CONTROL_GONE": Code(
+        "error", "An element drives a control that the rig does not have.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_CONTROL_NEW": Code(
+        "warning", "The rig has a control that the layout does not know.", "Run `usdrigui process` again."
+    ),
+    "LAYOUT_HANDLES_COLLIDE": Code(
+        "warning",
+        "Two handles are nearer than a handle's width and cannot both be grabbed.",
+        "Move one of them, or run `usdrigui process` again.",
+    ),
+    "LAYOUT_ANCHOR_HIDDEN": Code(
+        "warning",
+        "No view shows the point that an element is anchored to.",
+        "Move the element to where it can be seen.",
+    ),
+    "LAYOUT_BETTER_PLACE": Code(
+        "info", "An element would do better elsewhere.", "Set the control's `anchor` to the place named, if you agree."
+    ),
+    # --- solving ---------------------------------------------------------------------------------
+    "SOLVE_INFEASIBLE": Code(
+        "error",
+        "No layout keeps all handles apart.",
+        "Allow places beside the face (objective.beside_allowed), make handles smaller or prune fewer candidates.",
+    ),
+    "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
+    "SOLVE_MEMORY": Code(
+        "error",
+        "The method would need more memory than solve.memory_limit allows.",
+        "Use the method highs, or raise the limit.",
+        Exit.LIMIT,
+    ),
+    "SOLVE_EXTRA": Code(
+        "error",
+        "The method needs a package that is not installed.",
+        "Install usdrigui[toulbar2], or use the method highs.",
+        Exit.USAGE,
+    ),
+    "PROBLEM_FILE": Code(
+        "error", "The file is no layout problem of this version.", "Save it again with this version.", Exit.FILE
+    ),
+    # --- ours ------------------------------------------------------------------------------------
+    "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),
+}
+CODES: Mapping[str, Code] = MappingProxyType(_CODES)

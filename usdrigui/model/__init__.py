@@ -1,0 +1,66 @@
+"""The records that the stages hand to each other; numpy only, read-only throughout.
+
+    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
+
+Coordinates: unless a field says otherwise, positions are in the space of the SkelRoot ("root space"),
+column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector convention
+(``p' = p @ M``).  *Point* means an index into the concatenation of all meshes' points, in the order
+of `Rig.meshes`; *local* point means an index into one mesh.
+"""
+
+from __future__ import annotations
+
+from usdrigui.model.animation import Clip, Performance
+from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
+from usdrigui.model.candidates import Candidates, CandidateSet, ElementKind, Group
+from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
+from usdrigui.model.layout import Anchor, Element, Layout, Member, Side
+from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
+from usdrigui.model.motion import Motion, Symmetry, Trajectories
+from usdrigui.model.problem import ExtraPairs, LayoutProblem, Overlap, Variable
+from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
+from usdrigui.model.rig import Glyph, LeftOff, Rig
+
+__all__ = [
+    "GAP_FLOOR",
+    "Anchor",
+    "Assignment",
+    "CandidateSet",
+    "Candidates",
+    "Channel",
+    "Clip",
+    "Control",
+    "ControlKind",
+    "Drive",
+    "Element",
+    "ElementKind",
+    "ExtraPairs",
+    "Flags",
+    "Floats",
+    "Glyph",
+    "Group",
+    "Indices",
+    "Joint",
+    "Layout",
+    "LayoutProblem",
+    "LeftOff",
+    "Member",
+    "Motion",
+    "Overlap",
+    "Performance",
+    "Record",
+    "Rig",
+    "RigMesh",
+    "Shape",
+    "Side",
+    "Singles",
+    "Skeleton",
+    "Skin",
+    "Status",
+    "Step",
+    "Subset",
+    "Symmetry",
+    "Trajectories",
+    "Variable",
+    "freeze",
+]

@@ -1,0 +1,54 @@
+"""What the solvers answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from usdrigui.model.record import Indices, Record
+
+Status = Literal["optimal", "stopped"]
+
+GAP_FLOOR = 1e-3
+"""Cost below which gaps are no longer relative: a thousandth of what one element's place is worth. Without it the
+gap of a problem whose best cost is zero could never close."""
+
+
+@dataclass(frozen=True, eq=False)
+class Assignment(Record):
+    """A solution of a `LayoutProblem` with its proof."""
+
+    labels: Indices
+    """(variables,) chosen candidate of each variable; -1 is beside the face."""
+    cost: float
+    bound: float
+    """Lower bound on the cost of every solution of the problem as given; -inf if none is known."""
+    status: Status
+    """``optimal`` when the relative gap is within the setting; ``stopped`` at a limit."""
+    in_play: float
+    """cost minus the sum over variables of their least linear cost: what the choice can change (>= 0)."""
+    method: str
+    steps: tuple[Step, ...] = ()
+
+    @property
+    def gap(self) -> float:
+        """(cost - bound) / |cost|; costs nearer to zero than `GAP_FLOOR` count as that."""
+        return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
+
+    @property
+    def gap_in_play(self) -> float:
+        """(cost - bound) over the part of the cost that the choice can change; 0 when proven."""
+        excess = max(0.0, self.cost - self.bound)
+        rounding = 1e-9 * abs(self.cost)
+        return excess / max(self.in_play, 1e-12) if excess > rounding else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Statistics of one step of a solver, for the report."""
+
+    name: str
+    figures: tuple[tuple[str, float], ...]
+    """Ordered (what, number) pairs; never times."""
+    seconds: float
+    """For people; never part of an output that must be reproducible."""

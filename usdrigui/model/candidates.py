@@ -1,0 +1,78 @@
+"""Where controls may be anchored, and which of them share an element."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from usdrigui.model.record import Floats, Indices, Record
+from usdrigui.model.rig import LeftOff
+
+ElementKind = Literal["slider", "patch", "fan"]
+
+
+@dataclass(frozen=True, eq=False)
+class Candidates(Record):
+    """The candidates of every control that has any (paper section 4.2, pruning)."""
+
+    sets: tuple[CandidateSet, ...]
+    left_off: tuple[LeftOff, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class CandidateSet(Record):
+    """Where one control may be anchored."""
+
+    motion: int
+    """Index into `Trajectories.motions`."""
+    points: Indices
+    """(p,) points, ascending."""
+    cost: Floats
+    """(p,) linear cost besides displacement and overlap (occlusion, plane, locality...), >= 0, in the
+    units of the objective."""
+    globally: bool
+    """True when the control moves the face as a whole: laid out beside it."""
+    hidden: bool
+    """True when the control moves only what no view shows: laid out beside the face."""
+    composite: bool
+    """True when it repeats what atomic controls do together: laid out beside the face."""
+    coverage: float
+    """Share of the visible places of the face that it moves."""
+    sources: Indices
+    """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control is shown
+    at a visible proxy of a hidden region."""
+    reason: str = ""
+    """Why it is laid out beside the face; else empty."""
+    requested: bool = False
+    """True when the configuration alone sends it beside the face."""
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Controls that share one element (paper: g)."""
+
+    name: str
+    kind: ElementKind
+    controls: tuple[int, ...]
+    """Indices into `Rig.controls`, in the element's order; opposed controls stand next to each other."""
+    opposed: tuple[tuple[int, int], ...]
+    """Pairs of `controls` that are the two ends of one axis (negative, positive)."""
+    mirror: tuple[int, ...]
+    """The twins of `controls` in the same order, if the element is one of a symmetric pair; else empty."""
+    reason: str
+    """Why they are grouped; empty for a single control."""
+    beside: bool = False
+    """True when it goes beside the face whatever the costs."""
+    family: str = ""
+    """Heading under which it then stands: ``global``, ``hidden``, ``composite`` or ``requested``."""
+    images: tuple[tuple[int, ...], ...] = ()
+    """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
+    tuples for an n-fold orbit."""
+    image_names: tuple[str, ...] = ()
+    """Names that the configuration gives to those copies; empty strings where it gives none."""
+    inner: tuple[str, ...] = ()
+    """Names of the groups that are shown in place of this one when it is opened; none unless it is coarse."""
+    part: bool = False
+    """True for a slider of its own of controls that another, coarse, group holds too."""
+    states: frozenset[int] = frozenset({0})
+    """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""

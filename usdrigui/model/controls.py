@@ -1,0 +1,96 @@
+"""Controls, and what they set: joints and blend-shape weights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from usdrigui.model.record import Floats, Indices, Record
+
+ControlKind = Literal["blendShape", "joint", "pose"]
+
+
+@dataclass(frozen=True, eq=False)
+class Control(Record):
+    """One rig parameter (paper: c_j)."""
+
+    name: str
+    """Unique in the rig: the token, ``joint:rx`` or the pose's name, after renaming by the config."""
+    label: str
+    """For people; the name unless the config gives another."""
+    kind: ControlKind
+    source: str
+    """Blend-shape token, joint path or pose name as authored."""
+    minimum: float
+    default: float
+    maximum: float
+    range_source: Literal["config", "limits", "animation", "inbetweens", "metadata", "default"]
+    drive: Drive
+
+
+@dataclass(frozen=True, eq=False)
+class Drive(Record):
+    """What a control sets, as a piecewise linear function of its value.
+
+    At value v the control adds to the base pose: blend-shape weights, joint rotations (as rotation
+    vectors about the joint's own axes), translations and logarithms of scales.  A base transform with
+    linear part S R (stretch, rotation) and translation t becomes ``exp(scales) S exp(rotations) R`` and
+    ``t + translations``, which is what a SkelAnimation holds.  Between keys all are interpolated linearly
+    (rotation vectors too: with two keys that is slerp), beyond the ends they are extrapolated.  All rows
+    are zero where the value is the default.
+    """
+
+    values: Floats
+    """(k,) ascending control values of the keys, k >= 2."""
+    channels: Indices
+    """(t,) indices into `Rig.channels`."""
+    weights: Floats
+    """(k, t) added weights."""
+    joints: Indices
+    """(j,) indices into `Rig.joints`."""
+    rotations: Floats
+    """(k, j, 3) rotation vectors, radians."""
+    translations: Floats
+    """(k, j, 3) added to the joint's local translation."""
+    scales: Floats
+    """(k, j, 3) logarithms of scale factors along the joint's local axes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Channel(Record):
+    """One blend-shape weight of one SkelAnimation."""
+
+    token: str
+    animation: str
+    """Prim path of the SkelAnimation, or empty if none lists the token."""
+    index: int
+    """Position in `SkelAnimation.blendShapes`, or -1."""
+
+
+@dataclass(frozen=True, eq=False)
+class Joint(Record):
+    """One joint of one skeleton; parents come before children in `Rig.joints`."""
+
+    path: str
+    """Joint token as in `Skeleton.joints`, for example ``Head/Jaw``."""
+    skeleton: int
+    """Index into `Rig.skeletons`."""
+    parent: int
+    """Index into `Rig.joints`, or -1."""
+    bind: Floats
+    """(4, 4) bindTransforms entry (world at bind time)."""
+    rest: Floats
+    """(4, 4) local restTransforms entry."""
+    base: Floats
+    """(4, 4) local transform in the base pose (the rest transform unless a time or pose was chosen)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton(Record):
+    """One Skeleton bound under the SkelRoot."""
+
+    path: str
+    animation: str
+    """Prim path of the SkelAnimation that drives it, or empty."""
+    to_root: Floats
+    """(4, 4) skeleton space to root space."""

@@ -1,0 +1,104 @@
+"""What is drawn on the character, and what an animator grabs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from usdrigui.model.assignment import Status
+from usdrigui.model.candidates import ElementKind
+from usdrigui.model.record import Floats, Record
+from usdrigui.model.rig import Glyph, LeftOff
+
+Side = Literal["left", "right", "middle", "none"]
+
+
+@dataclass(frozen=True, eq=False)
+class Layout(Record):
+    """All elements of one character (paper: L), what was left off, and the proof."""
+
+    root: str
+    """Prim path of the SkelRoot."""
+    elements: tuple[Element, ...]
+    left_off: tuple[LeftOff, ...]
+    handle_width: float
+    """Diameter at which handles are drawn and kept apart; scene units."""
+    space: Literal["object", "view"]
+    view: Floats
+    """(3,) unit direction from the face to the viewer for which the layout was made."""
+    plane_origin: Floats
+    plane_normal: Floats
+    """(3,) symmetry plane; normal zero when there is none."""
+    base_values: Floats
+    """(controls,) base pose: value of every control, in the order of `Rig.controls`."""
+    method: str
+    status: Status
+    cost: float
+    bound: float
+    in_play: float
+    weights: tuple[tuple[str, float], ...] = field(default=())
+    """Settings of the objective that the cost depends on, by name."""
+
+
+@dataclass(frozen=True, eq=False)
+class Element(Record):
+    """What the animator sees and grabs (paper: E_j)."""
+
+    name: str
+    """Unique; a valid prim name is made from it by the layer."""
+    label: str
+    kind: ElementKind
+    members: tuple[Member, ...]
+    """In order; a bipolar slider has two opposed members, a joystick is a patch of up to four."""
+    opposed: tuple[tuple[int, int], ...]
+    """Pairs of member positions that are the two ends of one axis."""
+    anchor: Anchor
+    side: Side
+    mirror: str
+    """Name of the element on the other side, or empty."""
+    family: str
+    """For elements beside the face: the heading under which it stands (``global``, ``hidden``,
+    ``composite``, ``requested``, ``crowded``); else empty."""
+    reason: str
+    """Why it stands beside the face or shares an element; else empty."""
+    adapt: Literal["deform", "static"] = "deform"
+    glyph: Glyph | None = None
+    """Drawn as its handle; None for the usual shape."""
+    reversed: tuple[int, ...] = ()
+    """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
+    inner: tuple[str, ...] = ()
+    """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
+
+
+@dataclass(frozen=True, eq=False)
+class Member(Record):
+    """One control of an element, with its drawn track."""
+
+    control: str
+    """`Control.name`."""
+    values: Floats
+    """(k,) control values along the track."""
+    track: Floats
+    """(k, 3) drawn positions at the base pose, gain applied."""
+    arc_length: float
+    """Of the anchor's true trajectory."""
+    gain: float
+    """Drawn length over true length: 1 unless the trajectory is too small to be used."""
+
+
+@dataclass(frozen=True, eq=False)
+class Anchor(Record):
+    """Where an element holds on to the character."""
+
+    mesh: str
+    """Prim path of the mesh."""
+    point: int
+    """Local point index."""
+    point_count: int
+    topology_hash: str
+    position: Floats
+    """(3,) at the base pose.  Beside the face: the place of the element itself."""
+    normal: Floats
+    """(3,) unit; the direction in which the element faces."""
+    beside: bool
+    """True when the element stands beside the face and takes from the point its joint influences only."""

@@ -1,0 +1,91 @@
+"""Meshes as authored: points, blend shapes, skinning."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.model.record import Floats, Indices, Record, Singles
+
+
+@dataclass(frozen=True, eq=False)
+class RigMesh(Record):
+    """One mesh under the SkelRoot, as authored."""
+
+    path: str
+    points: Floats
+    """(n, 3) `points` in the mesh's own space."""
+    face_counts: Indices
+    face_indices: Indices
+    """Local point indices."""
+    left_handed: bool
+    visible: bool
+    """False when the visibility or the purpose hides it from a default render."""
+    subdivision: str
+    """subdivisionScheme token."""
+    to_root: Floats
+    """(4, 4) mesh space to root space; used where there is no skin."""
+    skin: Skin | None
+    shapes: tuple[Shape, ...]
+    topology_hash: str
+    """Hex digest of point count, face counts and face indices: changes when point indices mean others."""
+    subsets: tuple[Subset, ...] = ()
+    """GeomSubsets, for locality."""
+
+
+@dataclass(frozen=True, eq=False)
+class Subset(Record):
+    """A GeomSubset: a named part of a mesh."""
+
+    path: str
+    points: Indices
+    """Local points, ascending: those of its faces, for a subset of faces."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shape(Record):
+    """What one blend-shape token does to one mesh.
+
+    The offset of a point at weight w is piecewise linear in w through the origin and `weights`, and is
+    extrapolated beyond the ends along the first and last pieces, as UsdSkelBlendShapeQuery does.
+    """
+
+    channel: int
+    """Index of the weight that drives it, into `Rig.channels`; several shapes of a mesh may share it."""
+    path: str
+    """Prim path of the BlendShape."""
+    weights: Floats
+    """(k,) ascending in-between weights and 1; never 0."""
+    points: Indices
+    """(p,) local point indices that have an offset, ascending, unique."""
+    offsets: Singles
+    """(k, p, 3) offsets in the mesh's own space."""
+
+
+@dataclass(frozen=True, eq=False)
+class Skin(Record):
+    """Joint influences of one mesh."""
+
+    joints: Indices
+    """(n, k) joint indices into `Rig.joints`."""
+    weights: Floats
+    """(n, k) weights as authored; like UsdSkel, nothing normalises them."""
+    method: Literal["classicLinear", "dualQuaternion"]
+    geom_bind: Floats
+    """(4, 4) geomBindTransform."""
+    rigid: bool
+    """True when the influences are constant over the mesh (n is still the number of points)."""
+
+    @cached_property
+    def by_joint(self) -> tuple[Indices, Floats, Indices, Indices]:
+        """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the joints that
+        have any (j,), and where each begins (j + 1,).  A point appears once per joint."""
+        count = max(1, len(self.joints))
+        points, slots = np.nonzero(self.weights)
+        keys, place = np.unique(self.joints[points, slots] * count + points, return_inverse=True)
+        weights = np.bincount(place, self.weights[points, slots], len(keys)).astype(np.float64)
+        joints, starts = np.unique(keys // count, return_index=True)
+        return keys % count, weights, joints.astype(np.int64), np.append(starts, len(keys)).astype(np.int64)

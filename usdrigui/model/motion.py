@@ -1,0 +1,71 @@
+"""How points move under controls, and what mirrors what."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from usdrigui.errors import Issue
+from usdrigui.model.record import Flags, Floats, Indices, Record, Singles
+from usdrigui.model.rig import LeftOff
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectories(Record):
+    """Trajectories of every point under every control, at the base pose."""
+
+    base: Floats
+    """(n, 3) points of the base pose."""
+    normals: Floats
+    """(n, 3) unit outward normals at the base pose; zero where undefined."""
+    places: Indices
+    """(n,) index of the first point at the same position: points split at seams share one place."""
+    motions: tuple[Motion, ...]
+    """One per control that moves something; others stand in `left_off`."""
+    face_size: float
+    """Height along `Rig.up` of the region moved by the local controls: the unit of handle sizes."""
+    typical_length: float
+    """Median over local controls of the largest arc length (design: l0), the unit of displacement."""
+    left_off: tuple[LeftOff, ...]
+    issues: tuple[Issue, ...] = ()
+    """Tiny and duplicate controls: kept, but worth knowing."""
+    excluded: tuple[Motion, ...] = ()
+    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face controls."""
+
+    def motion_of(self, control: int) -> Motion:
+        """The motion of a control, which must move something."""
+        return next(each for each in self.motions if each.control == control)
+
+
+@dataclass(frozen=True, eq=False)
+class Motion(Record):
+    """The trajectories of all points that one control moves (paper: d_j)."""
+
+    control: int
+    """Index into `Rig.controls`."""
+    values: Floats
+    """(k,) ascending control values of the knots; includes minimum, default and maximum."""
+    points: Indices
+    """(p,) points that move, ascending."""
+    offsets: Singles
+    """(k, p, 3) position minus base position, in root space; zero at the default."""
+    arc_length: Floats
+    """(p,) length of each polyline from minimum to maximum."""
+
+
+@dataclass(frozen=True, eq=False)
+class Symmetry(Record):
+    """The mirror plane of the character and what it maps to what."""
+
+    origin: Floats
+    normal: Floats
+    """(3,) points to the character's left; zero when there is no symmetry."""
+    partner: Indices
+    """(n,) nearest point to the mirror image, or -1 where none lies within the tolerance."""
+    distance: Floats
+    """(n,) distance of the partner from the exact mirror image (inf where none)."""
+    twins: Indices
+    """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
+    sources: tuple[str, ...]
+    """(controls,) how each twin was decided: ``config``, ``geometry``, ``name`` or empty."""
+    reversed: Flags
+    """(controls,) True where the mirror image is the twin going the other way: one rises as the other falls."""

@@ -1,0 +1,94 @@
+"""What the solvers are asked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from usdrigui.model.record import Flags, Floats, Indices, Record
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutProblem(Record):
+    """Choose one label per variable so that the total cost is least (paper eq. 2-5).
+
+    cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair cost
+    of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or +inf if any
+    two handles are nearer than `separation`; a variable beside the face has no pair costs, and neither have
+    two variables that are never visible together.  `extra`
+    adds explicit non-negative pair costs on top.  Nothing else is part of the problem.
+    """
+
+    variables: tuple[Variable, ...]
+    overlap: Overlap
+    separation: float
+    """Scene units; > 0. Tiny (coincidence) where only "one element per point" is asked (paper eq. 4)."""
+    unit_cost: float
+    """Cost of one unit of displacement (lambda); informs displays, not part of the problem."""
+    extra: tuple[ExtraPairs, ...] = ()
+
+    @cached_property
+    def together(self) -> Flags:
+        """(variables, variables) whether two elements are ever visible together."""
+        states = [each.states for each in self.variables]
+        found = np.array([[bool(one & other) for other in states] for one in states], dtype=np.bool_)
+        return found.reshape(len(states), len(states))
+
+
+@dataclass(frozen=True, eq=False)
+class Variable(Record):
+    """One element to place: its candidates are the labels 0..R-1; label -1 is *beside the face*.
+
+    An element stands for itself and for its images under the symmetry (paper section 3.3, symmetric
+    elements): `samples` and `handles` hold one entry per copy.
+    """
+
+    name: str
+    points: Indices
+    """(R,) anchor point of each candidate (of copy 0)."""
+    cost: Floats
+    """(R,) finite linear cost of each candidate, all copies and their mutual overlap included."""
+    samples: Floats
+    """(R, copies, u, 3) points along the drawn element, for overlaps."""
+    handles: Floats
+    """(R, copies, 3) where the handle rests."""
+    beside: float
+    """Linear cost of label -1; +inf when the element must stay on the face."""
+    displacement: Floats
+    """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective: part of `cost`
+    already; a weight for those who sample candidates."""
+    states: frozenset[int] = frozenset({0})
+    """States of the layout in which the element is visible; two elements without a common one do not interact."""
+
+
+@dataclass(frozen=True, eq=False)
+class Overlap(Record):
+    """Constants of the overlap cost (paper eq. 1, with the sign corrected).
+
+    phi(z) = maximum / (1 + exp(sharpness (z - radius))), lowered by its value at `reach` and cut to
+    zero from there on, so that elements further apart than `reach` do not interact at all.
+    """
+
+    maximum: float
+    radius: float
+    """Scene units."""
+    sharpness: float
+    """Per scene unit."""
+    reach: float
+    """Scene units; inf for no cut."""
+    weight: float
+    """Factor on every overlap in the objective (paper: 1 - lambda)."""
+
+
+@dataclass(frozen=True, eq=False)
+class ExtraPairs(Record):
+    """Explicit pair costs between the candidates of two variables (a < b), added to the overlap's."""
+
+    first: int
+    second: int
+    first_labels: Indices
+    second_labels: Indices
+    costs: Floats
+    """(q,) >= 0; each (label, label) pair at most once."""

@@ -1,0 +1,89 @@
+"""A character as the layout sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.errors import Issue
+from usdrigui.model.animation import Clip
+from usdrigui.model.controls import Channel, Control, Joint, Skeleton
+from usdrigui.model.mesh import RigMesh, Shape
+from usdrigui.model.record import Floats, Indices, Record
+
+
+@dataclass(frozen=True, eq=False)
+class Rig(Record):
+    """A character under one SkelRoot: everything the layout needs, and no USD object."""
+
+    root: str
+    """Prim path of the SkelRoot."""
+    meshes: tuple[RigMesh, ...]
+    skeletons: tuple[Skeleton, ...]
+    joints: tuple[Joint, ...]
+    channels: tuple[Channel, ...]
+    base_weights: Floats
+    """(len(channels),) weights in the base pose (0 unless a time or pose was chosen)."""
+    controls: tuple[Control, ...]
+    clip: Clip | None
+    up: Floats
+    """(3,) unit up direction in root space."""
+    metres_per_unit: float
+    left_off: tuple[LeftOff, ...]
+    """Controls that the source has but the rig does not, and why."""
+    issues: tuple[Issue, ...]
+    glyphs: Mapping[str, Glyph] = field(default_factory=dict)
+    """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
+    excluded: tuple[Control, ...] = ()
+    """Controls that the configuration leaves out; what they move still tells how large the face is."""
+
+    @cached_property
+    def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
+        """(mesh index, shape) of every shape that a channel drives; channels without shapes are absent."""
+        found: dict[int, tuple[tuple[int, Shape], ...]] = {}
+        for index, mesh in enumerate(self.meshes):
+            for shape in mesh.shapes:
+                found[shape.channel] = (*found.get(shape.channel, ()), (index, shape))
+        return found
+
+    @property
+    def starts(self) -> Indices:
+        """(len(meshes) + 1,) first point of each mesh; the last entry is the number of points."""
+        return np.cumsum([0, *(len(mesh.points) for mesh in self.meshes)], dtype=np.int64)
+
+    def mesh_of(self, point: int) -> tuple[int, int]:
+        """Mesh index and local point of a point."""
+        starts = self.starts
+        mesh = int(np.searchsorted(starts, point, side="right")) - 1
+        return mesh, int(point - starts[mesh])
+
+
+@dataclass(frozen=True, eq=False)
+class Glyph(Record):
+    """A curve or mesh that is drawn as an element's handle instead of the usual shape."""
+
+    name: str
+    """As the configuration names it."""
+    form: Literal["curve", "mesh"]
+    points: Floats
+    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a sphere of radius 1 about
+    the origin.  In `Element.glyph`: offsets from the handle's centre in the base pose; root space, scene units."""
+    counts: Indices
+    """(f,) points of each polyline or polygon."""
+    indices: Indices
+    """(sum of counts,) into `points`; polygons counter-clockwise from outside, polylines one after the other."""
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOff:
+    """A control, element or candidate that a stage dropped."""
+
+    control: str
+    stage: str
+    """``read``, ``trajectories``, ``candidates``, ``groups``, ``solve`` or ``config``."""
+    reason: str
+    """For people: one clause, without a full stop."""

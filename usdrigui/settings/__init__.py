@@ -1,0 +1,51 @@
+"""Everything that a run can be told.
+
+Precedence, weakest first: defaults, preset, environment (``USDRIGUI_<PART>_<NAME>``), configuration
+file, command line.  Parts are plain dataclasses; `load` builds them from TOML and refuses unknown keys.
+"""
+
+from __future__ import annotations
+
+from usdrigui.settings.loading import document, load
+from usdrigui.settings.parts import (
+    AnimationSettings,
+    CandidateSettings,
+    ControlSettings,
+    GroupSettings,
+    JointSettings,
+    LevelSettings,
+    LikeSettings,
+    ObjectiveSettings,
+    OutputSettings,
+    PoseSettings,
+    ReadSettings,
+    Settings,
+    SolveSettings,
+    SymmetrySettings,
+    TrajectorySettings,
+)
+from usdrigui.settings.presets import PRESETS
+from usdrigui.settings.sources import environment_settings, read_toml
+
+__all__ = [
+    "PRESETS",
+    "AnimationSettings",
+    "CandidateSettings",
+    "ControlSettings",
+    "GroupSettings",
+    "JointSettings",
+    "LevelSettings",
+    "LikeSettings",
+    "ObjectiveSettings",
+    "OutputSettings",
+    "PoseSettings",
+    "ReadSettings",
+    "Settings",
+    "SolveSettings",
+    "SymmetrySettings",
+    "TrajectorySettings",
+    "document",
+    "environment_settings",
+    "load",
+    "read_toml",
+]

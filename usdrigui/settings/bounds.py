@@ -1,0 +1,68 @@
+"""Numbers that settings may have."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Mapping
+
+from usdrigui.errors import refuse
+from usdrigui.settings.parts import Settings
+
+_BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
+    {
+        "read.joint_min_degrees": (0.0, 360.0),
+        "trajectories.tolerance": (1e-9, 1.0),
+        "trajectories.max_samples": (2, 1025),
+        "trajectories.tiny": (0.0, 1.0),
+        "symmetry.tolerance": (0.0, 1.0),
+        "symmetry.twin_similarity": (0.0, 1.0),
+        "symmetry.plane_price": (0.0, 1e6),
+        "candidates.prune_at": (0.0, 1e6),
+        "candidates.peak_share": (0.0, 1.0),
+        "candidates.occlusion_price": (0.0, 1e6),
+        "candidates.global_coverage": (0.0, 1.0),
+        "candidates.hidden_share": (0.0, 1.0),
+        "candidates.near_radius": (1e-6, 1e6),
+        "groups.opposed_cosine": (-2.0, 1.0),
+        "groups.fan_size": (1, 16),
+        "groups.jaccard_min": (0.0, 1.0),
+        "objective.displacement_weight": (0.0, 1.0),
+        "objective.relative_displacement": (0.0, 1.0),
+        "objective.overlap_max": (0.0, 1e6),
+        "objective.overlap_radius": (1e-6, 1e6),
+        "objective.overlap_sharpness": (1e-6, 1e6),
+        "objective.overlap_reach": (0.0, 1e6),
+        "objective.samples": (2, 64),
+        "objective.handle_size": (1e-4, 1.0),
+        "objective.handle_least": (1e-4, 1.0),
+        "objective.handle_crowd": (0.0, 1e6),
+        "objective.keep_price": (0.0, 1e6),
+        "solve.gap": (0.0, 1.0),
+        "solve.threads": (0, 1024),
+        "solve.work_limit": (0, 2**62),
+        "solve.time_limit": (0.0, 1e9),
+        "solve.memory_limit": (1, 2**40),
+        "solve.clusters": (1, 4096),
+        "solve.sample": (1e-6, 1.0),
+        "solve.seed": (0, 2**62),
+        "output.min_track": (0.0, 1e6),
+        "animation.weight": (0.0, 1.0),
+        "animation.together": (0.0, 1.0),
+    }
+)
+"""Least and largest value of each number; what lies outside has no meaning and would only fail later."""
+_MOST_IMPORTANT = 100.0
+"""Largest importance of a control."""
+
+
+def check_bounds(settings: Settings) -> None:
+    """Raises RigUIError CONFIG_VALUE, naming the key, for a number outside its bounds."""
+    for key, (least, largest) in _BOUNDS.items():
+        part, _, name = key.partition(".")
+        value = getattr(getattr(settings, part), name)
+        if not least <= value <= largest:
+            raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
+    for name, said in settings.controls.items():
+        if said.importance is not None and not 0.0 <= said.importance <= _MOST_IMPORTANT:
+            what = f"expected 0 to {_MOST_IMPORTANT:g}, got {said.importance:g}"
+            raise refuse("CONFIG_VALUE", f'controls."{name}".importance', what)

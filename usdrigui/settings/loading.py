@@ -1,0 +1,102 @@
+"""load(): settings from nested tables, every key and type checked against the parts; document(): the way back."""
+
+from __future__ import annotations
+
+import types
+import typing
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, Literal
+
+from usdrigui.errors import meant, refuse
+from usdrigui.settings.bounds import check_bounds
+from usdrigui.settings.parts import Settings
+from usdrigui.settings.presets import PRESETS
+from usdrigui.settings.sources import from_environment
+
+
+def load(
+    *sources: Mapping[str, Any], preset: str = "default", environment: Mapping[str, str] | None = None
+) -> Settings:
+    """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
+
+    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key.
+    """
+    if preset not in PRESETS:
+        hint = meant(preset, PRESETS)
+        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {sorted(PRESETS)}{hint}")
+    settings = Settings()
+    for source in (PRESETS[preset], from_environment(environment or {}), *sources):
+        settings = _merged(settings, source, "")
+    check_bounds(settings)
+    return settings
+
+
+def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
+    """`base` (a settings dataclass) with the keys of `source` replaced, checked against the annotations."""
+    hints = typing.get_type_hints(type(base))
+    changed: dict[str, Any] = {}
+    for key, value in source.items():
+        path = f"{where}.{key}" if where else key
+        if key not in hints:
+            raise refuse("CONFIG_UNKNOWN_KEY", path, f"known here: {', '.join(hints)}{meant(key, hints)}")
+        changed[key] = _converted(getattr(base, key), hints[key], value, path)
+    return replace(base, **changed)
+
+
+def _converted(current: Any, hint: Any, value: Any, path: str) -> Any:
+    if is_dataclass(hint):
+        return _merged(current, _table(value, path), path)
+    origin, arguments = typing.get_origin(hint), typing.get_args(hint)
+    if origin is Mapping:
+        return _mapping(current, arguments[1], _table(value, path), path)
+    if origin is tuple:
+        if not isinstance(value, (list, tuple)):
+            raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
+        return tuple(_converted(None, arguments[0], item, f"{path}[{i}]") for i, item in enumerate(value))
+    if origin is Literal:
+        if value not in arguments:
+            raise refuse("CONFIG_VALUE", path, f"expected one of {', '.join(map(repr, arguments))}, got {value!r}")
+        return value
+    if origin in (types.UnionType, typing.Union):
+        hint = next(each for each in arguments if each is not type(None))
+    return _scalar(hint, value, path)
+
+
+def _mapping(current: Mapping[str, Any], hint: Any, table: Mapping[str, Any], path: str) -> Mapping[str, Any]:
+    merged = dict(current)
+    for name, value in table.items():
+        base = merged.get(name, hint() if isinstance(hint, type) and is_dataclass(hint) else None)
+        merged[name] = _converted(base, hint, value, f'{path}."{name}"')
+    return types.MappingProxyType(merged)
+
+
+def _table(value: Any, path: str) -> Mapping[str, Any]:
+    if not isinstance(value, Mapping):
+        raise refuse("CONFIG_VALUE", path, f"expected a table, got {value!r}")
+    return value
+
+
+def _scalar(hint: Any, value: Any, path: str) -> Any:
+    if hint is float and isinstance(value, int) and not isinstance(value, bool):
+        value = float(value)
+    if not isinstance(value, hint) or (hint is not bool and isinstance(value, bool)):
+        raise refuse("CONFIG_VALUE", path, f"expected {hint.__name__}, got {value!r}")
+    if hint is float and value != value:
+        raise refuse("CONFIG_VALUE", path, "expected a number, got nan")
+    return value
+
+
+def document(settings: Settings) -> dict[str, Any]:
+    """The settings as plain JSON-ready values, for the report."""
+    return {each.name: _plain(getattr(settings, each.name)) for each in fields(settings)}
+
+
+def _plain(value: Any) -> Any:
+    if is_dataclass(value):
+        return {each.name: _plain(getattr(value, each.name)) for each in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value

@@ -1,0 +1,33 @@
+"""Settings under one name."""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Mapping
+from typing import Any
+
+PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
+    {
+        "default": {},
+        "paper": {
+            "trajectories": {"noise": 0.0},
+            "candidates": {
+                "peak_share": 0.0,
+                "occlusion_price": 0.0,
+                "beside_hidden": False,
+                "beside_composite": False,
+            },
+            "groups": {"opposed": False, "patches": True},
+            "objective": {
+                "scene_units": True,
+                "relative_displacement": 0.0,
+                "overlap_sharpness": 2.0,
+                "overlap_reach": 0.0,
+                "handle_crowd": 0.0,
+                "separation": False,
+                "beside_allowed": False,
+            },
+            "solve": {"method": "paper", "clusters": 2, "sample": 0.2},
+        },
+    }
+)
