@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from rich.cells import cell_len
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
@@ -19,6 +20,7 @@ from rich.text import Text
 from usdrigui.errors import visible
 
 if TYPE_CHECKING:
+    from rich.console import ConsoleOptions, RenderResult
     from rich.status import Status
 
     from usdrigui.clients.batch.jobs import Row
@@ -38,6 +40,15 @@ _PAUSE = 5.0
 _WRAPPED = ("why", "flags", "element", "twin", "nearest", "where", "before", "now")
 """Columns that give way when the line is too long."""
 
+_LEAST = 16
+"""Characters that such a column keeps; where that does not fit, the lines are longer than the terminal is wide."""
+
+_LONGEST_NAME = 60
+"""Characters of a name after which it goes on in the next line."""
+
+_GAP = 2
+"""Characters between two columns."""
+
 Watch = Callable[["Event"], None]
 
 
@@ -46,6 +57,22 @@ class _Console(Console):
 
     def print(self, *objects: Any, **options: Any) -> None:
         super().print(*(visible(each) if isinstance(each, str) else each for each in objects), **options)
+
+
+class _Whole:
+    """A table that loses nothing on a narrow terminal: rather than cut, its lines are longer than that is wide."""
+
+    def __init__(self, table: Table) -> None:
+        self._table = table
+        self._least = 0
+        for column in table.columns:
+            longest = max(cell_len(str(each)) for each in (column.header, *column.cells))
+            column.min_width = min(longest, _LEAST if column.header in _WRAPPED else _LONGEST_NAME)
+            column.no_wrap &= longest <= _LONGEST_NAME
+            self._least += column.min_width + _GAP
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        yield from console.render(self._table, options.update(width=max(options.max_width, self._least)))
 
 
 class Screen:
@@ -87,7 +114,7 @@ class Screen:
                 f"{character.root}: {character.points} points, {character.meshes} meshes, {character.joints} joints, "
                 f"{character.symmetric:.0%} of the points have a mirror partner"
             )
-            self._out.print(_facts_table(character.controls))
+            self._table(_facts_table(character.controls))
             for line in character.groups:
                 self._out.print(f"  {line}")
             if character.animation is not None:
@@ -99,7 +126,7 @@ class Screen:
 
     def _animation(self, found: AnimationFacts) -> None:
         self._out.print(f"animation: {len(found.clips)} clips, {found.frames} frames")
-        self._out.print(_use_table(found.controls))
+        self._table(_use_table(found.controls))
         for each in found.together:
             self._out.print(f"  together ({each.agreement:.2f}): {', '.join(each.controls)}", soft_wrap=True)
         self._out.print("as a configuration:")
@@ -125,7 +152,7 @@ class Screen:
     def batch(self, summary: Summary, written: Sequence[str]) -> None:
         """One line an asset in the order given, what was written besides, and the verdict."""
         if not self._quiet:
-            self._out.print(_batch_table(summary.rows))
+            self._table(_batch_table(summary.rows))
             for line in written:
                 self._out.print(line)
         outcomes = ("written", "unchanged", "skipped", "refused", "failed")
@@ -140,14 +167,14 @@ class Screen:
         if not self._quiet:
             for root, review in found.characters:
                 self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
-                self._out.print(_review_table(review.elements))
+                self._table(_review_table(review.elements))
             self._issues(found.issues)
         counts = {
             severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
         }
         fits = ("fits its rig", "does not fit its rig") if found.characters else ("is sound", "has faults")
         state = fits[bool(counts["error"])]
-        told = f"{counts['error']} errors, {counts['warning']} warnings"
+        told = ", ".join(f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items())
         self._out.print(f"usdrigui: checked {found.layer}: {state}; {told}")
 
     def difference(self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]) -> None:
@@ -170,7 +197,10 @@ class Screen:
         count = f"{len(found.displaced)} of {found.shared} common controls changed"
         self._out.print(f"{found.root}: {count}, {len(found.changes) - len(found.displaced)} came or went")
         if found.changes:
-            self._out.print(_changes_table(found.changes))
+            self._table(_changes_table(found.changes))
+
+    def _table(self, table: Table) -> None:
+        self._out.print(_Whole(table), crop=False)
 
     def _live(self, status: Status, event: Event) -> None:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
@@ -195,7 +225,7 @@ class Screen:
         self._out.print(f"{character.root}: {told}")
         placed = [row for row in character.rows if not standing or row.element in character.added]
         if placed:
-            self._out.print(_rows_table(placed))
+            self._table(_rows_table(placed))
         for note in character.notes:
             self._out.print(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
@@ -215,7 +245,8 @@ class Screen:
     def _issues(self, issues: Sequence[Issue]) -> None:
         for found in issues:
             where = f" {found.path}:" if found.path else ""
-            self._out.print(f"{found.severity}: {found.code}{where} {found.message}; {found.repair}")
+            message = found.message.removesuffix(".")
+            self._out.print(f"{found.severity}: {found.code}{where} {message}. {found.repair}", soft_wrap=True)
 
     def _seconds(self, seconds: Sequence[tuple[str, float]]) -> None:
         parts = ", ".join(f"{stage} {value:.2f}" for stage, value in seconds)
@@ -296,7 +327,7 @@ def _cell(text: str) -> Text:
 
 
 def _table(*columns: str) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    table = Table(box=None, pad_edge=False, padding=(0, _GAP, 0, 0))
     for column in columns:
         table.add_column(column, overflow="fold", no_wrap=column not in _WRAPPED)
     return table

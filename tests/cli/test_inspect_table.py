@@ -5,8 +5,9 @@ import json
 import pytest
 import skinned_stages
 
+from usdrigui import errors, inspection
 from usdrigui.cli import main
-from usdrigui.terminal import _percent
+from usdrigui.terminal import Screen, _facts_table, _percent
 
 
 @pytest.mark.parametrize(
@@ -37,3 +38,43 @@ def test_what_the_configuration_sends_beside_is_said(tmp_path, capsys):
     flags = {row["control"]: row["flags"] for row in only["controls"]}
     assert "beside by request" in flags["chin"]
     assert "global" not in flags["chin"]
+
+
+@pytest.mark.parametrize("width", [40, 80, 160])
+def test_a_narrow_terminal_loses_no_number(width, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("usdrigui.terminal._LOG_WIDTH", width)
+    character = skinned_stages.character(tmp_path / "char.usda")
+    assert main(["inspect", str(character), "--json"]) == 0
+    (only,) = json.loads(capsys.readouterr().out)["characters"]
+    assert main(["inspect", str(character)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (header,) = (line.split() for line in lines if line.startswith("control  "))
+    assert header == ["control", "kind", "range", "from", "points", "coverage", "peak", "twin", "flags"]
+    for row in only["controls"]:
+        (line,) = (each for each in lines if each.split()[:2] == [row["control"], row["kind"]])
+        told = [f"{row['minimum']:g}..{row['maximum']:g}", row["range_source"], str(row["points"])]
+        assert line.split()[2:5] == told
+        assert f"{row['peak']:.2f}" in line
+
+
+def _facts(control, twin, flags):
+    return inspection.ControlFacts(
+        control, "blendShape", "", 0.0, 0.0, 1.0, "default", 7, 0.5, 1.0, twin, "geometry", flags
+    )
+
+
+def test_one_long_name_squeezes_no_other_column(capsys):
+    long = "x" * 120
+    Screen()._table(_facts_table([_facts(long, "smile_R", ("global",)), _facts("smile_R", long, ())]))
+    lines = capsys.readouterr().out.splitlines()
+    assert sum(line.count("x") for line in lines) == 240
+    assert any("smile_R" in line and "global" in line for line in lines)
+    assert len(lines) < 12
+
+
+def test_a_finding_is_one_line_of_two_sentences(capsys):
+    found = errors.issue("CONTROL_TINY", "chin", "moves no point further than " + "very " * 40 + "little.")
+    Screen()._issues([found])
+    (line,) = capsys.readouterr().out.splitlines()
+    assert line.startswith("info: CONTROL_TINY chin: moves")
+    assert line.endswith(f"very little. {found.repair}")
