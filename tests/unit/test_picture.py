@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 
 from usdrigui.errors import RigUIError
-from usdrigui.pose.evaluate import elements_at, prepare, values_of
+from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
 from usdrigui.view import lettering, overlay, picture, shading
 from usdrigui.view.picture import contact_sheet, render
@@ -119,8 +119,8 @@ def test_the_line_below_the_title_ends_where_the_picture_does(rig, layout):
 
 def test_names_beside_the_face_are_cut_to_their_room():
     face = lettering.font(12)
-    assert lettering._cut("chin", face, 100.0) == "chin"
-    short = lettering._cut("Pupil_Constriction_Left", face, 90.0)
+    assert lettering.cut("chin", face, 100.0) == "chin"
+    short = lettering.cut("Pupil_Constriction_Left", face, 90.0)
     assert face.getlength(short) <= 90.0
     assert short.startswith("Pupil")
     assert short.endswith("Left")
@@ -153,6 +153,27 @@ def test_a_pose_moves_face_and_elements(rig, layout, front):
 def test_labels_are_drawn_on_request(rig, layout, front):
     named = render(rig, layout, views=["front"], size=SMALL, labels=True)
     assert (np.asarray(named) != np.asarray(front)).any(axis=2).mean() > 0.01
+
+
+def test_long_names_leave_the_face_its_room(rig, layout):
+    first, *others = layout.elements
+    long = replace(layout, elements=(replace(first, label="Mouth_Closed_Move_Right / " * 5), *others))
+
+    def scale(given):
+        posed = evaluate(prepare(rig, given))
+        return picture._set_up(rig, given, posed, ["front", "left34", "right34"], (1800, 1000), True).cameras[0].scale
+
+    assert scale(long) > 0.75 * scale(layout)
+
+
+def test_captions_end_where_their_panels_do(rig, layout, monkeypatch):
+    written = []
+    real = lettering.cut
+    monkeypatch.setattr(lettering, "cut", lambda *given: written.append((given, real(*given))) or written[-1][1])
+    render(rig, layout, views=["left34"] * 4, size=SMALL)
+    captions = [(given[1], given[2], text) for given, text in written if given[0].startswith("three")]
+    assert len(captions) == 4
+    assert all(type_.getlength(text) <= free for type_, free, text in captions)
 
 
 def test_pictures_without_embree_look_the_same(rig, layout, front, monkeypatch):

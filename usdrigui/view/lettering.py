@@ -24,6 +24,8 @@ _FAMILIES = {
 }
 _LARGEST, _LEAST = 12, 7
 """Sizes of names, pixels."""
+CALLED = 210.0
+"""Width of the longest name in a column of call-outs, pixels: longer ones would leave the face no room."""
 _CLEAR = 18.0
 """From the middle of a heading to the row below, where there is room: the air of half a line between them."""
 
@@ -63,7 +65,7 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
         # Twins have one size, so that they look alike.
         own = font(min(9, round(type_.size))) if small & {element.name, element.mirror} else type_
         place = (float(box[2]) + 9.0, float(y))
-        pen.text(place, _cut(element.label, own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
+        pen.text(place, cut(element.label, own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
         pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
@@ -115,11 +117,12 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     edge = 6.0 if left else size[0] - 6.0
     names = []
     for (element, drawn), y in zip(shown, rows, strict=True):
-        wide = type_.getlength(element.label)
+        text = cut(element.label, type_, CALLED)
+        wide = type_.getlength(text)
         start = edge + wide + 4 if left else edge - wide - 4
         bend = start + (12 if left else -12)
         line = np.array([[start, y], [bend, y], drawn.handle[:2]])
-        names.append(_Name(element.label, (edge, float(y)), "lm" if left else "rm", type_, line))
+        names.append(_Name(text, (edge, float(y)), "lm" if left else "rm", type_, line))
     return names
 
 
@@ -199,7 +202,7 @@ def _columns(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[li
     return columns
 
 
-def _cut(name: str, type_: ImageFont.FreeTypeFont, free: float) -> str:
+def cut(name: str, type_: ImageFont.FreeTypeFont, free: float) -> str:
     """The name, with its middle left out where it is wider than `free` pixels."""
     if type_.getlength(name) <= free:
         return name

@@ -104,7 +104,9 @@ def _page(
     for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
         middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
-        ImageDraw.Draw(page).text(middle, _CAPTIONS[panel.view], fill=_QUIET, font=lettering.font(13), anchor="mm")
+        type_ = lettering.font(13)
+        caption = lettering.cut(_CAPTIONS[panel.view], type_, float(camera.width))
+        ImageDraw.Draw(page).text(middle, caption, fill=_QUIET, font=type_, anchor="mm")
     _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout, size[0] - 2 * _EDGE))
     _legend(page, layout)
     return page
@@ -196,7 +198,8 @@ def _framed(layout: Layout, posed: PosedLayout, skin: Floats, up: Floats, view: 
         low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
         columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
     if labels and view == "front":
-        wide = lettering.widest([each.label for each in layout.elements if not each.anchor.beside]) + 16.0
+        names = [each.label for each in layout.elements if not each.anchor.beside]
+        wide = min(lettering.widest(names), lettering.CALLED) + 16.0
         columns = (columns[0] + wide, columns[1] + wide)
     return _Framed(view, rows, low, high, beside, columns, headroom, labels and view == "front")
 
