@@ -109,7 +109,8 @@ def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[st
 
 def _read(root: Usd.Prim, settings: Settings) -> _Reading:
     if root.IsInstance() or root.IsInstanceProxy():
-        raise refuse("INSTANCE", str(_instance(root).GetPath()), f"{root.GetPath()} cannot be edited")
+        reason = f"is an instance: no layer can add prims below {root.GetPath()}"
+        raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings)
     drafts, left_off, issues = _drafts(root, scene, settings)
     controls, excluded, unused = settled(drafts, settings)
