@@ -126,6 +126,14 @@ def test_names_beside_the_face_are_cut_to_their_room():
     assert short.endswith("Left")
 
 
+def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
+    assert lettering.legible("öffnen_Élevé smile-L") == "offnen_Eleve smile-L"
+    assert lettering.legible("怒り") == "怒り"
+    assert lettering.legible("line\nbreak\t") == r"line\nbreak\t"
+    box = bytes(lettering.font(12).getmask("\uffff"))
+    assert all(bytes(lettering.font(12).getmask(each)) != box for each in lettering.legible("äčñå"))
+
+
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     subject = shading.body(rig, np.concatenate([mesh.points for mesh in rig.meshes]))

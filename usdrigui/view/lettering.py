@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -10,6 +11,7 @@ from typing import Any
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from usdrigui.errors import visible
 from usdrigui.model import Element, Floats
 from usdrigui.view.overlay import Mark, leaders
 
@@ -41,9 +43,28 @@ def font(size: int) -> ImageFont.FreeTypeFont:
     return face
 
 
+def legible(text: str) -> str:
+    """The text as the typeface can show it: letters that it lacks lose their accents, line ends are spelt out."""
+    return "".join(map(_shown, visible(text)))
+
+
+@cache
+def _shown(letter: str) -> str:
+    """A letter, or the plain one below its accents where only that one is in the typeface."""
+    if _drawable(letter):
+        return letter
+    plain = unicodedata.normalize("NFKD", letter)[0]
+    return plain if _drawable(plain) else letter
+
+
+def _drawable(letter: str) -> bool:
+    face = font(_LARGEST)
+    return bytes(face.getmask(letter)) != bytes(face.getmask("\uffff"))
+
+
 def widest(names: Sequence[str]) -> float:
     """Width in pixels of the longest of the names at their largest size; 0 without names."""
-    return max((font(_LARGEST).getlength(name) for name in names), default=0.0)
+    return max((font(_LARGEST).getlength(legible(name)) for name in names), default=0.0)
 
 
 def name_beside(picture: Image.Image, shown: Named) -> None:
@@ -59,13 +80,13 @@ def name_beside(picture: Image.Image, shown: Named) -> None:
     pitch = _pitch(boxes, rows)
     type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
     free = np.array([_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))])
-    tight = np.array([type_.getlength(element.label) for element, _ in shown]) > free
+    tight = np.array([type_.getlength(legible(element.label)) for element, _ in shown]) > free
     small = {element.name for (element, _), cut in zip(shown, tight, strict=True) if cut}
     for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
         # Twins have one size, so that they look alike.
         own = font(min(9, round(type_.size))) if small & {element.name, element.mirror} else type_
         place = (float(box[2]) + 9.0, float(y))
-        pen.text(place, cut(element.label, own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
+        pen.text(place, cut(legible(element.label), own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
     for text, x, y in _headings(shown, boxes, rows, pitch):
         pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
@@ -117,7 +138,7 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     edge = 6.0 if left else size[0] - 6.0
     names = []
     for (element, drawn), y in zip(shown, rows, strict=True):
-        text = cut(element.label, type_, CALLED)
+        text = cut(legible(element.label), type_, CALLED)
         wide = type_.getlength(text)
         start = edge + wide + 4 if left else edge - wide - 4
         bend = start + (12 if left else -12)

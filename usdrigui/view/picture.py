@@ -135,7 +135,7 @@ def contact_sheet(
         for column, each in enumerate(row):
             left = _GAP + column * (cell + _GAP)
             page.paste(each, (left, top))
-            text = titles[number * columns + column]
+            text = lettering.legible(titles[number * columns + column])
             pen.text((left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14))
         top += height + _GAP
     return page
@@ -323,7 +323,7 @@ def _numbers(rig: Rig, layout: Layout, width: float) -> str:
 
 def _title(page: Image.Image, title: str, numbers: str) -> None:
     pen = ImageDraw.Draw(page)
-    pen.text((_EDGE, 12), title, fill=_INK, font=lettering.font(25))
+    pen.text((_EDGE, 12), lettering.legible(title), fill=_INK, font=lettering.font(25))
     pen.text((_EDGE, 43), numbers, fill=_QUIET, font=lettering.font(14))
 
 
