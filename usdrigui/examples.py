@@ -82,8 +82,7 @@ def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
     Raises BASE_MISMATCH where no layout of `base` stands, PREVIOUS_MISMATCH where none of `previous` is of any of them.
     """
     if examples.previous and not any(_shares_controls(examples.previous.get(rig.root), rig) for rig in rigs):
-        theirs = ", ".join(examples.previous)
-        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, f"shares no control with a layout of the layer, of {theirs}")
+        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
     if examples.base is None:
         return rigs
     found = tuple(rig for rig in rigs if examples.standing(rig) is not None)
@@ -95,6 +94,14 @@ def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
             f"shares mesh and controls with none of the layouts, or with several: {theirs}",
         )
     return found
+
+
+def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
+    """Why none of the earlier layouts can be this character's: it stands elsewhere, or has other controls."""
+    alike = [root for root, layout in previous.items() if _shares_controls(layout, rig)]
+    if alike:
+        return f"stands at another path than the character of the layer with its controls, {', '.join(alike)}"
+    return f"shares no control with a layout of the layer, of {', '.join(previous)}"
 
 
 def _shares_controls(layout: Layout | None, rig: Rig) -> bool:

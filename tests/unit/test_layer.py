@@ -462,6 +462,9 @@ def test_a_missing_layer_and_a_wrong_suffix(tmp_path):
         source_of(tmp_path / "none.usda")
     with pytest.raises(RigUIError, match="FILE_TARGET"):
         layer_bytes(hand_made(), ".usdz")
+    with pytest.raises(RigUIError) as caught:
+        write_layout([], tmp_path / "char.usda", tmp_path / "layout.txt", PLAIN, {})
+    assert caught.value.issue.path == str(tmp_path / "layout.txt")
 
 
 def test_no_room_for_a_temporary_crate(monkeypatch, tmp_path):

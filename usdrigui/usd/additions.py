@@ -82,7 +82,7 @@ def write_additions(
             if each.added:
                 _author(Sdf.CreatePrimInLayer(layer, each.rig.root), each)
                 author_limits(layer, each.rig)
-    content = layer_bytes(layer, target.suffix)
+    content = layer_bytes(layer, target.suffix, str(target))
     guard()
     roots = [each.rig.root for each in additions if each.added]
     return commit(content, target, verify=functools.partial(holds_layouts, roots))

@@ -80,7 +80,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
     copy = open_layer(layer)
     copy.pseudoRoot.ClearInfo("subLayers")
     copy.pseudoRoot.ClearInfo("subLayerOffsets")
-    return commit(layer_bytes(copy, target.suffix), target)
+    return commit(layer_bytes(copy, target.suffix, str(target)), target)
 
 
 # --- what may be edited ------------------------------------------------------------------------------

@@ -63,7 +63,7 @@ def write_layout(
     """
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
-    content = layer_bytes(layer, target.suffix)
+    content = layer_bytes(layer, target.suffix, str(target))
     if guard is not None:
         guard()
     roots = [layout.root for _, layout in laid]
@@ -116,15 +116,17 @@ def relative_asset_path(source: Path, target: Path) -> str:
     return path if path.startswith("../") else f"./{path}"
 
 
-def layer_bytes(layer: Sdf.Layer, suffix: str) -> bytes:
+def layer_bytes(layer: Sdf.Layer, suffix: str, name: str = "") -> bytes:
     """The content of a layer as a file of that suffix: ``.usda`` as text, ``.usdc`` and ``.usd`` as crate.
+
+    A refusal calls the file by its ``name``.
 
     Raises FILE_TARGET for any other suffix, and another FILE_ code when there is no room for a temporary.
     """
     if suffix == ".usda":
         return str(layer.ExportToString()).encode()
     if suffix not in (".usd", ".usdc"):
-        raise refuse("FILE_TARGET", suffix, "a layout layer ends in .usda, .usdc or .usd")
+        raise refuse("FILE_TARGET", name or suffix, "a layout layer ends in .usda, .usdc or .usd")
     try:
         # USD writes crates to files only, and must never write to the final one.
         with tempfile.TemporaryDirectory() as folder:
