@@ -402,6 +402,13 @@ def test_configuration_that_does_not_fit(tmp_path, config, code, path):
     assert (error.issue.code, error.issue.path, error.exit_code) == (code, path, Exit.USAGE)
 
 
+def test_joints_are_named_to_whom_names_another(tmp_path):
+    """`inspect` lists controls only: what joints there are is told where one is missing."""
+    path = character(tmp_path / "char.usda")
+    assert "did you mean 'jaw'" in refused(path, {"joints": {"Jow": {"axes": ["x"]}}}).issue.message
+    assert "has the joints " in refused(path, {"joints": {"zzz": {"axes": ["x"]}}}).issue.message
+
+
 def test_usd_errors_without_utf8_do_not_escape(tmp_path):
     """str() of such a Tf.ErrorException raises UnicodeDecodeError by itself."""
     path = tmp_path / "bytes.usda"

@@ -71,7 +71,7 @@ def blend_shape_drafts(
 
 def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool, settings: Settings) -> list[Draft]:
     """Rotations of joints about their own axes, in degrees from the base pose."""
-    names = _joint_names(joints)
+    names = joint_names(joints)
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []
     for index, joint in enumerate(joints):
@@ -277,7 +277,7 @@ def _hull(ranges: list[Range]) -> Range:
 # --- joints ------------------------------------------------------------------------------------------
 
 
-def _joint_names(joints: tuple[Joint, ...]) -> list[str]:
+def joint_names(joints: tuple[Joint, ...]) -> list[str]:
     """The last name of each joint, or its whole path where that is not unique."""
     leaves = [joint.path.rsplit("/", 1)[-1] for joint in joints]
     paths = [joint.path for joint in joints]

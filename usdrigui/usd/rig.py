@@ -21,6 +21,7 @@ from usdrigui.usd.controls import (
     blend_shape_drafts,
     ignored_motion,
     joint_drafts,
+    joint_names,
     pose_drafts,
     settled,
     unknown_joints,
@@ -41,6 +42,9 @@ from usdrigui.usd.skeleton import (
     weights_at,
 )
 from usdrigui.usd.stage import composition_issues, listening, open_stage, told
+
+_JOINTS_TOLD = 12
+"""Names of joints in one message."""
 
 
 def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
@@ -63,6 +67,7 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     if not rigs:
         lost = [each for reading in readings for each in reading.rig.left_off]
         why = f"; left off: {lost[0].control} ({lost[0].reason})" if lost else ""
+        why += "" if lost else _joints_told(readings[0])
         raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in heard)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
@@ -254,7 +259,21 @@ def _check_names(readings: list[_Reading], settings: Settings) -> None:
             raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', f"no rig of the asset has this control{hint}")
     for name in settings.joints:
         if all(name in reading.unknown_joints for reading in readings):
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', "no rig of the asset has this joint")
+            hint = meant(name, (each for reading in readings for each in _names_of_joints(reading.rig)))
+            known = hint or "".join(map(_joints_told, readings))
+            raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', f"no rig of the asset has this joint{known}")
+
+
+def _names_of_joints(rig: Rig) -> list[str]:
+    """What the configuration may call them: by their last names as well as by their paths."""
+    return [*joint_names(rig.joints), *(joint.path for joint in rig.joints)]
+
+
+def _joints_told(reading: _Reading) -> str:
+    """A clause with the names of the first joints of a rig, empty if it has none."""
+    names = joint_names(reading.rig.joints)
+    more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
+    return f"; {reading.rig.root} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}" if names else ""
 
 
 def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:
