@@ -17,7 +17,7 @@ import pytest
 from layout_problems import crowd, random_problem
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import GAP_FLOOR, Assignment, Floats, Indices, LayoutProblem
+from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import (
@@ -330,3 +330,63 @@ def test_memory_is_planned_before_it_is_spent() -> None:
 def test_importing_the_package_loads_no_solver() -> None:
     code = "import sys, usdrigui.solve; sys.exit(any(m in sys.modules for m in ('highspy', 'scipy', 'pytoulbar2')))"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def on_a_line(count: int, apart: int, step: float, first: int, beside: float) -> LayoutProblem:
+    """Two rows of handles on a grid, of which the outermost two alone are as far apart as the separation."""
+    elements = []
+    for start, outer in ((first, 0), (first + apart - count + 1, count - 1)):
+        handles = np.zeros((count, 1, 3))
+        handles[:, 0, 0] = (start + np.arange(count)) * step
+        cost = -np.ones(count)
+        cost[outer] = -0.9
+        elements.append(Variable(f"v{start}", np.arange(count), cost, handles[:, :, None], handles, beside, -cost))
+    return LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), step * apart, 0.85)
+
+
+@pytest.mark.parametrize("grid", [(32, 37, 0.1, -2, 0.3), (16, 20, 0.3, -11, 0.3), (16, 26, 0.013, 16, np.inf)])
+def test_handles_at_the_separation_exactly_are_allowed(grid: tuple[int, int, float, int, float]) -> None:
+    problem = on_a_line(*grid)
+    assert faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE)) == []
+
+
+def test_handles_too_near_by_rounding_alone_are_not() -> None:
+    elements = []
+    for ends, away in (((-0.15000000000000002, -0.15000000000000002), 5.0), ((-0.2, -0.35000000000000003), 9.0)):
+        samples = np.zeros((2, 1, 2, 3))
+        samples[:, 0, :, 1] = ends
+        samples[1, :, :, 0] = away
+        cost = np.array([-1.0, -0.5])
+        elements.append(Variable(f"v{away}", np.arange(2), cost, samples, samples[:, :, 0].copy(), np.inf, -cost))
+    problem = LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 0.05, 0.15), 0.05, 0.85)
+    assert faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE)) == []
+
+
+def dear_pairs(seed: int, factor: float) -> LayoutProblem:
+    """Costs with ties, and explicit costs of which half are so much larger."""
+    problem, generator = random_problem(seed), np.random.default_rng(seed)
+    return replace(
+        problem,
+        variables=tuple(replace(each, cost=np.round(each.cost * 2) / 2) for each in problem.variables),
+        extra=tuple(
+            replace(each, costs=np.where(generator.random(len(each.costs)) < 0.5, each.costs * factor, each.costs))
+            for each in problem.extra
+        ),
+    )
+
+
+@pytest.mark.parametrize("factor", [1e11, np.inf])
+@pytest.mark.parametrize("seed", [7, 12, 32, 44, 49])
+def test_pairs_dearer_than_all_else_leave_no_rounding_behind(seed: int, factor: float) -> None:
+    problem = dear_pairs(seed, factor)
+    mine, best = solve(problem, replace(HIGHS, work_limit=100_000)), solve(problem, ENUMERATE)
+    assert faults(problem, mine, best) == []
+
+
+def test_explicit_costs_of_tables_do_not_add_up_to_a_price() -> None:
+    problem = crowd(0, variables=2, candidates=20)
+    pairs = np.indices((20, 20)).reshape(2, -1)
+    extra = ExtraPairs(0, 1, pairs[0], pairs[1], np.full(400, 0.5))
+    labels = all_labels(problem)
+    more = forbidden_price(replace(problem, extra=(extra,)), labels) - forbidden_price(problem, labels)
+    assert more == pytest.approx(0.5)  # a layout uses one entry of the table

@@ -105,6 +105,21 @@ def test_toulbar2_agrees_on_whole_problems() -> None:
         assert ours.bound <= theirs.cost + 1e-6
 
 
+@pytest.mark.parametrize("seed", [1, 4, 6])
+def test_toulbar2_agrees_where_costs_are_huge(seed: int) -> None:
+    pytest.importorskip("pytoulbar2")
+    problem, factor = crowd(seed, variables=3, candidates=8), 1e10
+    huge = replace(
+        problem,
+        variables=tuple(replace(v, cost=v.cost * factor, beside=v.beside * factor) for v in problem.variables),
+        overlap=replace(problem.overlap, weight=problem.overlap.weight * factor),
+    )
+    ours, theirs = (solve(huge, SolveSettings(method=each)) for each in ("enumerate", "toulbar2"))
+    assert theirs.bound <= ours.cost
+    assert theirs.cost == pytest.approx(ours.cost)
+    assert theirs.status == "optimal"
+
+
 def test_toulbar2_predicts_its_memory() -> None:
     pytest.importorskip("pytoulbar2")
     with pytest.raises(RigUIError, match="SOLVE_MEMORY"):
@@ -153,6 +168,7 @@ def test_other_files_are_refused(tmp_path: Path) -> None:
         {"second_labels": np.array([10**6])},
         {"second": 99},
         {"costs": np.array([-1.0])},
+        {"first_labels": np.array([0, 0]), "second_labels": np.array([1, 1]), "costs": np.array([1.0, 2.0])},
     ],
 )
 def test_explicit_costs_of_no_candidates_are_refused(tmp_path: Path, wrong: dict[str, object]) -> None:

@@ -11,7 +11,7 @@ from usdrigui.solve.blocks import Labels
 from usdrigui.solve.watch import Watch
 
 SAFETY = 1e-10
-"""Share of a bound taken off for rounding."""
+"""Share of a bound, and of the least costs it is made of, taken off for rounding."""
 
 
 def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
@@ -21,7 +21,8 @@ def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
     copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
     together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
     overlaps = problem.overlap.weight * problem.overlap.maximum * together
-    return float(1.0 + spread.sum() + overlaps + sum(each.costs.sum() for each in problem.extra))
+    explicit = sum(each.costs.max(initial=0.0, where=np.isfinite(each.costs)) for each in problem.extra)
+    return float(1.0 + spread.sum() + overlaps + explicit)
 
 
 def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str) -> Assignment:
@@ -33,7 +34,8 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: W
     cost = total_cost(problem, chosen)
     if not np.isfinite(cost):
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
-    bound = min(watch.bound - SAFETY * abs(watch.bound), cost) if np.isfinite(watch.bound) else -np.inf
+    rounding = SAFETY * (abs(watch.bound) + float(np.abs(labels.best).sum()))
+    bound = min(watch.bound - rounding, cost) if np.isfinite(watch.bound) else -np.inf
     closed = cost - bound <= watch.settings.gap * max(abs(cost), GAP_FLOOR)
     return Assignment(
         labels=chosen,

@@ -20,6 +20,8 @@ CHUNK = 32768
 """Distances of samples worked out at a time: the buffers stay in the processor's cache."""
 ROUNDING = 1e-12
 """Share of the least costs by which a label may miss the cut-off and still be kept."""
+NUDGE = 1e-12
+"""Share of lengths by which rounding may be off: bounds of distances leave so much room, exact ones none."""
 ALL = slice(None)
 """As indices of bodies: every one."""
 PAIRS = 65536
@@ -79,8 +81,10 @@ class Bodies(Record):
         The distance of two samples is at least that of the middles less what each is off its own; averaged over
         the nearest ones, the mean of these counts for the own samples and the maximum for the other's.
         """
-        of_samples = self._weighed(self.radius[:, at], len(other.samples)) - max(0.0, separation - reach) / 2
-        return np.maximum(of_samples, self.handle_radius[at] - max(0.0, reach - separation) / 2)
+        radius, handle_radius = self._weighed(self.radius[:, at], len(other.samples)), self.handle_radius[at]
+        of_samples = radius - max(0.0, separation - reach) / 2
+        extent = np.maximum(of_samples, handle_radius - max(0.0, reach - separation) / 2)
+        return np.asarray(extent + NUDGE * (radius + handle_radius + max(reach, separation)))
 
     def _weighed(self, mean_and_most: Floats, samples: int) -> Floats:
         own = len(self.samples)
@@ -389,9 +393,11 @@ def pair_bounds(
         between = np.sqrt(squared(one.handle[:, p], other.handle[:, q]))
         handle_slack = one.handle_slack[p] + other.handle_slack[q]
         costs = overlap.weight * overlap_cost(apart + slack, overlap)
-        costs[between + handle_slack < separation] = np.inf
+        # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of it by rounding.
+        off = np.where(handle_slack > 0, NUDGE * (between + handle_slack), 0.0)
+        costs[between + handle_slack + off < separation] = np.inf
         cost[at + close] = costs
-        near[at + close] = (apart - slack < overlap.reach) | (between - handle_slack < separation)
+        near[at + close] = (apart - slack < overlap.reach) | (between - handle_slack - off < separation)
     return cost, near
 
 

@@ -61,7 +61,7 @@ def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, watc
     incumbent.construct()
     incumbent.search(ROUGH_TRIES * len(problem.variables))
     chosen = rough[incumbent.chosen]
-    kept = in_play(labels, incumbent.cost)
+    kept = np.union1d(in_play(labels, incumbent.cost), chosen)
     labels = selected(labels, kept)
     incumbent = Incumbent(problem, labels, forbidden, watch)
     incumbent.start_from(np.searchsorted(kept, chosen))

@@ -98,7 +98,7 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
 
 def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...]) -> None:
     """Raises ValueError when explicit costs speak of no two variables, of no candidates (beside the face has no
-    pair costs), or are negative."""
+    pair costs), are negative, or speak of the same pair twice."""
     for each in extra:
         if not 0 <= each.first < each.second < len(variables):
             raise ValueError(f"explicit costs between variables {each.first} and {each.second}")
@@ -107,3 +107,6 @@ def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...])
                 raise ValueError(f"explicit costs of labels that variable {variable} does not have")
         if not (each.costs >= 0).all():
             raise ValueError("explicit costs below zero")
+        pairs = each.first_labels * len(variables[each.second].cost) + each.second_labels
+        if len(np.unique(pairs)) < len(pairs):
+            raise ValueError(f"two explicit costs of one pair of variables {each.first} and {each.second}")

@@ -161,6 +161,13 @@ class State:
         for variable in range(len(chosen)):
             self.place(variable, int(chosen[variable]))
 
+    def refresh(self) -> None:
+        """Work the pair costs out anew: what was added and taken off again leaves its rounding behind."""
+        self._pair[:] = 0.0
+        for label in self.chosen[self.chosen >= 0]:
+            at, cost = self._neighbours.of(int(label))
+            self._pair[at] += np.minimum(cost, self._price)
+
     def touching(self, variable: int) -> list[int]:
         """Variables whose present labels have a pair cost against the variable's present label."""
         at, _ = self._neighbours.of(int(self.chosen[variable]))
@@ -237,6 +244,9 @@ class Incumbent:
         """Descend, and remember the layout if it is the best so far; its cost."""
         descend(self.state, variables, self._watch)
         cost = self.state.total()
+        if cost < self.cost - 1e-9:
+            self.state.refresh()
+            cost = self.state.total()
         if cost < self.cost - 1e-9:
             self.chosen, self.cost = self.state.chosen.copy(), cost
             self._watch.found(STEP, _cost(self.state, self._forbidden))

@@ -13,9 +13,11 @@ from usdrigui.solve.tables import near_blocks, pair_tables
 from usdrigui.solve.watch import Watch
 
 DIGITS = 9
-"""Decimals of a cost that toulbar2 keeps."""
+"""Decimals of a cost that toulbar2 keeps, at most."""
+WHOLE = 15
+"""Digits in all: its costs are whole numbers of 64 bits, and wrap around beyond."""
 SLACK = 1e-6
-"""Costs are rounded to DIGITS decimals: so much is taken off its bound."""
+"""Costs are rounded: so much is taken off its bound, more where fewer decimals are kept."""
 
 
 def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
@@ -35,14 +37,19 @@ def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
     incumbent = Incumbent(problem, labels, forbidden, watch)
     incumbent.construct()
     tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
-    network = pytoulbar2.CFN(_top(incumbent.cost), DIGITS)
+    top = _top(incumbent.cost)
+    spare = top - float(labels.best.sum())
+    """What a layout of less than `top` can cost above the least linear costs: dearer labels and pairs count as much."""
+    largest = max(abs(top), spare, float(np.abs(labels.best).sum()))
+    digits = int(np.clip(WHOLE - np.ceil(np.log10(largest)), 0, DIGITS))
+    network = pytoulbar2.CFN(top, digits)
     for at in range(pool.count):
         low, high = pool.start[at], pool.start[at + 1]
         network.AddVariable(f"x{at}", range(int(high - low)))
-        network.AddFunction([f"x{at}"], pool.cost[low:high].tolist())
+        network.AddFunction([f"x{at}"], np.minimum(pool.cost[low:high], labels.best[at] + spare).tolist())
     for table in tables:
         costs = np.zeros((int(entries[table.first]), int(entries[table.second])))
-        costs[np.ix_(table.rows, table.columns)] = np.minimum(table.costs, forbidden)
+        costs[np.ix_(table.rows, table.columns)] = np.minimum(table.costs, min(forbidden, spare))
         network.AddFunction([f"x{table.first}", f"x{table.second}"], costs.ravel().tolist())
     network.Option.verbose = -1
     network.Option.showSolutions = 0
@@ -53,7 +60,8 @@ def solve_by_toulbar2(problem: LayoutProblem, watch: Watch) -> Assignment:
         new = pool.start[:-1] + np.array(found[0][: pool.count], dtype=np.int64)
         chosen = new if found[1] < incumbent.cost else chosen
     watch.found("toulbar2", cost=incumbent.cost if not found else min(found[1], incumbent.cost))
-    watch.found("toulbar2", bound=float(network.GetDDualBound()) - SLACK)
+    rounding = (pool.count + len(tables)) * 10.0**-digits
+    watch.found("toulbar2", bound=float(network.GetDDualBound()) - max(SLACK, rounding))
     watch.note("toulbar2", labels=len(labels.label), tables=len(tables))
     return assignment(problem, labels, labels.label[chosen], watch, "toulbar2")
 
