@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import highs, search
+from usdrigui.solve import highs, search, sweeps
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.groups import decode, group_gains
 from usdrigui.solve.polish import polished
@@ -72,6 +73,46 @@ def test_dual_never_exceeds_what_it_bounds(part: int) -> None:
                 assert (bound + each <= least_with(costs, at) + 1e-9).all()
             last = bound
             dual.sweep()
+
+
+def gathered_and_plain(problem: Problem, times: int) -> tuple[Dual, Dual]:
+    """A dual swept as gathered tables, and one swept table by table."""
+    gathered, plain = Dual(*problem, 20.0), Dual(*problem, 20.0)
+    sweeps.swept(gathered, times)
+    for _ in range(times):
+        plain.sweep()
+    return gathered, plain
+
+
+def test_gathered_sweeps_are_sweeps() -> None:
+    for seed in range(300):
+        gathered, plain = gathered_and_plain(random_tables(seed), 6)
+        assert gathered.bound() == pytest.approx(plain.bound(), abs=2e-4)  # ties broken by rounding part their ways
+        for mine, theirs in zip(gathered.theta, plain.theta, strict=True):
+            assert np.isfinite(mine).all() and np.isfinite(theirs).all()
+
+
+def test_gathered_sweeps_bound_what_they_bounded() -> None:
+    for seed in range(300):
+        problem = random_tables(seed)
+        costs = every_cost(problem, 20.0)
+        gathered, _ = gathered_and_plain(problem, 6)
+        bound, excess = gathered.parts()
+        assert bound <= costs.min() + 1e-9
+        for at, each in enumerate(excess):
+            assert (bound + each <= least_with(costs, at) + 1e-9).all()
+
+
+def test_gathered_sweeps_that_forget_entries_outside_the_tables_are_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = sweeps._Packed._visit_of
+
+    def forgetful(self: object, variable: int, forward: bool) -> object:
+        visit = honest(self, variable, forward)
+        return visit and replace(visit, unused=np.zeros_like(visit.unused))
+
+    monkeypatch.setattr(sweeps._Packed, "_visit_of", forgetful)
+    with pytest.raises(AssertionError):
+        test_gathered_sweeps_are_sweeps()
 
 
 def test_dual_is_exact_on_trees() -> None:

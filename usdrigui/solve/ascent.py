@@ -53,31 +53,45 @@ class Ascent:
         self.count, self.price = cells.count, cells.price
         self._step = np.full(len(self.price), STEP)
         self._slope = np.zeros(len(self.price))
-        self.play(np.arange(0))
+        self.chosen = np.arange(0)
+        self.across: Singles = np.empty((size, 0), dtype=np.float32)
+        self.play(self.chosen)
 
     # --- entries in play -----------------------------------------------------------------------------
 
     def play(self, chosen: Indices) -> None:
         """Work on these entries of the pool from now on (ascending), with the multipliers that they have."""
+        self.across = self._across(chosen)
+        """(n, m) pair costs of every entry of the pool against those in play, without prices."""
         self.chosen = chosen
         self.variable = self.costs.pool.variable[chosen]
         self.first = np.searchsorted(self.variable, np.arange(len(self.start)))
         """(variables + 1,) first entry in play of each variable."""
-        self.across = self._across()
-        """(n, m) pair costs of every entry of the pool against those in play, without prices."""
         self._mine: Singles = self.given[chosen]
         self._apply()
 
-    def _across(self) -> Singles:
+    def _across(self, chosen: Indices) -> Singles:
+        """The pair costs against these entries; those that were in play are not worked out again."""
+        known = np.isin(chosen, self.chosen, assume_unique=True)
+        found = np.empty((len(self.costs.pool.cost), len(chosen)), dtype=np.float32)
+        found[:, known] = self.across[:, np.searchsorted(self.chosen, chosen[known])]
+        found[:, ~known] = self._against(chosen[~known])
+        return found
+
+    def _against(self, chosen: Indices) -> Singles:
+        """(n, m) pair costs of every entry of the pool against some (ascending)."""
         pool = self.costs.pool
-        found = np.zeros((len(pool.cost), len(self.chosen)), dtype=np.float32)
+        first = np.searchsorted(chosen, pool.start)
+        found = np.zeros((len(pool.cost), len(chosen)), dtype=np.float32)
         for table in self.costs.tables:
             for mine, rows, other, columns, costs in (
                 (table.first, table.rows, table.second, table.columns, table.costs),
                 (table.second, table.columns, table.first, table.rows, table.costs.T),
             ):
-                low, high = self.first[other], self.first[other + 1]
-                wanted = self.chosen[low:high] - pool.start[other]
+                low, high = first[other], first[other + 1]
+                if low == high:
+                    continue
+                wanted = chosen[low:high] - pool.start[other]
                 at = np.minimum(np.searchsorted(columns, wanted), len(columns) - 1)
                 hit = np.flatnonzero(columns[at] == wanted)
                 part = np.minimum(costs[:, at[hit]], self._dear)
@@ -86,20 +100,54 @@ class Ascent:
 
     def _apply(self) -> None:
         """Costs of the entries in play as the prices are now."""
-        self.inside = [np.flatnonzero(each) for each in self.member[:, self.chosen]]
+        self._inside: list[Indices] = []
         """Of each cell, its entries in play."""
+        self._inner: list[Indices] = []
+        """Of each cell, the places of the pairs of those, counted through all of `pairs`."""
+        self._ahead: list[Indices] = []
+        """Of those, the ones above the diagonal blocks."""
+        self._enter(self.member)
         self.pairs: Singles = self.across[self.chosen]
         """(m, m) pair costs of the entries in play, less what prices take off."""
-        for mine, price in zip(self.inside, self.price, strict=True):
-            if price > 0:
-                self.pairs[mine[:, None], mine] -= np.float32(price)
+        self._link()
+        self._reduce(self.price)
         self._charge()
 
+    def _enter(self, member: Flags) -> None:
+        for each in member[:, self.chosen]:
+            inside = np.flatnonzero(each)
+            inner = inside[:, None] * len(self.chosen) + inside
+            variable = self.variable[inside]
+            self._inside.append(inside)
+            self._inner.append(inner.ravel())
+            self._ahead.append(inner[variable[:, None] < variable])
+        self._places = np.concatenate([np.empty(0, dtype=np.int64), *self._inside])
+        """Entries in play of all cells, one cell after another."""
+        self._owner = np.repeat(np.arange(len(self._inside)), [len(each) for each in self._inside])
+        """Cell of each of those."""
+
+    def _summed(self, values: NDArray[np.floating]) -> Floats:
+        """(cells,) sums of values (m,) of the entries in play inside each cell."""
+        return np.asarray(np.bincount(self._owner, values[self._places], len(self._inside)), dtype=np.float64)
+
+    def _reduce(self, price: Floats) -> None:
+        """Take prices off the pairs inside the cells."""
+        pairs = self.pairs.reshape(-1)
+        for inner, each in zip(self._inner, price, strict=True):
+            if each:
+                pairs[inner] -= np.float32(each)
+
+    def _link(self) -> None:
+        """Where the entries of the variables linked to each one are."""
+        self._near = []
+        sizes = np.diff(self.first)
+        for linked in self.linked:
+            start = np.concatenate([[0], np.cumsum(sizes[linked])])
+            self._near.append((np.flatnonzero(linked), np.flatnonzero(linked[self.variable]), start))
+
     def _charge(self) -> None:
-        linear = self.costs.linear[self.chosen]
-        for mine, price in zip(self.inside, self.price * self.count, strict=True):
-            linear[mine] += price
-        self.linear: Singles = linear.astype(np.float32)
+        charged = np.bincount(self._places, (self.price * self.count)[self._owner], len(self.chosen))
+        self.linear: Singles = (self.costs.linear[self.chosen] + charged).astype(np.float32)
 
     def settle(self) -> Floats:
         """(n,) how much dearer every entry of the pool is than the cheapest in play of its variable.
@@ -108,7 +156,7 @@ class Ascent:
         """
         linear = self.costs.linear + np.where(self.member, (self.price * self.count)[:, None], 0.0).sum(axis=0)
         costs = self.across.copy()
-        for mine, inside, price in zip(self.member, self.inside, self.price, strict=True):
+        for mine, inside, price in zip(self.member, self._inside, self.price, strict=True):
             if price > 0:
                 costs[np.flatnonzero(mine)[:, None], inside] -= np.float32(price)
         self.given[self.chosen] = self._mine
@@ -126,13 +174,17 @@ class Ascent:
 
     # --- multipliers ---------------------------------------------------------------------------------
 
-    def sweep(self, eps: float) -> None:
-        """Best multipliers of one variable after another, forth and back; hard minima with `eps` 0."""
+    def sweep(self, eps: float, back: bool = False) -> None:
+        """Best multipliers of one variable after another, forth and back, or only back; hard minima with `eps` 0."""
         count = len(self.first) - 1
-        for variable in (*range(count), *range(count - 1, -1, -1)):
-            near = np.flatnonzero(self.linked[variable])
+        for variable in (*(() if back else range(count)), *range(count - 1, -1, -1)):
+            near, entries, start = self._near[variable]
+            if not len(near):
+                continue
             mine = slice(self.first[variable], self.first[variable + 1])
-            message = _soft_least(self.pairs[mine] - self._mine[:, variable], self.first, eps)[:, near]
+            reduced = self.pairs[mine].take(entries, axis=1)
+            reduced -= self._mine[entries, variable]
+            message = _soft_least(reduced, start, eps)
             total = self.linear[mine] + message.sum(axis=1)
             self._mine[mine, near] = message - (total / (len(near) + 1))[:, None]
 
@@ -175,7 +227,8 @@ class Ascent:
         for each in touched:
             self.linked[np.ix_(each, each)] = True
         np.fill_diagonal(self.linked, False)
-        self.inside += [np.flatnonzero(each) for each in member[:, self.chosen]]
+        self._link()
+        self._enter(member)
 
     def drop(self, least: float) -> None:
         """Forget the cells whose price is no more than `least`."""
@@ -188,14 +241,12 @@ class Ascent:
         """Raise the prices of crowded cells, lower those of others: a Newton step of each by itself, longer for
         those that keep their direction and shorter for those that turn (M. Riedmiller and H. Braun, 1993)."""
         share, pairs = self.shares(eps)
-        mass = np.array([share[each].sum() for each in self.inside])
-        both = np.array([pairs[each[:, None], each].sum() for each in self.inside])
+        mass = self._summed(share)
+        both = np.array([pairs.take(each).sum() for each in self._ahead])
         slope = self.count * mass - self.count * (self.count + 1) / 2 - both
         active = (self.price > 0) | (slope > 0)
-        others = np.zeros(len(share))
-        for each in itertools.compress(self.inside, active):
-            others[each] += 1.0
-        weighted = np.array([(share[each] * others[each]).sum() for each in self.inside])
+        others = np.bincount(self._places[active[self._owner]], minlength=len(share))
+        weighted = self._summed(share * others)
         crowd = np.maximum(weighted / np.maximum(mass, 1e-9), 1.0)
         bend = (self.count**2 * np.minimum(mass, 1.0) + both + 0.1) / eps
         turned = np.sign(slope * self._slope)
@@ -204,9 +255,7 @@ class Ascent:
         self._change(np.maximum(0.0, self.price + self._step * slope / (bend * crowd)))
 
     def _change(self, price: Floats) -> None:
-        for mine, more in zip(self.inside, price - self.price, strict=True):
-            if more:
-                self.pairs[mine[:, None], mine] -= np.float32(more)
+        self._reduce(price - self.price)
         self.price = price
         self._charge()
 

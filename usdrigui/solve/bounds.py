@@ -26,8 +26,8 @@ class Edge:
 
     def __init__(self, table: Table, sizes: tuple[int, int], forbidden: float) -> None:
         self.ends = (table.first, table.second)
-        costs = np.minimum(table.costs, forbidden)
-        self.costs = (costs, np.ascontiguousarray(costs.T))
+        costs = table.costs if table.costs.max(initial=0.0) <= forbidden else np.minimum(table.costs, forbidden)
+        self.costs = (costs, costs.T)
         self.used = (table.rows, table.columns)
         self.given = [np.zeros(sizes[0]), np.zeros(sizes[1])]
         self._least: float | None = None
@@ -70,10 +70,15 @@ class Edge:
     def against(self, side: int, other: int) -> Floats:
         """(n,) original costs of the entries of one end against one entry of the other."""
         costs = np.zeros(len(self.given[side]))
-        at = int(np.searchsorted(self.used[1 - side], other))
-        if at < len(self.used[1 - side]) and self.used[1 - side][at] == other:
-            costs[self.used[side]] = self.costs[1 - side][at]
+        self.add_against(side, other, costs)
         return costs
+
+    def add_against(self, side: int, other: int, costs: Floats) -> None:
+        """Add to `costs` (n,) what the entries of one end cost against one entry of the other."""
+        theirs = self.used[1 - side]
+        at = int(theirs.searchsorted(other))
+        if at < len(theirs) and theirs[at] == other:
+            costs[self.used[side]] += self.costs[1 - side][at]
 
     def block(self, rows: Indices, columns: Indices) -> Floats:
         """Reparametrised costs of some entries of the first end against some of the second."""

@@ -14,13 +14,14 @@ from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, bounded, cells_of
 from usdrigui.solve.spots import Places, crowded
+from usdrigui.solve.sweeps import swept, work_of
 from usdrigui.solve.watch import Watch
 
-PHASES = 10
+PHASES = 7
 """Times that the entries in play are chosen anew, at most."""
 FEWEST_PHASES, PER_PHASE = 3, 100
 """The least number of phases, and entries of the pool for which there is one more."""
-STEPS = 15
+STEPS = 20
 """Steps of prices in a phase."""
 SEARCH_EVERY = 5
 """Steps between two searches for crowded cells."""
@@ -40,8 +41,10 @@ WIDTH = 6.0
 """Entries this many softnesses above the cheapest, for each of its variable's tables, are in play."""
 SETTLING = 3
 """Sweeps after the entries in play have changed."""
-SWEEPS = 40
+SWEEPS = 100
 """Sweeps over all entries at the end, at most."""
+AT_ONCE = 8
+"""Sweeps between two looks at the bound."""
 GAINED = 2e-3
 """Share of what is missing that a sweep must gain for another one."""
 DEAR = 1.5
@@ -64,20 +67,19 @@ def tightened(
     other, ascent = _proposed(costs, where, dual, cells, solution, cut - bound, watch)
     new = costs.dual(other)
     ascent.hand_over(new)
-    if _swept(new, cut, watch) <= bound:
+    if not _raised(new, cut, watch) > bound:  # not a number proves nothing
         return dual, cells
     return new, other
 
 
-def _swept(dual: Dual, cut: float, watch: Watch) -> float:
+def _raised(dual: Dual, cut: float, watch: Watch) -> float:
     """Sweep while that raises the bound; the bound."""
     before = -np.inf
-    for _ in range(SWEEPS // 4):
-        for _sweep in range(4):
-            dual.sweep()
-        watch.spend(4 * (dual.size // 16 + 64 * len(dual.edges)))
+    for _ in range(SWEEPS // AT_ONCE):
+        swept(dual, AT_ONCE)
+        watch.spend(work_of(dual, AT_ONCE))
         bound = dual.bound()
-        if bound - before < 4 * GAINED * (cut - bound):
+        if bound - before < AT_ONCE * GAINED * (cut - bound):
             break
         before = bound
     return bound
@@ -102,13 +104,11 @@ def _proposed(
         for _ in range(SETTLING):
             ascent.sweep(eps)
         _price(ascent, where, eps, EXCHANGES if warm or 2 * phase >= phases else 0, watch)
-        if watch.stopped():
-            break
         ascent.drop(TINY)
         excess = ascent.settle()
-    for _ in range(2 * SETTLING):
-        ascent.sweep(0.0)
-    ascent.settle()
+        watch.spend(len(excess) * len(ascent.chosen) // 32)
+        if watch.stopped():
+            break
     kept = ascent.price > TINY
     members = [np.flatnonzero(each) for each in ascent.member[kept]]
     return bounded(cells_of(members, ascent.count[kept], ascent.price[kept])), ascent
@@ -136,9 +136,9 @@ def _price(ascent: Ascent, where: Places, eps: float, exchanges: int, watch: Wat
     for step in range(STEPS):
         if step % SEARCH_EVERY == 0:
             ascent.extend(*crowded(ascent, where, eps, exchanges))
-        ascent.sweep(eps)
+        ascent.sweep(eps, back=True)
         ascent.price_step(eps)
-        watch.spend((3 * len(ascent.chosen) ** 2 + len(ascent.price) * len(ascent.chosen)) // 32)
+        watch.spend((3 * len(ascent.chosen) ** 2 + len(ascent.price) * len(ascent.chosen)) // 80)
         if watch.stopped():
             return
 

@@ -109,7 +109,7 @@ def _conditional(dual: Dual, variable: int, chosen: Indices) -> Floats:
     for edge, side in dual.near[variable]:
         other = chosen[edge.ends[1 - side]]
         if other >= 0:
-            costs += edge.against(side, int(other))
+            edge.add_against(side, int(other), costs)
     return costs
 
 

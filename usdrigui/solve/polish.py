@@ -14,12 +14,12 @@ import numpy as np
 from usdrigui.model import Floats, Indices
 from usdrigui.solve.search import Part
 
-RUNS = 4
+RUNS = 12
 TRIES = 20
 """Tries of a run, for every variable."""
 MOST = 8
 """Rivals taken out together with a variable, at most."""
-NOISE = 0.02
+NOISE = 0.04
 """Mean cost by which a label put back may be worse than the best."""
 WORSE = 0.02
 """How much worse than the best of a run a solution may be for the run to go on from it."""

@@ -14,6 +14,7 @@ from usdrigui.solve.memory import planned_for_prices
 from usdrigui.solve.pace import SLOW
 from usdrigui.solve.residual import STEP, SWEEPS, Residual
 from usdrigui.solve.spots import places
+from usdrigui.solve.sweeps import swept
 from usdrigui.solve.watch import Watch
 
 FAR = 20.0
@@ -43,8 +44,7 @@ def without_prices(residual: Residual, watch: Watch) -> Residual:
         return residual
     dual = residual.costs.dual(no_cells())
     dual.start_from(residual.dual, [np.arange(len(each)) for each in dual.theta])
-    for _ in range(2 * SWEEPS):
-        dual.sweep()
+    swept(dual, 2 * SWEEPS)
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
     room = np.maximum(residual.room, bound + np.concatenate(excess))
@@ -57,7 +57,7 @@ def _priced(residual: Residual, solution: Indices, radius: float, watch: Watch) 
     dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, solution, watch.cut, watch)
     bound, excess = dual.parts()
     barren = bound - residual.bound < SLOW * (watch.cut - residual.bound)
-    if bound <= residual.bound:
+    if not bound > residual.bound:
         return replace(residual, barren=barren)
     chosen, value = decode(dual, watch.settings.seed)
     watch.found(STEP, bound=min(bound, watch.cut))

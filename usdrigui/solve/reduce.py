@@ -87,8 +87,12 @@ def _by_groups(
     labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
 ) -> Residual:
     """Prices and groups for many entries."""
-    if (pace.stuck or not residual.priced) and not residual.barren:
+    if not residual.priced and not pace.slow:
+        incumbent.search(TRIES * residual.pool.count)
+    before = residual.bound
+    if not residual.barren:
         residual = repriced(residual, residual.entries_of(incumbent.chosen), radius, watch)
     if residual.exact and not watch.closed():
         incumbent.improve_from(residual.representatives(labels, likely_solution(residual, watch)))
-    return residual if watch.closed() else grouped(residual, watch, pace.nodes)
+    better = residual.bound > before and not residual.barren
+    return residual if better or watch.closed() else grouped(residual, watch, pace.nodes)

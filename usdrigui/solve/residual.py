@@ -11,6 +11,7 @@ from usdrigui.solve.blocks import Blocks, Labels, Pool, block_pool
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, inherited, no_cells
 from usdrigui.solve.groups import decode
+from usdrigui.solve.sweeps import swept, work_of
 from usdrigui.solve.tables import NearPairs, near_blocks, pair_tables, refined
 from usdrigui.solve.watch import Watch
 
@@ -111,9 +112,8 @@ def bounded_blocks(
     if older is not None and parent is not None:
         ends = zip(pool.start[:-1], pool.start[1:], older.pool.start[:-1], strict=True)
         dual.start_from(older.dual, [parent[a:b] - old for a, b, old in ends])
-    for _ in range(SWEEPS):
-        dual.sweep()
-    watch.spend(1000 + SWEEPS * (dual.size // 16 + 64 * len(dual.edges)))
+    swept(dual, SWEEPS)
+    watch.spend(1000 + work_of(dual, SWEEPS))
     bound, excess = dual.parts()
     chosen, value = decode(dual, watch.settings.seed)
     residual = Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)

@@ -8,9 +8,9 @@ import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.solve.ascent import Ascent, Singles
-from usdrigui.solve.blocks import Pool
+from usdrigui.solve.blocks import Pool, squared
 
-NEW = 50
+NEW = 80
 """Cells found at a time."""
 TRIED = 400
 VIOLATED = 0.04
@@ -21,6 +21,8 @@ BODY_RADII = (0.5, 0.65, 0.8, 1.0, 1.25)
 """Of the cells tried around an entry, in overlap radii: balls of handles, and of handles and middles."""
 PAIR_COSTS = (0.03, 0.1, 0.3, 1.0)
 """Cells tried around an entry: all that cost it at least this much."""
+OWN = 0.5
+"""Distance of the handles within which other places of the entry's own variable belong to those."""
 COUNTS = np.arange(1.0, 5.0)
 GRAIN = 2.0**-12
 SUPPORT = 0.003
@@ -120,12 +122,12 @@ def _candidates(ascent: Ascent, where: Places, support: Indices, share: Singles)
     """(sets, m) sets of the entries with a share around each of them that hold more than one element, as numbers
     0 and 1; the number of the family of each, and the entry around which it lies."""
     entries = ascent.chosen[support]
-    handle, body = _apart(where.handle[entries]), _apart(where.middle[entries])
-    body = np.maximum(handle, body)
+    handle = _squares_apart(where.handle[entries], where.handle[entries])
+    body = np.maximum(handle, _squares_apart(where.middle[entries], where.middle[entries]))
     costs = ascent.across[entries][:, support]
     same = ascent.variable[support][:, None] == ascent.variable[support]
-    found = [handle <= each for each in HANDLE_RADII] + [body <= each for each in BODY_RADII]
-    found += [(costs >= each) | (same & (handle < 0.5)) for each in PAIR_COSTS]
+    found = [handle <= each**2 for each in HANDLE_RADII] + [body <= each**2 for each in BODY_RADII]
+    found += [(costs >= each) | (same & (handle < OWN**2)) for each in PAIR_COSTS]
     full = [each @ share > 1.0 + VIOLATED for each in found]
     sets: Singles = np.concatenate([each[rows] for each, rows in zip(found, full, strict=True)]).astype(np.float32)
     family = np.repeat(np.arange(len(found)), [int(rows.sum()) for rows in full])
@@ -135,24 +137,23 @@ def _candidates(ascent: Ascent, where: Places, support: Indices, share: Singles)
 def _members(ascent: Ascent, where: Places, support: Indices, centre: int, family: int) -> Flags:
     """(n,) entries of the pool that belong to a cell around an entry in play."""
     middle = ascent.chosen[support[[centre]]]
-    handle = _apart(where.handle[middle], where.handle)[0]
+    handle = _squares_apart(where.handle[middle], where.handle)[0]
     if family < len(HANDLE_RADII):
-        return np.asarray(handle <= HANDLE_RADII[family])
+        return np.asarray(handle <= HANDLE_RADII[family] ** 2)
     family -= len(HANDLE_RADII)
     if family < len(BODY_RADII):
-        body = np.maximum(handle, _apart(where.middle[middle], where.middle)[0])
-        return np.asarray(body <= BODY_RADII[family])
+        body = np.maximum(handle, _squares_apart(where.middle[middle], where.middle)[0])
+        return np.asarray(body <= BODY_RADII[family] ** 2)
     variable = ascent.costs.pool.variable
-    own = (variable == variable[middle]) & (handle < 0.5)
+    own = (variable == variable[middle]) & (handle < OWN**2)
     costs = ascent.across[:, support[centre]]
     return np.asarray((costs >= PAIR_COSTS[family - len(BODY_RADII)]) | own)
 
 
-def _apart(one: Floats, other: Floats | None = None) -> Floats:
-    """(n, m) least distance between any copies; inf where there is none."""
-    other = one if other is None else other
+def _squares_apart(one: Floats, other: Floats) -> Floats:
+    """(n, m) squares of the least distance between any copies; inf where there is none."""
     found = np.full((len(one), len(other)), np.inf)
-    for mine in range(one.shape[1]):
-        for theirs in range(other.shape[1]):
-            np.fmin(found, np.linalg.norm(one[:, None, mine] - other[None, :, theirs], axis=-1), out=found)
+    for mine in np.moveaxis(one, 0, -1):
+        for theirs in np.moveaxis(other, 0, -1):
+            np.fmin(found, squared(mine[:, :, None], theirs[:, None, :]), out=found)
     return found

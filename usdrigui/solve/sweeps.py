@@ -1,0 +1,159 @@
+"""Many sweeps of a dual at once, in single precision.
+
+`Dual.sweep` looks at one table after another, a dozen small array operations each.  Here the multipliers of all
+tables of a variable lie next to each other, tables are held in single precision, and a visit is two operations per
+table and a dozen in all.  The multipliers are handed back and a last sweep is made in double precision: as always
+the bound is worked out afresh from them, so what rounding spoils could only weaken it.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from usdrigui.model import Flags, Indices
+from usdrigui.solve.bounds import Dual, Edge
+
+FEWEST = 3
+"""Sweeps for which it is worth while to gather the tables."""
+
+Singles = NDArray[np.float32]
+
+
+def swept(dual: Dual, times: int) -> None:
+    """Sweep so many times."""
+    if times >= FEWEST and dual.edges:
+        packed = _Packed(dual)
+        for _ in range(times - 1):
+            packed.sweep()
+        packed.hand_over()
+        times = 1
+    for _ in range(times):
+        dual.sweep()
+
+
+def work_of(dual: Dual, times: int) -> int:
+    """Work that so many sweeps count as."""
+    return times * (dual.size // 128 + 16 * len(dual.edges))
+
+
+@dataclass(frozen=True, eq=False)
+class _Visit:
+    """What a variable's visit in one direction works on: its tables with the variables ahead."""
+
+    variable: slice
+    """Its entries, counted through all variables."""
+    given: slice
+    """(tables, entries) its multipliers, in the flat list of all."""
+    portion: float
+    """Share of its costs that each table gets."""
+    tables: Sequence[tuple[Singles, Indices, slice]]
+    """Pair costs (rows, columns) of each table, its rows, and where its columns are among those of all."""
+    unused: Flags
+    """(tables, entries) whether an entry is in no row of a table: it costs nothing against anyone."""
+    sizes: Indices
+    """(tables,) entries of the other ends."""
+    columns: Indices
+    """(tables,) columns."""
+    used: Indices
+    """Where the columns of all tables are among the entries of all other ends."""
+    theirs: Indices
+    """Multipliers of the other ends, in the flat list."""
+    others: Indices
+    """Entries of the other ends, counted through all variables."""
+
+
+class _Packed:
+    """The multipliers of a dual in one list, and its tables by the order of visits."""
+
+    def __init__(self, dual: Dual) -> None:
+        self._dual = dual
+        self._start = np.concatenate([[0], np.cumsum([len(each) for each in dual.theta])])
+        self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
+        self._place: dict[tuple[Edge, int], int] = {}
+        """First of an end's multipliers in the flat list: those of a variable that one visit changes are neighbours."""
+        at = 0
+        for forward in (True, False):
+            for variable in range(len(dual.theta)):
+                for edge, side in _ahead(dual, variable, forward):
+                    self._place[edge, side] = at
+                    at += len(dual.theta[variable])
+        self._given: Singles = np.empty(at, dtype=np.float32)
+        for (edge, side), low in self._place.items():
+            self._given[low : low + len(edge.given[side])] = edge.given[side]
+        order = range(len(dual.theta))
+        visits = [self._visit_of(variable, True) for variable in order]
+        visits += [self._visit_of(variable, False) for variable in reversed(order)]
+        self._visits = [each for each in visits if each is not None]
+
+    def sweep(self) -> None:
+        """One pass over the variables and one back, as `Dual.sweep`."""
+        for visit in self._visits:
+            self._visit(visit)
+
+    def hand_over(self) -> None:
+        """Give the multipliers to the dual."""
+        for (edge, side), low in self._place.items():
+            given = self._given[low : low + len(edge.given[side])].astype(np.float64)
+            self._dual.move(edge, side, given - edge.given[side])
+
+    def _visit(self, visit: _Visit) -> None:
+        mine = self._given[visit.given].reshape(len(visit.tables), -1)
+        theta = self._theta[visit.variable]
+        share = theta * np.float32(visit.portion)
+        mine -= share
+        theta -= share * np.float32(len(visit.tables))
+        message = np.empty(len(visit.used), dtype=np.float32)
+        for (costs, rows, at), own in zip(visit.tables, mine, strict=True):
+            np.minimum.reduce(costs - own[rows, None], axis=0, out=message[at])
+        elsewhere = -np.where(visit.unused, mine, -np.inf).max(axis=1)
+        np.minimum(message, np.repeat(elsewhere, visit.columns), out=message)
+        new = np.repeat(-mine.max(axis=1), visit.sizes)
+        new[visit.used] = message
+        self._theta[visit.others] += new - self._given[visit.theirs]
+        self._given[visit.theirs] = new
+
+    def _visit_of(self, variable: int, forward: bool) -> _Visit | None:
+        ahead = _ahead(self._dual, variable, forward)
+        if not ahead:
+            return None
+        size = len(self._dual.theta[variable])
+        ends = [edge.ends[1 - side] for edge, side in ahead]
+        sizes = np.array([len(self._dual.theta[end]) for end in ends])
+        columns = np.array([len(edge.used[1 - side]) for edge, side in ahead])
+        edges = np.concatenate([[0], np.cumsum(columns)]).tolist()
+        unused = np.ones((len(ahead), size), dtype=bool)
+        for row, (edge, side) in zip(unused, ahead, strict=True):
+            row[edge.used[side]] = False
+        first = self._place[ahead[0]]
+        low = np.cumsum(sizes) - sizes
+        return _Visit(
+            slice(int(self._start[variable]), int(self._start[variable + 1])),
+            slice(first, first + len(ahead) * size),
+            1.0 / max(len(ahead), len(self._dual.near[variable]) - len(ahead)),
+            [
+                (np.ascontiguousarray(edge.costs[side], dtype=np.float32), edge.used[side], slice(a, b))
+                for (edge, side), (a, b) in zip(ahead, itertools.pairwise(edges), strict=True)
+            ],
+            unused,
+            sizes,
+            columns,
+            np.concatenate([at + edge.used[1 - side] for at, (edge, side) in zip(low, ahead, strict=True)]),
+            _ranges([self._place[edge, 1 - side] for edge, side in ahead], sizes),
+            _ranges(self._start[ends], sizes),
+        )
+
+
+def _ahead(dual: Dual, variable: int, forward: bool) -> list[tuple[Edge, int]]:
+    """A variable's tables with those that a pass has yet to visit."""
+    return [(edge, side) for edge, side in dual.near[variable] if (edge.ends[1 - side] > variable) == forward]
+
+
+def _ranges(start: Sequence[int] | Indices, sizes: Indices) -> Indices:
+    """Ranges of so many numbers from each start, one after another."""
+    low = np.cumsum(sizes) - sizes
+    return np.repeat(np.asarray(start) - low, sizes) + np.arange(int(sizes.sum()))
