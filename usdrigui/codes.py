@@ -59,6 +59,12 @@ _CODES: dict[str, Code] = {
         "What is to be laid out is a layout layer itself, not a character.",
         "Process the character that it stands over; --previous keeps what the layer has.",
     ),
+    "SOURCE_HAS_LAYOUT": Code(
+        "error",
+        "The asset brings a layout of the character in already; a second one over it would mix with it.",
+        "Keep it and place what it lacks: --base with the file named; replace an attached one: --bare -o with that "
+        "file; or take it out of the asset first (`usdrigui detach`).",
+    ),
     "SOURCE_LFS_POINTER": Code(
         "error",
         "The file is a Git LFS pointer: the asset itself was never fetched.",

@@ -213,6 +213,12 @@ def _based(*changes: tuple[str, str]) -> Occasion:
     return occasion
 
 
+def _shot_over(layer: Path) -> Path:
+    shot = layer.with_name("shot.usda")
+    shot.write_text(f"#usda 1.0\n(\n    subLayers = [@./{layer.name}@]\n)\n")
+    return shot
+
+
 def _of_another(folder: Path) -> Path:
     """The layout of a character of another name."""
     found = _laid_out(folder)
@@ -474,6 +480,7 @@ OCCASIONS: Mapping[str, Occasion] = {
     "BASE_MISMATCH": _based(("Face", "Nose")),
     "PREVIOUS_MISMATCH": lambda folder, _: process(folder, "", "--previous", _of_another(folder)),
     "SOURCE_IS_LAYOUT": lambda folder, _: command("process", _laid_out(folder)),
+    "SOURCE_HAS_LAYOUT": lambda folder, _: command("process", _shot_over(_laid_out(folder)), "--dry-run"),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
     "ATTACH_LINK": _attached(_linked, "link.usda"),
     "ATTACH_CYCLE": _attached(_laid_out),

@@ -61,8 +61,8 @@ def test_a_layout_layer_is_no_source(tmp_path):
 
 
 @pytest.mark.parametrize("arc", ["subLayers", "references"])
-def test_a_layer_that_brings_a_layout_in_is_a_source(arc, tmp_path):
-    """A shot over a layout layer authors no layout of its own, even where it corrects one."""
+def test_a_layer_that_brings_a_layout_in_gets_no_second_one(arc, tmp_path):
+    """A shot over a layout layer, even one that corrects it, is added to (--base) or laid out apart (--bare)."""
     path = traps.smallest.character(tmp_path)
     assert occasions.command("process", path)[0] == 0
     shot = tmp_path / "shot.usda"
@@ -70,8 +70,16 @@ def test_a_layer_that_brings_a_layout_in_is_a_source(arc, tmp_path):
     prim = 'over "Char"' if arc == "subLayers" else 'def "Char" (references = @./char.rigui.usda@</Char>)'
     over = prim + '\n{\nover "RigUI"\n{\nover "smile"\n{\ntoken visibility = "invisible"\n}\n}\n}\n'
     shot.write_text("#usda 1.0\n" + head + over)
-    exit_code, issues = occasions.command("process", shot, "--dry-run")
-    assert exit_code == 0, issues
+    exit_code, (found,) = occasions.command("process", shot)
+    assert (exit_code, found["code"]) == (1, "SOURCE_HAS_LAYOUT")
+    assert str(tmp_path / "char.rigui.usda") in found["message"]
+    assert not (tmp_path / "shot.rigui.usda").exists()
+    for options in (("--base", tmp_path / "char.rigui.usda"), ("--bare",)):
+        exit_code, issues = occasions.command("process", shot, "--dry-run", *options)
+        assert exit_code == 0, issues
+    shot.write_text(shot.read_text().replace('over "RigUI"', 'over "RigUI" (active = false)'))
+    exit_code, (found,) = occasions.command("process", shot)
+    assert found["code"] == "SOURCE_HAS_LAYOUT", "its layout would be inactive with the old one"
 
 
 @pytest.mark.parametrize("version", [(0, 0, 0), (0, 99, 0), (1, 0, 0), (255, 255, 255)])

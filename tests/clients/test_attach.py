@@ -179,6 +179,25 @@ def test_refuses_layers_without_layout_or_of_another_character(folder):
     assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "LAYOUT_STALE"
 
 
+def test_an_asset_with_its_layout_inside_gets_no_second_one(folder, capsys):
+    """Elements that the second one lacks would stay behind; replaced through --bare -o, the result passes `check`."""
+    asset, bare = folder / "char.usda", folder / "ui" / "bare.usda"
+    attach(asset, bare, Settings())
+    (folder / "char.rigui.toml").write_text("[controls.smile_L]\nexclude = true\n")
+    shutil.copy(bare, folder / "ui" / "other.usda")
+    assert refusal(asset, folder / "ui" / "other.usda") == "SOURCE_HAS_LAYOUT"
+    layer = folder / "char.rigui.usda"
+    before = layer.read_bytes()
+    assert main(["process", str(asset)]) == 1
+    told = capsys.readouterr().err
+    assert "SOURCE_HAS_LAYOUT" in told
+    assert str(bare) in told
+    assert "--bare -o" in told
+    assert layer.read_bytes() == before
+    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    assert main(["check", str(asset), "--config", str(folder / "char.rigui.toml"), "--strict"]) == 0
+
+
 def test_an_asset_with_its_layout_inside_is_checked_viewed_and_processed_again(folder, capsys):
     asset, bare = folder / "char.usda", folder / "ui" / "bare.usda"
     assert main(["attach", str(asset), str(bare)]) == 0

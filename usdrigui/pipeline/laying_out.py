@@ -50,7 +50,7 @@ def process(
     check_target(asset, target)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-        _check_character(asset, source)
+        _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
         heeded = read_examples(examples or ExampleLayers(), settings)
     rigs = rigs_over(heeded, source.rigs)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
@@ -71,11 +71,21 @@ def process(
     )
 
 
-def _check_character(asset: Path, source: ReadResult) -> None:
-    """Refuse what was laid out already: a layer over a layout layer would hold a second layout in the first."""
+def _check_character(asset: Path, target: Path, source: ReadResult, settings: Settings, *, over_base: bool) -> None:
+    """Refuse what was laid out already, unless the new layer adds to that layout or stands by itself (decision 105).
+
+    Raises SOURCE_IS_LAYOUT, SOURCE_HAS_LAYOUT, and ATTACH_CYCLE for a target that is a part of the asset.
+    """
     if source.layouts:
         below = f"stands over {source.below}" if source.below else "stands over nothing else"
         raise refuse("SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}")
+    if settings.output.bare:
+        return
+    if any(os.path.realpath(target) == each.path for each in source.sources):
+        raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
+    for rig in source.rigs:
+        if rig.root in source.brought and not over_base:
+            raise refuse("SOURCE_HAS_LAYOUT", rig.root, f"{asset} brings in its layout from {source.brought[rig.root]}")
 
 
 def _lay_out(

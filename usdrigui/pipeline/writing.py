@@ -25,9 +25,6 @@ def write_layer(
     """
     from usdrigui.usd import layer
 
-    own = os.path.realpath(target)
-    if any(own == each.path for each in source.sources) and not settings.output.bare:
-        raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     check_replaceable(target, settings)
     make_folder(target)
     if examples.base is not None:

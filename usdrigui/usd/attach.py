@@ -39,21 +39,24 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), all that reading can
-    raise, and the FILE_ codes of writing.  Then nothing has been written.
+    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT, all that
+    reading can raise, and the FILE_ codes of writing.  Then nothing has been written.
     """
     before = _admitted(asset, settings)
     layouts = read_layouts_isolated(layer, settings).layouts
-    characters = {rig.root for rig in read_rigs_isolated(asset, settings).rigs}
-    missing = sorted({layout.root for layout in layouts} - characters)
+    read = read_rigs_isolated(asset, settings)
+    missing = sorted({layout.root for layout in layouts} - {rig.root for rig in read.rigs})
     if missing:
         raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
     _check_bare(asset, layer, settings)
     source = open_layer(asset)
     if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
         return "unchanged"
-    entry = relative_asset_path(layer, asset)
     roots = [layout.root for layout in layouts]
+    for root in roots:
+        if root in read.brought:
+            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.brought[root]}")
+    entry = relative_asset_path(layer, asset)
     return _commit(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
 
 

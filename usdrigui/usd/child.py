@@ -17,7 +17,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any, Literal, TypeVar
 
@@ -69,6 +69,8 @@ class ReadResult(Record):
     """Scopes of the layouts that its root layer authors itself."""
     below: str = ""
     """The asset that such a root layer stands over; empty if it has none."""
+    brought: Mapping[str, str] = field(default_factory=dict)
+    """By SkelRoot, the file of the layout that another layer of it brings in."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -94,7 +94,7 @@ def bound(limits: Limits) -> None:
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
-    from usdrigui.usd.read_layout import own_layouts, source_of
+    from usdrigui.usd.read_layout import brought_layouts, own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
 
     with _hashed_before(path) as (before, heard), _kept_stages() as stages:
@@ -104,7 +104,8 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
-        return ReadResult(rigs, metadata, cameras, _sources(path, stages.GetAllStages(), before), layouts, below)
+        sources = _sources(path, stages.GetAllStages(), before)
+        return ReadResult(rigs, metadata, cameras, sources, layouts, below, brought_layouts(stage))
 
 
 def _layouts(path: Path) -> LayoutsResult:

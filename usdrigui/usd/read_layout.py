@@ -50,18 +50,32 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
 
 def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
     """The prims below which layouts stand, defined or not: a layout is there even when its source is not."""
+    return (prim for prim in _scopes(stage) if prim.IsActive())
+
+
+def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
+    """The same, with those that are inactive."""
     walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
     for prim in walk:
         if schema.LAYOUT in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
             walk.PruneChildren()
-            if prim.IsActive():
-                yield prim
+            yield prim
 
 
 def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
     """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings in."""
     scopes = (scope.GetPath() for scope in layout_scopes(stage))
     return tuple(str(scope) for scope in scopes if _is_layout(stage.GetRootLayer().GetPrimAtPath(scope)))
+
+
+def brought_layouts(stage: Usd.Stage) -> dict[str, str]:
+    """By SkelRoot, the file of the layout that another layer than the root layer brings in, active or not."""
+    found: dict[str, str] = {}
+    for scope in _scopes(stage):
+        layers = [spec.layer for spec in scope.GetPrimStack() if _is_layout(spec)]
+        if layers and stage.GetRootLayer() not in layers:
+            found[str(scope.GetPath().GetParentPath())] = str(layers[0].realPath or layers[0].identifier)
+    return found
 
 
 def edited_elements(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
