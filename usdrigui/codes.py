@@ -122,7 +122,9 @@ _CODES: dict[str, Code] = {
         "info", "USD complained while the asset was read.", "See the message; often another issue tells more."
     ),
     "SKELROOT_MISSING": Code(
-        "error", "The stage has no SkelRoot.", "Put the character's meshes and Skeleton under a SkelRoot prim."
+        "error",
+        "The stage has no SkelRoot.",
+        "Put the character's meshes and Skeleton under a SkelRoot prim, or select the variant that has one.",
     ),
     "SKELROOT_UNKNOWN": Code(
         "error",
@@ -133,7 +135,8 @@ _CODES: dict[str, Code] = {
     "CONTROLS_MISSING": Code(
         "error",
         "No SkelRoot has anything to control.",
-        "Add blend shapes or an animated skeleton, or name joints or poses in the configuration.",
+        "Add blend shapes or an animated skeleton, bind a Skeleton to meshes that have blend shapes but none "
+        "(skel:skeleton), or name joints or poses in the configuration.",
     ),
     "INSTANCE": Code(
         "error",

@@ -2,6 +2,7 @@
 
 import json
 
+import pytest
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
@@ -72,6 +73,20 @@ def test_a_layer_without_layout_or_character_is_refused(tmp_path, capsys):
     Sdf.Layer.CreateNew(str(tmp_path / "empty.usda")).Save()
     assert main(["check", str(tmp_path / "empty.usda")]) == 1
     assert "LAYOUT_MISSING" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("kind", "inner", "code"),
+    [("Xform", "", "SKELROOT_MISSING"), ("Xform", "SkelRoot", "INSTANCE"), ("SkelRoot", "Xform", "INSTANCE")],
+)
+def test_an_asset_that_process_would_refuse_is_refused_alike(tmp_path, kind, inner, code, capsys):
+    asset = tmp_path / "char.usda"
+    own = f'over "Own"\n{{\n    def {inner} "body"\n    {{\n    }}\n}}\n' if inner else ""
+    arc = " (\n    instanceable = true\n    references = </Own>\n)" if inner else ""
+    asset.write_text(f'#usda 1.0\n\ndef {kind} "Char"{arc}\n{{\n}}\n\n{own}')
+    assert code in codes(asset, capsys, expected_exit=1)
+    assert main(["process", str(asset)]) == 1
+    assert code in capsys.readouterr().err
 
 
 def test_a_source_asset_is_checked_for_all_its_faults(layer, capsys):

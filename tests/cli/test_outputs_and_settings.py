@@ -61,8 +61,10 @@ def test_a_layer_of_somebody_else_is_not_replaced(character, capsys):
     mine = character.with_name("mine.usda")
     mine.write_text('#usda 1.0\ndef Xform "work" {}\n')
     before = mine.read_bytes()
-    assert main(["process", str(character), "-o", str(mine), *QUICK]) == 3
-    assert "FILE_TARGET" in capsys.readouterr().err
+    assert main(["process", str(character), "-o", str(mine), *QUICK[1:]]) == 3
+    told = capsys.readouterr().err
+    assert "FILE_TARGET" in told
+    assert "solve" not in told, "it is told before the work"
     assert mine.read_bytes() == before
 
 
@@ -71,7 +73,37 @@ def test_reports_and_pictures_never_replace_a_usd_file(character, option, capsys
     before = character.read_bytes()
     assert main(["process", str(character), "-o", str(character.with_name("l.usda")), option, str(character)]) == 3
     assert character.read_bytes() == before
+    assert "nothing was written" in capsys.readouterr().err
+
+
+def test_a_picture_that_cannot_be_written_leaves_the_layout(character, capsys):
+    layer, picture = character.with_name("l.usda"), character / "p.png"
+    assert main(["process", str(character), "-o", str(layer), "--preview", str(picture)]) == 3
     assert "the layout itself is written" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [
+        (["-o", "out.txt"], "FILE_TARGET"),
+        (["-o", "out.usdz"], "FILE_TARGET"),
+        (["--preview", "c.usda"], "FILE_TARGET"),
+        (["--report", "c.usdc"], "FILE_TARGET"),
+        (["--view", "frnt"], "did you mean 'front'?"),
+        (["--view", "nan,0"], "CONFIG_VALUE"),
+        (["--set", "candidates.view=1,2,3"], "CONFIG_VALUE"),
+    ],
+)
+def test_what_the_command_line_gets_wrong_is_told_before_the_asset_is_read(tmp_path, options, code, capsys):
+    main(["process", str(tmp_path / "missing.usda"), *options])
+    told = capsys.readouterr().err
+    assert code in told
+    assert "FILE_NOT_FOUND" not in told
+
+
+def test_a_picture_of_an_unknown_kind_is_refused_before_the_layer_is_read(tmp_path, capsys):
+    main(["picture", str(tmp_path / "missing.usda"), "-o", "p.jpg"])
+    assert "ends in .png or .gif" in capsys.readouterr().err
 
 
 def test_a_folder_that_is_a_file_is_a_file_error(character, capsys):

@@ -157,6 +157,33 @@ def test_nothing_to_control(tmp_path):
     assert (error.issue.code, error.issue.path) == ("CONTROLS_MISSING", "/Char")
 
 
+def test_blend_shapes_without_a_skeleton_are_counted(tmp_path):
+    error = spoilt(tmp_path, lambda stage: stage.RemovePrim("/Char/Skel"))
+    assert error.issue.code == "CONTROLS_MISSING"
+    assert "smile and 1 more (" in error.issue.message
+    assert "bind a Skeleton" in error.issue.repair
+
+
+def test_a_character_in_a_variant_that_is_not_selected(tmp_path):
+    head(tmp_path / "char.usda")
+    stage = Usd.Stage.CreateNew(str(tmp_path / "asset.usda"))
+    prim = stage.DefinePrim("/Hero", "Xform")
+    rigs = prim.GetVariantSets().AddVariantSet("rig")
+    for name in ("none", "low", "full"):
+        rigs.AddVariant(name)
+    rigs.SetVariantSelection("full")
+    with rigs.GetVariantEditContext():
+        stage.DefinePrim("/Hero/Body").GetReferences().AddReference("./char.usda", "/Char")
+    rigs.SetVariantSelection("none")
+    stage.GetRootLayer().Save()
+    before = (tmp_path / "asset.usda").read_bytes()
+    error = refused(tmp_path / "asset.usda")
+    assert error.issue.code == "SKELROOT_MISSING"
+    assert error.issue.message.endswith("there is one in 'full' of the variant set 'rig' of /Hero")
+    assert "select the variant" in error.issue.repair
+    assert (tmp_path / "asset.usda").read_bytes() == before
+
+
 @pytest.mark.parametrize("where", ["itself", "above"])
 def test_instance(tmp_path, where):
     """Nothing can be written below an instance."""

@@ -61,6 +61,8 @@ def _process(arguments: argparse.Namespace) -> Exit:
         animations=tuple(arguments.animation),
         base=arguments.base,
     )
+    for target in filter(None, (arguments.report, arguments.preview)):
+        pipeline.check_file_name(target)  # before the work, not after it
     screen = screen_of(arguments)
     with Interruption() as interruption, _progress(screen, arguments) as shown:
 

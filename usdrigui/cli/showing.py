@@ -83,9 +83,9 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.view import sheet
 
-    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     if arguments.output.suffix not in (".png", ".gif"):
         raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
+    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     characters = _visible(loaded.characters, arguments)
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(characters, frames=arguments.frames)

@@ -20,7 +20,7 @@ from usdrigui.layout import gain as gain_stage
 from usdrigui.model import Assignment, Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Posed, posed
-from usdrigui.pipeline.targets import check_target, default_output
+from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import write_layer
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
@@ -51,6 +51,8 @@ def process(
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
+        if not dry_run:
+            check_replaceable(target, settings)
         heeded = read_examples(examples or ExampleLayers(), settings)
     rigs = rigs_over(heeded, source.rigs)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]

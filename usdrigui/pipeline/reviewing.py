@@ -96,11 +96,11 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:
-    """What is wrong with a source asset; raises the refusal of its layout again if it is no source asset."""
+    """What is wrong with a source asset; raises the refusal of its layout again if it holds nothing at all."""
     if refusal.issue.code != "LAYOUT_MISSING":
         raise refusal
     found = read_faults_isolated(asset, settings)
-    if not found.characters:
+    if found.empty:
         raise refusal
     try:
         issues = tuple(each for rig in read_rigs_isolated(asset, settings).rigs for each in rig.issues)

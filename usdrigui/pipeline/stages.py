@@ -73,6 +73,9 @@ def posed(
 ) -> Posed:
     """The layout problem of one rig: every stage between reading and solving."""
     clock, examples = clock or Clock(), examples or Examples()
+    view = settings.candidates.view
+    if view.startswith("/") and rig.root not in (cameras or {}):
+        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
     settings = with_fixed(examples, rig, settings)
     base_values = _base_values(rig, settings)
     with clock.stage("trajectories"):

@@ -8,7 +8,8 @@ from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd.child import read_layouts_isolated
 
-_USD_SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
+_LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
+_USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
 
 
 def default_output(asset: Path) -> Path:
@@ -23,16 +24,23 @@ def write_file(content: bytes, target: Path) -> str:
     """
     from usdrigui.usd.safe_write import commit
 
-    if target.suffix in _USD_SUFFIXES:
-        raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+    check_file_name(target)
     make_folder(target)
     return commit(content, target)
 
 
+def check_file_name(target: Path) -> None:
+    """Refuse the name of a USD file for a file that is none; raises FILE_TARGET."""
+    if target.suffix in _USD_SUFFIXES:
+        raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+
+
 def check_target(asset: Path, target: Path) -> None:
-    """Refuse to write over the asset; raises FILE_TARGET."""
+    """Refuse to write over the asset, and to a file that is not named as a layer; raises FILE_TARGET."""
     if target.resolve() == asset.resolve():
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
+    if target.suffix not in _LAYER_SUFFIXES:
+        raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
 
 
 def check_replaceable(target: Path, settings: Settings) -> None:

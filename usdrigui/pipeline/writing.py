@@ -9,7 +9,7 @@ from pathlib import Path
 from usdrigui.errors import refuse
 from usdrigui.examples import Examples
 from usdrigui.layout import additions as additions_stage
-from usdrigui.pipeline.targets import check_replaceable, make_folder
+from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
 from usdrigui.settings import Settings
 from usdrigui.usd.child import LayoutsResult, ReadResult
@@ -25,7 +25,6 @@ def write_layer(
     """
     from usdrigui.usd import layer
 
-    check_replaceable(target, settings)
     make_folder(target)
     if examples.base is not None:
         return _written_over(examples.base, asset, target, settings, source, laid)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import types
 from collections.abc import Mapping
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.settings.parts import Settings
 
 _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
@@ -55,8 +56,16 @@ _MOST_IMPORTANT = 100.0
 """Largest importance of a control."""
 
 
+_VIEWS = ("", "front", "side")
+"""Views with names; others are a camera's prim path, or two angles."""
+
+
 def check_bounds(settings: Settings) -> None:
-    """Raises RigUIError CONFIG_VALUE, naming the key, for a number outside its bounds."""
+    """Raises RigUIError CONFIG_VALUE, naming the key, for a number outside its bounds and a view that is none."""
+    view = settings.candidates.view
+    if view not in _VIEWS and not view.startswith("/") and not _two_angles(view):
+        what = f"{view!r} is neither front, side, AZ,EL nor a camera's prim path{meant(view, _VIEWS)}"
+        raise refuse("CONFIG_VALUE", "candidates.view", what)
     for key, (least, largest) in _BOUNDS.items():
         part, _, name = key.partition(".")
         value = getattr(getattr(settings, part), name)
@@ -66,3 +75,11 @@ def check_bounds(settings: Settings) -> None:
         if said.importance is not None and not 0.0 <= said.importance <= _MOST_IMPORTANT:
             what = f"expected 0 to {_MOST_IMPORTANT:g}, got {said.importance:g}"
             raise refuse("CONFIG_VALUE", f'controls."{name}".importance', what)
+
+
+def _two_angles(view: str) -> bool:
+    try:
+        angles = [float(part) for part in view.split(",")]
+    except ValueError:
+        return False
+    return len(angles) == 2 and all(map(math.isfinite, angles))

@@ -111,8 +111,8 @@ class FaultsResult(Record):
     """What is wrong with an asset's blend shapes and animation, all of it."""
 
     issues: tuple[Issue, ...]
-    characters: int
-    """SkelRoots on the stage."""
+    empty: bool
+    """Whether the stage has no prim at all."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -126,14 +126,11 @@ def _performances(path: Path) -> tuple[Performance, ...]:
 
 
 def _faults(path: Path) -> FaultsResult:
-    from pxr import UsdSkel
-
     from usdrigui.usd.faults import stage_faults
     from usdrigui.usd.stage import open_stage
 
     stage = open_stage(path)
-    roots = sum(prim.IsA(UsdSkel.Root) for prim in stage.Traverse())
-    return FaultsResult(stage_faults(stage), roots)
+    return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
 
 
 def _layer(path: Path) -> LayerResult:

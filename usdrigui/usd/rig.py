@@ -45,6 +45,10 @@ from usdrigui.usd.stage import composition_issues, listening, open_stage, told
 
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
+_REASONS_TOLD = 3
+"""Reasons in one message."""
+_VARIANTS_TRIED = 64
+"""Variants that are looked into for a character that the selected ones lack."""
 
 
 def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
@@ -59,15 +63,14 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
         roots = _skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
-            raise refuse("SKELROOT_MISSING", str(path), "no prim on the stage is a SkelRoot")
+            raise refuse("SKELROOT_MISSING", str(path), f"no prim on the stage is a SkelRoot{_in_variants(stage)}")
         readings = [_guarded(root, settings) for root in roots]
         glyphs = _guarded_glyphs(stage, path, settings)
     _check_names(readings, settings)
     rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
     if not rigs:
         lost = [each for reading in readings for each in reading.rig.left_off]
-        why = f"; left off: {lost[0].control} ({lost[0].reason})" if lost else ""
-        why += "" if lost else _joints_told(readings[0])
+        why = _lost_told(lost) if lost else _joints_told(readings[0])
         raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in heard)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
@@ -231,6 +234,26 @@ def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
     return chosen
 
 
+def _in_variants(stage: Usd.Stage) -> str:
+    """A clause with the variants that would bring in a SkelRoot, each being selected by itself; empty without."""
+    places = [
+        (prim.GetPath(), name, variant)
+        for prim in stage.Traverse()
+        for name in prim.GetVariantSets().GetNames()
+        for variant in prim.GetVariantSet(name).GetVariantNames()
+        if variant != prim.GetVariantSet(name).GetVariantSelection()
+    ]
+    found = []
+    with Usd.EditContext(stage, stage.GetSessionLayer()):
+        for path, name, variant in places[:_VARIANTS_TRIED]:
+            stage.GetPrimAtPath(path).GetVariantSet(name).SetVariantSelection(variant)
+            below = Usd.PrimRange(stage.GetPrimAtPath(path), Usd.TraverseInstanceProxies())
+            if any(prim.IsA(UsdSkel.Root) for prim in below):
+                found.append(f"{variant!r} of the variant set {name!r} of {path}")
+            stage.GetPrimAtPath(path).GetVariantSet(name).ClearVariantSelection()
+    return f"; there is one in {', '.join(found[:3])}{' and more' if len(found) > 3 else ''}" if found else ""
+
+
 def _instance(prim: Usd.Prim) -> Usd.Prim:
     """The instance that a prim is or lies in."""
     while not prim.IsInstance() and prim.GetParent():
@@ -274,6 +297,19 @@ def _joints_told(reading: _Reading) -> str:
     names = joint_names(reading.rig.joints)
     more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
     return f"; {reading.rig.root} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}" if names else ""
+
+
+def _lost_told(lost: list[LeftOff]) -> str:
+    """A clause with the reasons for which everything was left off, and how many controls share each."""
+    names: dict[str, list[str]] = {}
+    for each in lost:
+        names.setdefault(each.reason, []).append(each.control)
+    told = [
+        f"{same[0]}{f' and {len(same) - 1} more' if len(same) > 1 else ''} ({reason})"
+        for reason, same in list(names.items())[:_REASONS_TOLD]
+    ]
+    more = len(names) - len(told)
+    return f"; left off: {', '.join(told)}{f' and {more} more reasons' if more else ''}"
 
 
 def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:
