@@ -308,6 +308,11 @@ _CODES: dict[str, Code] = {
         "The layout given as --previous is of another character.",
         "Name the layer that was written for this asset; --like imitates another character's layout.",
     ),
+    "PREVIOUS_RENAMED": Code(
+        "info",
+        "The character stands at another path than in the layout given as --previous, which is heeded all the same.",
+        "Nothing, if it was renamed or moved; for the layout of another character use --like instead.",
+    ),
     "BASE_MISMATCH": Code(
         "error",
         "The layout given as --base is of another character.",

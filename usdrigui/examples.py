@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from usdrigui.animation import performances
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import issue, meant, refuse
 from usdrigui.layout.additions import standing_layout
 from usdrigui.layout.partial import fixed_by
 from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
@@ -74,6 +74,23 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
     like = _characters(layers.like, settings) if layers.like else ()
     return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like, clips, base)
+
+
+def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
+    """The examples with the earlier layout of the one character where that stands at another path now.
+
+    Only where there is one character on either side, with a mesh of the same name below its SkelRoot and a control
+    in common; its rig then says so (PREVIOUS_RENAMED).
+    """
+    if len(rigs) != 1 or len(examples.previous) != 1 or rigs[0].root in examples.previous:
+        return examples, rigs
+    (rig,), (before,) = rigs, examples.previous.values()
+    layout = standing_layout((before,), rig)
+    if layout is None:
+        return examples, rigs
+    edited = {rig.root: examples.edited[before.root]} if before.root in examples.edited else {}
+    told = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
+    return replace(examples, previous={rig.root: layout}, edited=edited), (replace(rig, issues=(*rig.issues, told)),)
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:

@@ -219,11 +219,14 @@ def _shot_over(layer: Path) -> Path:
     return shot
 
 
-def _of_another(folder: Path) -> Path:
-    """The layout of a character of another name."""
+def _renamed_since(folder: Path, *more: str) -> Path:
+    """The layout of a character that stood at another path; `more` are names of prims that it had otherwise, too."""
     found = _laid_out(folder)
     for path in (found, folder / "char.usda"):
-        path.write_text(path.read_text().replace('"Char"', '"Hero"').replace("</Char/", "</Hero/"))
+        text = path.read_text().replace('"Char"', '"Hero"').replace("</Char/", "</Hero/")
+        for name in more:
+            text = text.replace(name, f"{name}Before")
+        path.write_text(text)
     return found.rename(folder / "hero.rigui.usda")
 
 
@@ -478,7 +481,8 @@ OCCASIONS: Mapping[str, Occasion] = {
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),
-    "PREVIOUS_MISMATCH": lambda folder, _: process(folder, "", "--previous", _of_another(folder)),
+    "PREVIOUS_MISMATCH": lambda folder, _: process(folder, "", "--previous", _renamed_since(folder, "Face")),
+    "PREVIOUS_RENAMED": lambda folder, _: process(folder, "", "--previous", _renamed_since(folder)),
     "SOURCE_IS_LAYOUT": lambda folder, _: command("process", _laid_out(folder)),
     "SOURCE_HAS_LAYOUT": lambda folder, _: command("process", _shot_over(_laid_out(folder)), "--dry-run"),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),

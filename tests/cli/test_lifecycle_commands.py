@@ -212,12 +212,26 @@ def test_layouts_without_a_common_control_say_so(folder, capsys):
 
 def test_the_layout_of_another_character_is_no_previous_one(folder, capsys):
     layer = of_hero(folder)
+    layer.write_text(layer.read_text().replace("face0", "nose0"))
     told = run(capsys, "process", folder / "char.usda", "--previous", layer, expected=1)
     assert told["issues"][0]["code"] == "PREVIOUS_MISMATCH"
-    assert "shares no control" not in told["issues"][0]["message"], "it has the same ones, at another path"
+    assert "shares no control" not in told["issues"][0]["message"], "it has the same ones, on other meshes"
     told = run(capsys, "process", folder / "char.usda", "--fixed", layer, expected=2)
     assert told["issues"][0]["path"] == "--fixed"
     assert not (folder / "char.rigui.usda").exists()
+
+
+def test_the_previous_layout_of_a_character_that_was_renamed_is_kept(folder, capsys):
+    """Corrections by hand, too."""
+    corrections = corrected(folder, "smile_L", another_point(folder, "smile_L"))
+    before = anchors(corrections)
+    of_hero(folder)
+    told = run(capsys, "process", folder / "hero.usda", "--previous", corrections)
+    assert "PREVIOUS_RENAMED" in {each["code"] for each in told["issues"]}
+    assert told["characters"][0]["difference"]["displaced"] == 0
+    assert {name: place[0] for name, place in anchors(folder / "hero.rigui.usda").items()} == {
+        name: place[0] for name, place in before.items()
+    }
 
 
 @pytest.mark.parametrize(

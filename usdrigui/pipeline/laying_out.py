@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.examples import ExampleLayers, Examples, read_examples, rigs_over
+from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, rigs_over
 from usdrigui.layout import additions as additions_stage
 from usdrigui.layout import difference as difference_stage
 from usdrigui.layout import elements as elements_stage
@@ -54,7 +54,8 @@ def process(
         if not dry_run:
             check_replaceable(target, settings)
         heeded = read_examples(examples or ExampleLayers(), settings)
-    rigs = rigs_over(heeded, source.rigs)
+    heeded, characters = followed(heeded, source.rigs)
+    rigs = rigs_over(heeded, characters)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
     outcome: Outcome = "dry run"
     if not dry_run:
