@@ -89,7 +89,8 @@ def test_gathered_sweeps_are_sweeps() -> None:
         gathered, plain = gathered_and_plain(random_tables(seed), 6)
         assert gathered.bound() == pytest.approx(plain.bound(), abs=2e-4)  # ties broken by rounding part their ways
         for mine, theirs in zip(gathered.theta, plain.theta, strict=True):
-            assert np.isfinite(mine).all() and np.isfinite(theirs).all()
+            assert np.isfinite(mine).all()
+            assert np.isfinite(theirs).all()
 
 
 def test_gathered_sweeps_bound_what_they_bounded() -> None:

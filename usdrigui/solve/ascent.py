@@ -121,6 +121,9 @@ class Ascent:
             self._inside.append(inside)
             self._inner.append(inner.ravel())
             self._ahead.append(inner[variable[:, None] < variable])
+        self._gather()
+
+    def _gather(self) -> None:
         self._places = np.concatenate([np.empty(0, dtype=np.int64), *self._inside])
         """Entries in play of all cells, one cell after another."""
         self._owner = np.repeat(np.arange(len(self._inside)), [len(each) for each in self._inside])
@@ -158,7 +161,8 @@ class Ascent:
         costs = self.across.copy()
         for mine, inside, price in zip(self.member, self._inside, self.price, strict=True):
             if price > 0:
-                costs[np.flatnonzero(mine)[:, None], inside] -= np.float32(price)
+                pairs = (np.flatnonzero(mine)[:, None] * costs.shape[1] + inside).ravel()
+                costs.reshape(-1)[pairs] -= np.float32(price)
         self.given[self.chosen] = self._mine
         message = np.zeros_like(self.given)
         for variable, (low, high) in enumerate(itertools.pairwise(self.start)):
@@ -231,11 +235,15 @@ class Ascent:
         self._enter(member)
 
     def drop(self, least: float) -> None:
-        """Forget the cells whose price is no more than `least`."""
+        """Forget the cells whose price is no more than `least`; what that took off the pairs is left there."""
         kept = self.price > least
         self.member, self.count, self.price = self.member[kept], self.count[kept], self.price[kept]
         self._step, self._slope = self._step[kept], self._slope[kept]
-        self._apply()
+        self._inside, self._inner, self._ahead = (
+            list(itertools.compress(each, kept)) for each in (self._inside, self._inner, self._ahead)
+        )
+        self._gather()
+        self._charge()
 
     def price_step(self, eps: float) -> None:
         """Raise the prices of crowded cells, lower those of others: a Newton step of each by itself, longer for

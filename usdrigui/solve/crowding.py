@@ -17,11 +17,11 @@ from usdrigui.solve.spots import Places, crowded
 from usdrigui.solve.sweeps import swept, work_of
 from usdrigui.solve.watch import Watch
 
-PHASES = 7
+PHASES = 10
 """Times that the entries in play are chosen anew, at most."""
 FEWEST_PHASES, PER_PHASE = 3, 100
 """The least number of phases, and entries of the pool for which there is one more."""
-STEPS = 20
+STEPS = 15
 """Steps of prices in a phase."""
 SEARCH_EVERY = 5
 """Steps between two searches for crowded cells."""
@@ -106,7 +106,7 @@ def _proposed(
         _price(ascent, where, eps, EXCHANGES if warm or 2 * phase >= phases else 0, watch)
         ascent.drop(TINY)
         excess = ascent.settle()
-        watch.spend(len(excess) * len(ascent.chosen) // 32)
+        watch.spend(len(excess) * len(ascent.chosen) // 12)
         if watch.stopped():
             break
     kept = ascent.price > TINY
@@ -138,7 +138,7 @@ def _price(ascent: Ascent, where: Places, eps: float, exchanges: int, watch: Wat
             ascent.extend(*crowded(ascent, where, eps, exchanges))
         ascent.sweep(eps, back=True)
         ascent.price_step(eps)
-        watch.spend((3 * len(ascent.chosen) ** 2 + len(ascent.price) * len(ascent.chosen)) // 80)
+        watch.spend((3 * len(ascent.chosen) ** 2 + len(ascent.price) * len(ascent.chosen)) // 56)
         if watch.stopped():
             return
 
