@@ -239,6 +239,13 @@ def test_clicked_skin_lists_what_acts_there(viewer):
     rows = viewer.page.locator(".ranked-row")
     assert rows.first.get_attribute("data-control") == "smile_L"
     assert viewer.moved() == {}
+    section = viewer.page.locator("details", has=viewer.page.locator(".ranked"))
+    rows.first.click()
+    viewer.settle()
+    assert section.is_visible(), "one chooses from the list"
+    viewer.page.mouse.click(*viewer.on_page(viewer.element("brow_L")["handle"]))
+    viewer.settle()
+    assert not section.is_visible(), "it is about the point clicked before"
 
 
 def test_empty_space_orbits_and_sides_are_named_from_behind(viewer):
@@ -356,6 +363,7 @@ def saved(viewer, label, tmp_path, name):
     with viewer.page.expect_download() as download:
         viewer.page.get_by_role("button", name=label, exact=True).click()
     path = tmp_path / name
+    assert download.value.suggested_filename == name
     download.value.save_as(path)
     return path
 
@@ -392,7 +400,9 @@ def test_keys_out_as_a_usd_layer_and_in_again(viewer, tmp_path):
     viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
     viewer.page.evaluate("usdrigui.app.timeline.go(11)")
     viewer.set(brow_L=1.0, pucker=0.5)
-    path = saved(viewer, "Save USD layer", tmp_path, "pose.usda")
+    pose = Sdf.Layer.FindOrOpen(str(saved(viewer, "Save pose layer", tmp_path, "pose.usda")))
+    assert pose.ListTimeSamplesForPath("/Root/anim.blendShapeWeights") == [11.0]
+    path = saved(viewer, "Save animation layer", tmp_path, "animation.usda")
     layer = Sdf.Layer.FindOrOpen(str(path))
     assert layer.ListTimeSamplesForPath("/Root/anim.blendShapeWeights") == [1.0, 11.0]
     stage = Usd.Stage.Open(layer)

@@ -149,7 +149,7 @@ def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
         viewer.page.keyboard.press("k")
         viewer.settle()
         shown[frame] = np.array(viewer.page.evaluate("usdrigui.points()")).reshape(-1, 3)
-    path = saved(viewer, "Save layer", tmp_path / "pose.usda")
+    path = saved(viewer, "Save animation layer", tmp_path / "pose.usda")
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.subLayerPaths = [str(path), str(source)]
     stage = Usd.Stage.Open(layer)

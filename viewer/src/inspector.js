@@ -27,7 +27,10 @@ export class Inspector {
       section('Layout', this.layout(), false),
     );
     view.onInfluences = (hit) => this.showInfluences(hit);
-    session.on('selection', () => this.showSelection());
+    session.on('selection', () => {
+      if (!this.choosing) this.influences.hidden = true; // the point clicked before says nothing about another choice
+      this.showSelection();
+    });
     session.on('pose', () => this.updateNumbers());
     session.on('options', () => this.update());
     session.on('layout', () => this.update());
@@ -145,7 +148,11 @@ export class Inspector {
             'data-control': session.controls[control].name,
             onpointerenter: () => view.pointAt(control),
             onpointerleave: () => view.pointAt(null),
-            onclick: (event) => elementOf(control) && session.select([elementOf(control)], event.shiftKey ? 'toggle' : 'replace'),
+            onclick: (event) => {
+              this.choosing = true; // from the list, which stays
+              if (elementOf(control)) session.select([elementOf(control)], event.shiftKey ? 'toggle' : 'replace');
+              this.choosing = false;
+            },
           },
           make('i', { style: { width: `${Math.round(100 * share)}%`, background: COLOURS[elementOf(control)?.side ?? 'none'] } }),
           longName(session.controls[control].label),
@@ -253,8 +260,9 @@ export class Inspector {
       act('Reset all', 'Every control to the pose of the layout', () => session.reset()),
       act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
       act('Save JSON', 'Download the pose', () => download('pose.json', poseToJson(session), 'application/json')),
-      act('Save USD layer', 'Download the pose, or the keyed frames, as a USD layer', () => {
-        download('pose.usda', poseToUsda(session, this.timeline.frames(), this.timeline.rate), 'text/plain');
+      act('Save pose layer', 'Download the pose as a USD layer', () => {
+        const now = { time: this.timeline.frame, values: Float64Array.from(session.values) };
+        download('pose.usda', poseToUsda(session, [now], this.timeline.rate), 'text/plain');
       }),
       act('Load…', 'A pose or layer saved before', async () => {
         const file = await askForFile('.json,.usda,.usd');

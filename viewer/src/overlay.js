@@ -424,7 +424,14 @@ export class Overlay {
   }
 }
 
-const FAMILIES = { global: 'Whole character', hidden: 'Inside', composite: 'Expressions', requested: 'By request', crowded: 'More' };
+/** As in pictures (`usdrigui/view/lettering.py`). */
+const FAMILIES = {
+  global: 'Whole character',
+  hidden: 'Hidden',
+  composite: 'Composite',
+  requested: 'By request',
+  crowded: 'No room on the face',
+};
 
 /** The heading of a family of elements beside the face. */
 export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');

@@ -55,7 +55,7 @@ export class Timeline {
       button('Key', 'Key the selected controls (or all that moved) at this frame (K)', () => this.key(this.chosen())),
       button('Delete key', 'Take away the keys at this frame', () => this.unkey()),
       this.autoButton,
-      button('Save layer', 'Download the keyed frames as a USD layer', () => this.save()),
+      button('Save animation layer', 'Download the keyed frames as a USD layer', () => this.save()),
     );
   }
 
@@ -202,7 +202,7 @@ export class Timeline {
   }
 
   save() {
-    download('pose.usda', poseToUsda(this.session, this.frames(), this.rate), 'text/plain');
+    download('animation.usda', poseToUsda(this.session, this.frames(), this.rate), 'text/plain');
   }
 }
 
