@@ -13,7 +13,7 @@ from difflib import get_close_matches
 
 from usdrigui.codes import CODES, Exit, Severity
 
-__all__ = ["CODES", "Exit", "Issue", "RigUIError", "Severity", "issue", "meant", "refuse", "visible"]
+__all__ = ["CODES", "Exit", "Issue", "RigUIError", "Severity", "issue", "meant", "refuse", "sentences", "visible"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +47,11 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
     """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``."""
     entry = CODES[code]
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
+
+
+def sentences(found: Issue) -> str:
+    """What was found and what can be done about it, as two sentences."""
+    return f"{found.message.removesuffix('.')}. {found.repair}"
 
 
 def meant(name: str, known: Iterable[str]) -> str:

@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from usdrigui.errors import visible
+from usdrigui.errors import sentences, visible
 
 if TYPE_CHECKING:
     from rich.console import ConsoleOptions, RenderResult
@@ -48,6 +48,9 @@ _LONGEST_NAME = 60
 
 _GAP = 2
 """Characters between two columns."""
+
+_KEPT = "kept: the share of its peak displacement that a control has at its handle"
+"""What the column of this name tells."""
 
 Watch = Callable[["Event"], None]
 
@@ -168,6 +171,7 @@ class Screen:
             for root, review in found.characters:
                 self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
                 self._table(_review_table(review.elements))
+                self._out.print(f"  {_KEPT}; w: handle widths")
             self._issues(found.issues)
         counts = {
             severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
@@ -233,6 +237,8 @@ class Screen:
             f"  on the face {character.count('face')}, beside it {character.count('beside')}, "
             f"left off {character.count('left off')}; "
             f"controls on the face keep {_percent(character.kept)} of their peak displacement"
+            f"{f' ({_KEPT})' if placed else ''}",
+            soft_wrap=True,
         )
         self._out.print(
             f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap:.2e} "
@@ -245,8 +251,7 @@ class Screen:
     def _issues(self, issues: Sequence[Issue]) -> None:
         for found in issues:
             where = f" {found.path}:" if found.path else ""
-            message = found.message.removesuffix(".")
-            self._out.print(f"{found.severity}: {found.code}{where} {message}. {found.repair}", soft_wrap=True)
+            self._out.print(f"{found.severity}: {found.code}{where} {sentences(found)}", soft_wrap=True)
 
     def _seconds(self, seconds: Sequence[tuple[str, float]]) -> None:
         parts = ", ".join(f"{stage} {value:.2f}" for stage, value in seconds)

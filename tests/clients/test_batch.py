@@ -43,6 +43,8 @@ def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, t
     (refused,) = [row for row in first["assets"] if row["outcome"] == "refused"]
     assert (refused["code"], refused["exit"]) == ("FILE_NOT_USD", 1)
     assert refused["repair"]
+    assert refused["picture"] == ""
+    assert all(Path(row["picture"]).is_file() for row in first["assets"] if row["picture"])
     assert all(Path(row["output"]).is_file() for row in first["assets"] if row["exit"] == 0)
     assert Image.open(tmp_path / "sheet.png").width == 1800
     layers = {path: path.stat().st_mtime_ns for path in folder.rglob("*.rigui.usda")}

@@ -10,7 +10,7 @@ import pytest
 
 from usdrigui.cli import main
 from usdrigui.clients import openjd
-from usdrigui.errors import RigUIError
+from usdrigui.errors import RigUIError, issue
 from usdrigui.pipeline import Event
 
 needs_openjd = pytest.mark.skipif(
@@ -77,3 +77,10 @@ def test_progress_never_goes_back():
     shares = [int(line.split()[1]) for line in lines if line.startswith("openjd_progress:")]
     assert shares == sorted(set(shares))
     assert shares[-1] <= 100
+
+
+def test_a_refusal_is_one_line_of_two_sentences():
+    (line,) = openjd.failure_lines(issue("LAYOUT_MISSING", "char.usda", "no prim has a\nlayout."))
+    assert line.startswith(
+        "openjd_fail: LAYOUT_MISSING char.usda: no prim has a layout. Make one with `usdrigui process`"
+    )

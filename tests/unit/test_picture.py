@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -16,6 +17,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
 from usdrigui.view import lettering, overlay, picture, shading
+from usdrigui.view import sheet as view_sheet
 from usdrigui.view.picture import contact_sheet, render
 
 SMALL = (640, 400)
@@ -239,6 +241,13 @@ def test_rows_of_names_never_touch():
     assert lettering.spread(np.array([5.0, 200.0]), 10.0, 0.0, 300.0) == pytest.approx([5.0, 200.0])
 
 
+def test_several_characters_are_each_named_once(rig, layout, front, monkeypatch):
+    """By the picture itself; the sheet adds nothing below it."""
+    monkeypatch.setattr(view_sheet, "render", lambda *_, **__: front)
+    page = Image.open(io.BytesIO(view_sheet.sheet_png([(rig, layout), (rig, layout)])))
+    assert page.height == contact_sheet([front, front]).height < contact_sheet([front, front], ["a", "b"]).height
+
+
 def test_contact_sheets_hold_every_picture(front):
     sheet = contact_sheet([front, front, front], ["one", "two", "three"], columns=2, width=900)
     assert sheet.width == 900
@@ -255,7 +264,7 @@ def test_refuses_what_it_cannot_draw(rig, layout, front):
     with pytest.raises(RigUIError, match="LAYOUT_STALE"):
         render(makers.face(columns=21), layout, size=SMALL)
     with pytest.raises(ValueError, match="contact sheet"):
-        contact_sheet([front], [])
+        contact_sheet([front], ["one", "two"])
     with pytest.raises(ValueError, match="contact sheet"):
         contact_sheet([], [])
 

@@ -13,7 +13,7 @@ from typing import Any
 from omni.asset_validator import BaseRuleChecker, Suggestion, register_rule
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue
+from usdrigui.errors import Issue, sentences
 from usdrigui.usd import faults
 
 CATEGORY = "Usd:RigUI"
@@ -54,7 +54,7 @@ class RigUILayoutChecker(BaseRuleChecker):
 
 def _tell(rule: Any, found: Issue, at: Any, suggestion: Any) -> None:
     """One finding by its severity; the validator has no notes, so infos are warnings."""
-    message = f"{found.code} {found.path}: {found.message}; {found.repair}"
+    message = f"{found.code} {found.path}: {sentences(found)}"
     tell = rule._AddFailedCheck if found.severity == "error" else rule._AddWarning  # noqa: SLF001 (the way rules report)
     tell(message, at=at, suggestion=suggestion)
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.errors import Issue, refuse
+from usdrigui.errors import Issue, refuse, sentences
 
 if TYPE_CHECKING:
     from usdrigui.pipeline import Event
@@ -82,7 +82,7 @@ def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
 
 def failure_lines(found: Issue) -> Iterator[str]:
     """What a farm is told of a refusal: one line, whatever the message holds."""
-    text = f"{found.code} {found.path}: {found.message}; {found.repair}"
+    text = f"{found.code} {found.path}: {sentences(found)}"
     yield f"openjd_fail: {' '.join(text.split())}"
 
 

@@ -24,7 +24,8 @@ def load(
     """
     if preset not in PRESETS:
         hint = meant(preset, PRESETS)
-        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {sorted(PRESETS)}{hint}")
+        known = " and ".join(sorted(PRESETS))
+        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {known}{hint}")
     settings = Settings()
     for source in (PRESETS[preset], from_environment(environment or {}), *sources):
         settings = _merged(settings, source, "")
@@ -39,7 +40,9 @@ def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
     for key, value in source.items():
         path = f"{where}.{key}" if where else key
         if key not in hints:
-            raise refuse("CONFIG_UNKNOWN_KEY", path, f"known here: {', '.join(hints)}{meant(key, hints)}")
+            hint = meant(key, hints)
+            what = f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(hints)}"
+            raise refuse("CONFIG_UNKNOWN_KEY", path, what)
         changed[key] = _converted(getattr(base, key), hints[key], value, path)
     return replace(base, **changed)
 

@@ -113,13 +113,13 @@ def _page(
 
 
 def contact_sheet(
-    images: Sequence[Image.Image], titles: Sequence[str], columns: int = 2, width: int = 1800
+    images: Sequence[Image.Image], titles: Sequence[str] = (), columns: int = 2, width: int = 1800
 ) -> Image.Image:
-    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title.
+    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title if there are any.
 
     Raises ValueError when there are no images or not one title for each.
     """
-    if not images or len(images) != len(titles):
+    if not images or len(titles) not in (0, len(images)):
         raise ValueError(f"{len(images)} images and {len(titles)} titles do not make a contact sheet")
     columns = min(columns, len(images))
     cell = (width - _GAP * (columns + 1)) // columns
@@ -127,7 +127,7 @@ def contact_sheet(
         each.resize((cell, max(1, round(each.height * cell / each.width))), Image.Resampling.LANCZOS) for each in images
     ]
     rows = [small[start : start + columns] for start in range(0, len(small), columns)]
-    heights = [max(each.height for each in row) + 26 for row in rows]
+    heights = [max(each.height for each in row) + (26 if titles else 0) for row in rows]
     page = Image.new("RGB", (width, sum(heights) + _GAP * (len(rows) + 1)), _PAPER)
     pen = ImageDraw.Draw(page)
     top = _GAP
@@ -135,8 +135,9 @@ def contact_sheet(
         for column, each in enumerate(row):
             left = _GAP + column * (cell + _GAP)
             page.paste(each, (left, top))
-            text = lettering.legible(titles[number * columns + column])
-            pen.text((left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14))
+            if titles:
+                text = lettering.legible(titles[number * columns + column])
+                pen.text((left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14))
         top += height + _GAP
     return page
 

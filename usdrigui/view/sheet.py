@@ -19,7 +19,7 @@ _FRAME = 80
 def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) -> bytes:
     """PNG bytes of all `characters`, the same for the same input."""
     images = [render(rig, layout, labels=labels) for rig, layout in characters]
-    page = images[0] if len(images) == 1 else contact_sheet(images, [rig.root for rig, _ in characters])
+    page = images[0] if len(images) == 1 else contact_sheet(images)  # each names its character itself
     buffer = io.BytesIO()
     page.save(buffer, format="PNG")
     return buffer.getvalue()

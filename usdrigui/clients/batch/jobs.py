@@ -51,6 +51,7 @@ class Row:
     asset: str
     output: str
     picture: str
+    """Empty where none was asked for, and where there is no layout."""
     outcome: str
     """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch), ``refused`` or ``failed``."""
     exit: int
@@ -148,7 +149,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _row(job: Job, code: int, document: Mapping[str, Any]) -> Row:
-    empty = Row(job.asset, job.output, job.picture, "failed", int(Exit.BUG))
+    empty = Row(job.asset, job.output, "", "failed", int(Exit.BUG))
     if code == _TIME_IS_UP:
         return _failed(empty, "BATCH_TIME_LIMIT", f"was not done within {job.timeout:g} s")
     if code < 0:
@@ -159,7 +160,7 @@ def _row(job: Job, code: int, document: Mapping[str, Any]) -> Row:
         found = document["issues"][0]
         where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
         return replace(empty, outcome="refused", exit=code, code=found["code"], message=where + found["message"])
-    return _laid_out(empty, code, document)
+    return _laid_out(replace(empty, picture=job.picture), code, document)
 
 
 def _laid_out(empty: Row, code: int, document: Mapping[str, Any]) -> Row:

@@ -107,5 +107,5 @@ def _plain(row: Row) -> dict[str, Any]:
 
 
 def _lost(job: Job, error: BaseException | None) -> Row:
-    row = Row(job.asset, job.output, job.picture, "failed", int(CODES["BATCH_KILLED"].exit), "BATCH_KILLED")
+    row = Row(job.asset, job.output, "", "failed", int(CODES["BATCH_KILLED"].exit), "BATCH_KILLED")
     return replace(row, message=f"the cluster gave it up: {type(error).__name__}")

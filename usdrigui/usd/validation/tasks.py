@@ -6,7 +6,7 @@ from typing import Any
 
 from pxr import Plug, Sdf, Usd, UsdGeom, UsdSkel, UsdValidation
 
-from usdrigui.errors import Issue
+from usdrigui.errors import Issue, sentences
 from usdrigui.usd import faults
 from usdrigui.usd.validation import NAME
 
@@ -38,7 +38,7 @@ def _as_error(found: Issue, stage: Usd.Stage, owner: Sdf.Path) -> Any:
     sites = [UsdValidation.ValidationErrorSite(stage, owner)]
     if found.path.startswith("/") and found.path != str(owner) and stage.GetPrimAtPath(found.path):
         sites.append(UsdValidation.ValidationErrorSite(stage, Sdf.Path(found.path)))
-    message = f"{found.path}: {found.message}; {found.repair}"
+    message = f"{found.path}: {sentences(found)}"
     return UsdValidation.ValidationError(found.code, _KINDS[found.severity], sites, message)
 
 

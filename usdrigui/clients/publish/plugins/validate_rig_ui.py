@@ -9,6 +9,7 @@ import pyblish.api
 
 from usdrigui.clients.publish import hook
 from usdrigui.clients.publish.framework import PublishValidationError, RepairAction
+from usdrigui.errors import sentences
 
 
 class ValidateRigUI(pyblish.api.InstancePlugin):
@@ -29,7 +30,7 @@ class ValidateRigUI(pyblish.api.InstancePlugin):
         asset, layer = Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"])
         found = hook.judge(asset, layer)
         for each in found:
-            self.log.error("%s %s: %s; %s", each.code, each.path, each.message, each.repair)
+            self.log.error("%s %s: %s", each.code, each.path, sentences(each))
         if found:
             first = f"{found[0].code} {found[0].path}: {found[0].message}"
             raise PublishValidationError(first, title=hook.TITLE, description=hook.described(asset, found))
