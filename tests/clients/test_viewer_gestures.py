@@ -481,7 +481,7 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     )
     done.click()
     viewer.page.get_by_role("button", name="Stop").click()
-    path = saved(viewer, "Save CSV", tmp_path, "evaluation.csv")
+    path = saved(viewer, "Save CSV", tmp_path, "evaluation-2.csv")
     heads, *rows = [line.split(",") for line in path.read_text().splitlines()]
     first, second = (dict(zip(heads, row, strict=True)) for row in rows)
     assert first["interface"] == "face"

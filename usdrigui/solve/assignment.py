@@ -10,7 +10,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.solve.blocks import Labels
 from usdrigui.solve.watch import Watch
 
-SAFETY = 1e-10
+SAFETY = 2e-11
 """Share of a bound, and of the least costs it is made of, taken off for rounding."""
 
 

@@ -12,13 +12,16 @@ BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys and tables while those of two rounds are held."""
 BYTES_PER_TABLED = 105
 """Of one in near pairs and tables alone."""
+BYTES_PER_PRICED = 24
+"""Of an entry of the tables of priced costs, while those of two rounds are held."""
 
 
 def planned(residual: Residual, parts: Indices) -> float:
     """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, the tables of
-    two rounds in both directions, and the matrices of a search."""
+    two rounds, with what prices link in both, and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    return max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES) / 2**20
+    linked = BYTES_PER_PRICED * residual.dual.size if residual.priced else 0
+    return (linked + max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES)) / 2**20
 
 
 def planned_for_prices(residual: Residual) -> float:
