@@ -107,9 +107,9 @@ def test_gathered_sweeps_bound_what_they_bounded() -> None:
 def test_gathered_sweeps_that_forget_entries_outside_the_tables_are_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     honest = sweeps._Packed._visit_of
 
-    def forgetful(self: object, variable: int, forward: bool) -> object:
-        visit = honest(self, variable, forward)
-        return visit and replace(visit, unused=np.zeros_like(visit.unused))
+    def forgetful(self: object, variable: int, ahead: list[object]) -> object:
+        visit = honest(self, variable, ahead)
+        return replace(visit, unused=np.zeros_like(visit.unused))
 
     monkeypatch.setattr(sweeps._Packed, "_visit_of", forgetful)
     with pytest.raises(AssertionError):

@@ -10,6 +10,7 @@ from usdrigui.errors import refuse
 from usdrigui.layout.facing import front, three_quarter
 from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
 from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
+from usdrigui.settings import view_angles
 from usdrigui.surface import mesh_triangles
 
 _ACROSS = 0.1
@@ -134,17 +135,6 @@ def _directions(view: str, ahead: Floats, up: Floats, camera: Floats | None) -> 
         if camera is None:
             raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
         return np.asarray(camera / np.linalg.norm(camera))[None]
-    azimuth, elevation = _angles(view)
+    azimuth, elevation = np.radians(view_angles(view))
     level = np.cos(azimuth) * ahead + np.sin(azimuth) * left
     return np.asarray(np.cos(elevation) * level + np.sin(elevation) * up)[None]
-
-
-def _angles(view: str) -> tuple[float, float]:
-    """Azimuth (to the character's left) and elevation in radians from ``AZ,EL`` in degrees."""
-    try:
-        azimuth, elevation = (float(part) for part in view.split(","))
-    except ValueError as error:
-        raise refuse(
-            "CONFIG_VALUE", "candidates.view", f"{view!r} is neither front, side, AZ,EL nor a camera's prim path"
-        ) from error
-    return float(np.radians(azimuth)), float(np.radians(elevation))

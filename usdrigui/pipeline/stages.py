@@ -73,8 +73,8 @@ def posed(
 ) -> Posed:
     """The layout problem of one rig: every stage between reading and solving."""
     clock, examples = clock or Clock(), examples or Examples()
-    view = settings.candidates.view
-    if view.startswith("/") and rig.root not in (cameras or {}):
+    view, camera = settings.candidates.view, (cameras or {}).get(rig.root)
+    if view.startswith("/") and camera is None:
         raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
     settings = with_fixed(examples, rig, settings)
     base_values = _base_values(rig, settings)
@@ -93,9 +93,9 @@ def posed(
             rig,
             found,
             symmetry,
-            settings.candidates.view,
+            view,
             settings.candidates.occlusion,
-            (cameras or {}).get(rig.root),
+            camera,
         )
         precedent = precedent_of(examples, rig, found, settings)
         context = Context(rig, found, symmetry, views, settings, precedent, standing)

@@ -6,6 +6,7 @@ file, command line.  Parts are plain dataclasses; `load` builds them from TOML a
 
 from __future__ import annotations
 
+from usdrigui.settings.bounds import view_angles
 from usdrigui.settings.loading import document, load
 from usdrigui.settings.parts import (
     AnimationSettings,
@@ -48,4 +49,5 @@ __all__ = [
     "environment_settings",
     "load",
     "read_toml",
+    "view_angles",
 ]

@@ -54,8 +54,6 @@ _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
 """Least and largest value of each number; what lies outside has no meaning and would only fail later."""
 _MOST_IMPORTANT = 100.0
 """Largest importance of a control."""
-
-
 _VIEWS = ("", "front", "side")
 """Views with names; others are a camera's prim path, or two angles."""
 
@@ -63,9 +61,8 @@ _VIEWS = ("", "front", "side")
 def check_bounds(settings: Settings) -> None:
     """Raises RigUIError CONFIG_VALUE, naming the key, for a number outside its bounds and a view that is none."""
     view = settings.candidates.view
-    if view not in _VIEWS and not view.startswith("/") and not _two_angles(view):
-        what = f"{view!r} is neither front, side, AZ,EL nor a camera's prim path{meant(view, _VIEWS)}"
-        raise refuse("CONFIG_VALUE", "candidates.view", what)
+    if view not in _VIEWS and not view.startswith("/"):
+        view_angles(view)
     for key, (least, largest) in _BOUNDS.items():
         part, _, name = key.partition(".")
         value = getattr(getattr(settings, part), name)
@@ -77,9 +74,13 @@ def check_bounds(settings: Settings) -> None:
             raise refuse("CONFIG_VALUE", f'controls."{name}".importance', what)
 
 
-def _two_angles(view: str) -> bool:
+def view_angles(view: str) -> tuple[float, float]:
+    """Azimuth (to the character's left) and elevation of a view ``AZ,EL``, degrees; raises CONFIG_VALUE for none."""
     try:
-        angles = [float(part) for part in view.split(",")]
+        azimuth, elevation = map(float, view.split(","))
     except ValueError:
-        return False
-    return len(angles) == 2 and all(map(math.isfinite, angles))
+        azimuth = elevation = math.nan
+    if not (math.isfinite(azimuth) and math.isfinite(elevation)):
+        what = f"{view!r} is neither front, side, AZ,EL nor a camera's prim path{meant(view, _VIEWS)}"
+        raise refuse("CONFIG_VALUE", "candidates.view", what)
+    return azimuth, elevation

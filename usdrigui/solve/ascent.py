@@ -4,7 +4,8 @@ The bound over multipliers and prices is concave but has corners; replacing ever
 -eps log sum exp(-x / eps), makes it smooth (Y. Nesterov 2005; for such problems B. Savchynskyy et al., "Efficient
 MRF energy minimization via adaptive diminishing smoothing", 2012), and its derivatives are marginals: how much of
 every entry, and of every pair, the relaxation chooses.  Those tell which cells are crowded and how to change their
-prices.  All of this only proposes: `usdrigui.solve.bounds` works the bound out afresh from what is proposed.
+prices.  All of this only proposes, in single precision: `usdrigui.solve.bounds` works the bound out afresh from what
+is proposed.
 """
 
 from __future__ import annotations
@@ -15,12 +16,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from usdrigui.model import Flags, Floats, Indices
+from usdrigui.model import Flags, Floats, Indices, Singles
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, flags
-
-Singles = NDArray[np.float32]
-"""Proposals are worked out in single precision."""
 
 STEP = 8.0
 """First step of a price, in Newton steps."""
@@ -179,7 +177,7 @@ class Ascent:
     # --- multipliers ---------------------------------------------------------------------------------
 
     def sweep(self, eps: float, back: bool = False) -> None:
-        """Best multipliers of one variable after another, forth and back, or only back; hard minima with `eps` 0."""
+        """Best multipliers of one variable after another, forth and back, or only back."""
         count = len(self.first) - 1
         for variable in (*(() if back else range(count)), *range(count - 1, -1, -1)):
             near, entries, start = self._near[variable]
@@ -269,10 +267,8 @@ class Ascent:
 
 
 def _soft_least(values: Singles, first: Indices, eps: float) -> Singles:
-    """(rows, variables) soft least of each row over the entries of each variable; the least with `eps` 0."""
+    """(rows, variables) soft least of each row over the entries of each variable."""
     least: Singles = np.minimum.reduceat(values, first[:-1], axis=1)
-    if not eps:
-        return least
     weight = np.repeat(least, np.diff(first), axis=1)
     weight -= values
     weight *= np.float32(1.0 / eps)

@@ -169,13 +169,16 @@ class Dual:
                     stars[variable] += edge.toward(side, excess[other]) - edge.given[side] - edge.least()
         return [stars[each] for each in group]
 
+    def ahead(self, variable: int, forward: bool) -> list[tuple[Edge, int]]:
+        """A variable's tables with those that a pass has yet to visit."""
+        return [(edge, side) for edge, side in self.near[variable] if (edge.ends[1 - side] > variable) == forward]
+
     def _visit(self, variable: int, forward: bool) -> None:
         """Share a variable's reduced costs among the tables ahead and push them on to the other ends."""
-        near = self.near[variable]
-        ahead = [(edge, side) for edge, side in near if (edge.ends[1 - side] > variable) == forward]
+        ahead = self.ahead(variable, forward)
         if not ahead:
             return
-        share = self.theta[variable] / max(len(ahead), len(near) - len(ahead))
+        share = self.theta[variable] / max(len(ahead), len(self.near[variable]) - len(ahead))
         for edge, side in ahead:
             self.move(edge, side, -share)
             self.move(edge, 1 - side, edge.toward(1 - side) - edge.given[1 - side])

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices, Record
-from usdrigui.solve.ascent import Ascent, Singles
+from usdrigui.model import Flags, Floats, Indices, Record, Singles
+from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.blocks import Pool, squared
 
 NEW = 80

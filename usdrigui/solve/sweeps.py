@@ -13,15 +13,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from usdrigui.model import Flags, Indices
+from usdrigui.model import Flags, Indices, Singles
 from usdrigui.solve.bounds import Dual, Edge
 
 FEWEST = 3
 """Sweeps for which it is worth while to gather the tables."""
-
-Singles = NDArray[np.float32]
 
 
 def swept(dual: Dual, times: int) -> None:
@@ -76,19 +73,18 @@ class _Packed:
         self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
         self._place: dict[tuple[Edge, int], int] = {}
         """First of an end's multipliers in the flat list: those of a variable that one visit changes are neighbours."""
+        order = range(len(dual.theta))
+        turns = [(each, dual.ahead(each, True)) for each in order]
+        turns += [(each, dual.ahead(each, False)) for each in reversed(order)]
         at = 0
-        for forward in (True, False):
-            for variable in range(len(dual.theta)):
-                for edge, side in _ahead(dual, variable, forward):
-                    self._place[edge, side] = at
-                    at += len(dual.theta[variable])
+        for variable, ahead in turns:
+            for edge, side in ahead:
+                self._place[edge, side] = at
+                at += len(dual.theta[variable])
         self._given: Singles = np.empty(at, dtype=np.float32)
         for (edge, side), low in self._place.items():
             self._given[low : low + len(edge.given[side])] = edge.given[side]
-        order = range(len(dual.theta))
-        visits = [self._visit_of(variable, True) for variable in order]
-        visits += [self._visit_of(variable, False) for variable in reversed(order)]
-        self._visits = [each for each in visits if each is not None]
+        self._visits = [self._visit_of(variable, ahead) for variable, ahead in turns if ahead]
 
     def sweep(self) -> None:
         """One pass over the variables and one back, as `Dual.sweep`."""
@@ -117,10 +113,7 @@ class _Packed:
         self._theta[visit.others] += new - self._given[visit.theirs]
         self._given[visit.theirs] = new
 
-    def _visit_of(self, variable: int, forward: bool) -> _Visit | None:
-        ahead = _ahead(self._dual, variable, forward)
-        if not ahead:
-            return None
+    def _visit_of(self, variable: int, ahead: Sequence[tuple[Edge, int]]) -> _Visit:
         size = len(self._dual.theta[variable])
         ends = [edge.ends[1 - side] for edge, side in ahead]
         sizes = np.array([len(self._dual.theta[end]) for end in ends])
@@ -146,11 +139,6 @@ class _Packed:
             _ranges([self._place[edge, 1 - side] for edge, side in ahead], sizes),
             _ranges(self._start[ends], sizes),
         )
-
-
-def _ahead(dual: Dual, variable: int, forward: bool) -> list[tuple[Edge, int]]:
-    """A variable's tables with those that a pass has yet to visit."""
-    return [(edge, side) for edge, side in dual.near[variable] if (edge.ends[1 - side] > variable) == forward]
 
 
 def _ranges(start: Sequence[int] | Indices, sizes: Indices) -> Indices:
