@@ -7,11 +7,13 @@ from types import MappingProxyType
 
 import numpy as np
 
-from usdrigui.layout.handles import KEPT, fitting_width
+from usdrigui.layout.handles import KEPT, around, fitting_width
 from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Rig, RigMesh, Shape, Variable
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings
 
+NEAR = 0.08
+"""Of the face's height: what is nearer than this is around a place."""
 TABLE_1 = MappingProxyType(
     {
         "head rig": (1_186, 26),
@@ -26,16 +28,21 @@ TABLE_1 = MappingProxyType(
 """Points and controls of rigs in the paper's Table 1."""
 
 _FEATURES = (
-    # where controls gather on a face (x, height), how widely, and what share of them
+    # where controls gather on a face (x, height), how widely where they are crowded, and what share of them
     (0.0, -0.45, 0.16, 0.45),  # mouth
     (0.33, 0.22, 0.10, 0.20),  # eye
     (0.33, 0.45, 0.10, 0.15),  # brow
     (0.10, -0.05, 0.08, 0.08),  # nose
     (0.50, -0.15, 0.12, 0.12),  # cheek
 )
+SCATTER = 2.25
+"""How much more widely controls stand than where they are crowded: as closely as on the closest of the real rigs
+(decision 034)."""
+CROWDED = 1.0
+"""Nearly three times as closely as on any rig we know: harder problems than a layout of a face poses."""
 
 
-def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
+def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTER) -> LayoutProblem:
     """A problem of the size and the crowding of a face: a head of `points`, `controls` bumps of motion on it.
 
     A third of the controls lies on the middle line; of the rest, mirrored pairs are optimised once with two
@@ -46,7 +53,9 @@ def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
     positions, normals = _head(points)
     middle = round(controls / 3)
     middle += (controls - middle) % 2
-    motions = [_motion(generator, positions, normals, mirrored=at >= middle) for at in range((controls + middle) // 2)]
+    motions = [
+        _motion(generator, positions, normals, scatter, mirrored=at >= middle) for at in range((controls + middle) // 2)
+    ]
     settings = ObjectiveSettings()
     width = _handle_width(positions, motions, settings)
     overlap = Overlap(
@@ -64,6 +73,21 @@ def face_like(points: int, controls: int, seed: int = 0) -> LayoutProblem:
     return LayoutProblem(variables, overlap, width, settings.displacement_weight)
 
 
+def crowding(problem: LayoutProblem, face: float) -> float:
+    """Share of the other controls that want a place around one: within 8 % of `face`, the face's height.
+
+    A control wants the places where it keeps 85 % of its peak (as in decision 045), and is spread over them evenly.
+    """
+    places, weights = [], []
+    for variable in problem.variables:
+        wanted = variable.handles[variable.displacement >= KEPT * variable.displacement.max()]
+        places.append(wanted.reshape(-1, 3))
+        weights.append(np.full(len(places[-1]), 1.0 / len(wanted)))
+    weight = np.concatenate(weights)
+    count = around(np.concatenate(places), weight, np.array([NEAR * face]))[0]
+    return float((count - 1.0) / (weight.sum() - 1.0))
+
+
 def _head(points: int) -> tuple[Floats, Floats]:
     """Evenly spread points and normals of an ellipsoid; the face looks along +z, the denser half."""
     at = np.arange(points) + 0.5
@@ -77,11 +101,12 @@ def _head(points: int) -> tuple[Floats, Floats]:
 
 
 def _motion(
-    generator: np.random.Generator, positions: Floats, normals: Floats, *, mirrored: bool
+    generator: np.random.Generator, positions: Floats, normals: Floats, scatter: float, *, mirrored: bool
 ) -> tuple[Floats, bool]:
     """(n, 3) offsets of one control: a smooth bump at one of the features, sideways and outwards."""
     share = np.array([each[3] for each in _FEATURES])
     across, height, spread, _ = _FEATURES[int(generator.choice(len(share), p=share / share.sum()))]
+    spread *= scatter
     x = across + spread * generator.normal() if mirrored else 0.0
     y = (height if mirrored else -0.45) + spread * generator.normal()
     front = np.array([0.75 * x, y, 0.85 * np.sqrt(max(0.05, 1.0 - x**2 - y**2))])

@@ -5,6 +5,7 @@ Kept to be compared with: what it drops it never gets back, so it proves no more
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -21,7 +22,11 @@ _NO_WEIGHT = 1e-9
 """Weight of candidates that do not move as their viewer sees them: kept when nothing else is left."""
 
 
-def solve_by_clusters(problem: LayoutProblem, watch: Watch) -> Assignment:
+def solve_by_clusters(
+    problem: LayoutProblem,
+    watch: Watch,
+    solve_cluster: Callable[[LayoutProblem, Watch], Assignment] = solve_whole,
+) -> Assignment:
     """Place cluster after cluster, the largest first, each over a sample of its candidates.
 
     Elements placed before are fixed: what they cost a later cluster's candidates is part of those candidates'
@@ -37,7 +42,7 @@ def solve_by_clusters(problem: LayoutProblem, watch: Watch) -> Assignment:
         kept = sample([each.displacement for each in priced], settings.sample, generator, _allowed(priced))
         part = _restricted(problem, cluster, priced, kept)
         mine = watch.part(len(cluster) / (len(problem.variables) - len(placed)))
-        solution = solve_whole(part, mine)
+        solution = solve_cluster(part, mine)
         watch.spend(mine.work)
         watch.note("cluster", elements=len(cluster), labels=sum(map(len, kept)), cost=solution.cost, work=mine.work)
         for variable, labels, label in zip(cluster, kept, solution.labels, strict=True):
