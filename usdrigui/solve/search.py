@@ -23,6 +23,9 @@ HELD_BYTES = 200_000_000
 """Matrices of a branch of the tree; below that, nodes are left open."""
 HALVED = 5
 """Entries of a variable beyond which a node parts them in two instead of trying them one by one."""
+PLAIN = 20_000_000
+"""Entries of the matrices of a search, about half a second's work, after which compiled loops take over: to have them
+takes as long."""
 IN_PLAY = 0.25
 """Excess at which an entry counts 1/e where a domain is parted, in shares of what the node misses."""
 
@@ -121,7 +124,7 @@ class Part:
         part = self._kept(self.variables[~single], (np.cumsum(~single) - 1)[self.owner[rest]], rest)
         if single.any():
             rows = np.flatnonzero(alive & single[self.owner])
-            part.costs += (self.matrix[rows] + self.matrix[:, rows].T)[:, rest].sum(axis=0)
+            part.costs += self._paid(rows, rest)
             part.constant += float(self.costs[rows].sum() + self.matrix[np.ix_(rows, rows)].sum())
             names = self.variables[single].tolist()
             part.taken = self.taken | dict(zip(names, self.entries[rows].tolist(), strict=True))
@@ -152,6 +155,10 @@ class Part:
         """Cost of one entry (index into the part) per variable."""
         return self.constant + float(self.costs[chosen].sum() + np.triu(self.matrix[np.ix_(chosen, chosen)], 1).sum())
 
+    def _paid(self, taken: Indices, alive: Flags) -> Floats:
+        """What the entries that are alive cost with those that are taken, of other variables."""
+        return np.asarray((self.matrix[taken] + self.matrix[:, taken].T)[:, alive].sum(axis=0))
+
     def _kept(self, variables: Indices, owner: Indices, alive: Flags) -> Part:
         part = Part(variables, owner, self.entries[alive], self.costs[alive], self.matrix[alive][:, alive])
         part.constant, part.taken = self.constant, self.taken
@@ -177,6 +184,8 @@ class Search:
         self.nodes = 0
         self._most = nodes
         self._watch = watch
+        self._read = 0
+        """Entries of the matrices of all nodes so far."""
         self._held = 0
         """Bytes of the matrices of the nodes above the one at hand."""
         self._weight: dict[int, float] = {}
@@ -211,6 +220,7 @@ class Search:
         self.nodes += 1
         if not len(part.variables):
             return _only_solution(part, cut)
+        part = self._at_hand(part)
         part.settle()
         groups = part.components()
         if len(groups) > 1:
@@ -228,6 +238,15 @@ class Search:
         found = self._branch(part, alive, excess, bound, cut)
         self._held -= part.matrix.nbytes
         return found
+
+    def _at_hand(self, part: Part) -> Part:
+        """The part of a node, worked on by compiled loops once the search is long: nothing but the time changes."""
+        self._read += part.matrix.size
+        if self._read < PLAIN:
+            return part
+        from usdrigui.solve.compiled import compiled_part
+
+        return compiled_part(part)
 
     def _apart(self, part: Part, groups: list[Indices], cut: float) -> Found:
         """Solve components one after another, each below what the others leave."""
@@ -269,7 +288,7 @@ class Search:
 
     def _variable(self, part: Part, alive: Flags) -> int:
         """Position of the variable to branch on: few entries, in many failures."""
-        weight = np.array([1.0 + self._weight.get(int(each), 0.0) for each in part.variables])
+        weight = np.array([1.0 + self._weight.get(each, 0.0) for each in part.variables.tolist()])
         sizes = np.add.reduceat(alive, part.start[:-1], dtype=np.int64)
         return int(np.argmin(sizes / weight))
 
