@@ -1,4 +1,4 @@
-"""Compiled loops of the exact search against numpy, to the last bit."""
+"""Compiled loops of the exact search and of sweeps against numpy, to the last bit."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ import numpy as np
 import pytest
 
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import compiled, search
+from usdrigui.solve import compiled, search, sweeps
+from usdrigui.solve.bounds import Dual
 from usdrigui.solve.compiled import CompiledPart, Loops, compiled_loops, compiled_part
 from usdrigui.solve.search import Found, Part, Search
+from usdrigui.solve.tables import Table
 from usdrigui.solve.watch import Watch
 
 AS_PYTHON = Loops(**{each.name: getattr(compiled, each.name) for each in fields(Loops)})
@@ -177,7 +179,7 @@ def test_many_variables_taken_at_once_are_added_up_as_numpy_does() -> None:
         assert_same(quick.restricted(alive), plain.restricted(alive))
 
 
-@pytest.mark.parametrize("name", [each.name for each in fields(Loops)])
+@pytest.mark.parametrize("name", ["settle", "sweep", "add_stars", "gather", "pay"])
 def test_a_loop_wrong_by_a_hair_is_seen(name: str) -> None:
     """The smallest change of one number that any loop returns does not pass for the same."""
     returned = {"settle": 0, "sweep": 1, "add_stars": 4, "gather": 2, "pay": 3}[name]
@@ -300,3 +302,90 @@ def test_costs_that_could_overflow_are_left_to_numpy(cost: float) -> None:
         assert isinstance(compiled_part(crowd(0)), CompiledPart)
         getattr(part, spoilt)[..., -1] = cost
         assert compiled_part(part) is part
+
+
+# --- sweeps ------------------------------------------------------------------------------------------
+
+
+def random_visit(seed: int) -> tuple[np.ndarray, ...]:
+    """Costs, rows, heights, widths and multipliers of a few tables of one variable."""
+    generator = np.random.default_rng(seed)
+    tables, size = int(generator.integers(1, 6)), int(generator.integers(1, 30))
+    rows = [np.sort(generator.permutation(size)[: generator.integers(1, size + 1)]) for _ in range(tables)]
+    widths = generator.integers(1, 40, tables)
+    costs = [
+        generator.choice([0.0, 0.3, 20.0, 1e9], (len(mine), width)) for mine, width in zip(rows, widths, strict=True)
+    ]
+    multipliers = generator.normal(size=(tables, size)) * generator.choice([1.0, 1e-6, 1e6])
+    return (
+        np.concatenate([each.ravel() for each in costs]).astype(np.float32),
+        np.concatenate(rows),
+        np.concatenate([[0], np.cumsum([len(each) for each in rows])]),
+        np.concatenate([[0], np.cumsum(widths)]),
+        multipliers.astype(np.float32),
+    )
+
+
+def assert_least_the_same(loops: Loops, seeds: range) -> None:
+    for seed in seeds:
+        visit = random_visit(seed)
+        plain, quick = np.empty((2, visit[3][-1]), dtype=np.float32)
+        sweeps.least(*visit, plain)
+        loops.least(*visit, quick)
+        np.testing.assert_array_equal(quick, plain)
+
+
+@BOTH
+def test_least_costs_of_a_visit_are_the_same(made: Callable[[], Loops]) -> None:
+    assert_least_the_same(made(), range(300))
+
+
+def test_least_costs_wrong_by_a_hair_are_seen() -> None:
+    def wrong(*arguments: np.ndarray) -> None:
+        compiled.least(*arguments)
+        arguments[-1][-1] = np.nextafter(arguments[-1][-1], np.float32(np.inf))
+
+    with pytest.raises(AssertionError):
+        assert_least_the_same(replace(AS_PYTHON, least=wrong), range(1))
+
+
+def random_dual(seed: int, most: float = 3.0) -> Dual:
+    generator = np.random.default_rng(seed)
+    sizes = generator.integers(2, 40, 6)
+    tables = []
+    for first, second in itertools.combinations(range(6), 2):
+        rows, columns = (
+            np.sort(generator.permutation(sizes[at])[: generator.integers(1, sizes[at] + 1)]) for at in (first, second)
+        )
+        tables.append(Table(first, second, rows, columns, generator.uniform(0, most, (len(rows), len(columns)))))
+    return Dual([generator.normal(size=size) for size in sizes], tables, 2 * most)
+
+
+def multipliers(seed: int, long: int, monkeypatch: pytest.MonkeyPatch) -> list[np.ndarray]:
+    monkeypatch.setattr(sweeps, "LONG", long)
+    dual = random_dual(seed)
+    sweeps.swept(dual, 9)
+    return [*dual.theta, *(each for edge in dual.edges for each in edge.given)]
+
+
+def test_sweeps_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    by_numba()
+    for seed in range(30):
+        for quick, plain in zip(multipliers(seed, 0, monkeypatch), multipliers(seed, NEVER, monkeypatch), strict=True):
+            np.testing.assert_array_equal(quick, plain)
+
+
+def test_long_sweeps_of_moderate_costs_go_by_numba(monkeypatch: pytest.MonkeyPatch) -> None:
+    loops = by_numba()
+    monkeypatch.setattr(sweeps, "LONG", 1)
+    assert sweeps._quickest(random_dual(0), 9) is loops.least
+    assert sweeps._quickest(random_dual(0, most=1e31), 9) is sweeps.least
+    monkeypatch.setattr(sweeps, "LONG", NEVER)
+    assert sweeps._quickest(random_dual(0), 9) is sweeps.least
+
+
+@pytest.mark.usefixtures("anew")
+def test_without_numba_sweeps_are_as_they_were(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "numba", None)  # ImportError
+    monkeypatch.setattr(sweeps, "LONG", 0)
+    assert sweeps._quickest(random_dual(0), 9) is sweeps.least

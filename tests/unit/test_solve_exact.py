@@ -198,6 +198,20 @@ def test_prices_left_behind_take_their_bound_with_them() -> None:
     assert true.bound == true.dual.bound()  # what groups gain is added to it
 
 
+def test_prices_are_not_looked_for_with_too_little_work_left_for_them_to_cool() -> None:
+    problem = crowd(1, variables=5, candidates=30)
+    watch = Watch(replace(HIGHS, work_limit=1_000_000))
+    labels = all_labels(problem)
+    residual = bounded_blocks(problem, labels, singles(labels), forbidden_price(problem, labels), watch)
+    watch.found("test", cost=solve(problem, HIGHS).cost)
+    solution = residual.pool.start[:-1] + residual.chosen
+    dear = replace(residual, pricing=2 * watch.work_left)
+    assert pricing.repriced(dear, solution, problem.overlap.radius, watch) is dear
+    priced = pricing.repriced(replace(residual, pricing=watch.work_left), solution, problem.overlap.radius, watch)
+    assert priced.priced
+    assert 0 < priced.pricing < 1_000_000
+
+
 def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     honest = search.Part.bounds
 

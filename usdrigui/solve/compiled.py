@@ -1,6 +1,6 @@
-"""A part of the exact search worked on by compiled loops, where numba is installed.
+"""Long searches and sweeps in compiled loops, where numba is installed.
 
-A node of the search touches every entry of its matrix a dozen times, in some hundred calls of numpy on small
+A node of the exact search touches every entry of its matrix a dozen times, in some hundred calls of numpy on small
 blocks.  The loops below do the same in one pass or two.  They add, subtract, multiply and compare the same
 numbers in the same order, so that every result is the same to the last bit, and a search may change over at any
 node; what numpy adds up pairwise is left to numpy.  The sign of a zero may differ; nothing depends on it.
@@ -17,7 +17,7 @@ from functools import cache
 
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices
+from usdrigui.model import Flags, Floats, Indices, Singles
 from usdrigui.solve.search import EPSILON, Part
 
 LARGEST = 1e200
@@ -180,6 +180,23 @@ def pay(matrix: Floats, kept: Indices, taken: Indices, found: Floats) -> None:
             found[at, k] = matrix[min(kept[at], taken[k]), max(kept[at], taken[k])]
 
 
+def least(costs: Singles, rows: Indices, height: Indices, width: Indices, mine: Singles, message: Singles) -> None:
+    """`sweeps.least`."""
+    at = 0
+    for table in range(len(height) - 1):
+        found = message[width[table] : width[table + 1]]
+        for number in range(height[table], height[table + 1]):
+            own, row = mine[table, rows[number]], costs[at : at + len(found)]
+            if number == height[table]:
+                for k in range(len(found)):
+                    found[k] = row[k] - own
+            else:
+                for k in range(len(found)):
+                    cost = row[k] - own
+                    found[k] = min(found[k], cost)
+            at += len(found)
+
+
 @dataclass(frozen=True)
 class Loops:
     """The functions above, compiled."""
@@ -189,6 +206,7 @@ class Loops:
     add_stars: Callable[..., None]
     gather: Callable[..., None]
     pay: Callable[..., None]
+    least: Callable[..., None]
 
 
 class CompiledPart(Part):
@@ -280,7 +298,7 @@ def _compiled(keep: bool) -> Loops | None:
     if getattr(numba.config, "DISABLE_JIT", False):  # as functions of Python they are far slower than numpy
         return None
     table, costs = numba.float64[:, ::1], numba.float64[::1]
-    places, flags = numba.int64[::1], numba.boolean[:, ::1]
+    places, flags, singles = numba.int64[::1], numba.boolean[:, ::1], numba.float32[::1]
 
     def made(loop: Callable[..., None], *arguments: object) -> Callable[..., None]:
         compiled: Callable[..., None] = numba.njit(numba.void(*arguments), cache=keep)(loop)
@@ -292,4 +310,5 @@ def _compiled(keep: bool) -> Loops | None:
         add_stars=made(add_stars, table, costs, places, flags, costs, costs),
         gather=made(gather, table, places, table),
         pay=made(pay, table, places, places, table),
+        least=made(least, singles, places, places, places, numba.float32[:, ::1], singles),
     )

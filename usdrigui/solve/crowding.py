@@ -138,7 +138,7 @@ def _price(ascent: Ascent, where: Places, eps: float, exchanges: int, watch: Wat
             ascent.extend(*crowded(ascent, where, eps, exchanges))
         ascent.sweep(eps, back=True)
         ascent.price_step(eps)
-        watch.spend((3 * len(ascent.chosen) ** 2 + len(ascent.price) * len(ascent.chosen)) // 56)
+        watch.spend(ascent.work // 1000)
         if watch.stopped():
             return
 

@@ -23,13 +23,17 @@ MOST_PRICED = 1000
 """Variables up to which spots are priced: two entries of each are in play, in tables of all their pairs."""
 PRICED = 2.0
 """Times that less must be missing with prices than without for a search to go by prices."""
+WORTH_STARTING = 0.6
+"""Share of the work of the last search for prices that must be left for another: prices are good for little before
+they have cooled."""
 
 
 def repriced(residual: Residual, solution: Indices, radius: float, watch: Watch) -> Residual:
     """The residual with better prices, if it is worth while to look for them and any are found."""
     few = residual.pool.count <= MOST_PRICED and planned_for_prices(residual) <= watch.settings.memory_limit
     far = few and watch.cut - residual.bound > FAR * watch.allowed
-    return _priced(residual, solution, radius, watch) if far else residual
+    enough = watch.work_left >= WORTH_STARTING * residual.pricing
+    return _priced(residual, solution, radius, watch) if far and enough else residual
 
 
 def at_better_costs(residual: Residual, watch: Watch) -> Residual:
@@ -53,13 +57,14 @@ def without_prices(residual: Residual, watch: Watch) -> Residual:
 
 def _priced(residual: Residual, solution: Indices, radius: float, watch: Watch) -> Residual:
     """The residual with the bound raised by prices on crowded spots."""
-    where = places(residual.pool, radius)
+    where, before = places(residual.pool, radius), watch.work
     dual, cells = tightened(residual.costs, where, residual.dual, residual.cells, solution, watch.cut, watch)
     bound, excess = dual.parts()
     barren = bound - residual.bound < SLOW * (watch.cut - residual.bound)
+    residual = replace(residual, barren=barren, pricing=watch.work - before)
     if not bound > residual.bound:
-        return replace(residual, barren=barren)
+        return residual
     chosen, value = decode(dual, watch.settings.seed)
     watch.found(STEP, bound=min(bound, watch.cut))
     room = np.maximum(residual.room, bound + np.concatenate(excess))
-    return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value, barren=barren)
+    return replace(residual, cells=cells, dual=dual, bound=bound, room=room, chosen=chosen, value=value)

@@ -43,6 +43,8 @@ class Residual:
     """Its cost there: at best the bound can rise to this before blocks are split."""
     barren: bool = False
     """Whether better prices were looked for in vain."""
+    pricing: int = 0
+    """Work that the last search for prices took."""
 
     @property
     def pool(self) -> Pool:
@@ -119,4 +121,4 @@ def bounded_blocks(
     residual = Residual(blocks, near, costs, cells, dual, bound, bound + np.concatenate(excess), chosen, value)
     # Prices that blocks did not have may be found for single labels.
     same = older is not None and older.barren and older.exact == residual.exact
-    return replace(residual, barren=same)
+    return replace(residual, barren=same, pricing=0 if older is None else older.pricing)

@@ -71,12 +71,12 @@ def crowded(ascent: Ascent, where: Places, eps: float, exchanges: int) -> tuple[
     tried = tried[worst[tried] > VIOLATED]
     sets = _grown(sets[tried], count[tried], share, pairs, exchanges)
     count, worst = _violation(sets, share, pairs)
-    mass = sets @ share
+    mass, common = sets @ share, (sets * share) @ sets.T
     known = {(k, each.tobytes()) for k, each in zip(ascent.count.tolist(), ascent.member, strict=True)}
     taken: list[int] = []
     found: list[tuple[Flags, float]] = []
     for at in np.argsort(-worst, kind="stable"):
-        if (((sets[taken] * sets[at]) @ share) > ALIKE * np.maximum(mass[at], mass[taken])).any():
+        if (common[at, taken] > ALIKE * np.maximum(mass[at], mass[taken])).any():
             continue
         taken.append(int(at))
         member = _members(ascent, where, support, int(centre[tried[at]]), int(family[tried[at]]))
@@ -124,7 +124,7 @@ def _candidates(ascent: Ascent, where: Places, support: Indices, share: Singles)
     entries = ascent.chosen[support]
     handle = _squares_apart(where.handle[entries], where.handle[entries])
     body = np.maximum(handle, _squares_apart(where.middle[entries], where.middle[entries]))
-    costs = ascent.across[entries][:, support]
+    costs = ascent.across[np.ix_(support, entries)]
     same = ascent.variable[support][:, None] == ascent.variable[support]
     found = [handle <= each**2 for each in HANDLE_RADII] + [body <= each**2 for each in BODY_RADII]
     found += [(costs >= each) | (same & (handle < OWN**2)) for each in PAIR_COSTS]
@@ -146,7 +146,7 @@ def _members(ascent: Ascent, where: Places, support: Indices, centre: int, famil
         return np.asarray(body <= BODY_RADII[family] ** 2)
     variable = ascent.costs.pool.variable
     own = (variable == variable[middle]) & (handle < OWN**2)
-    costs = ascent.across[:, support[centre]]
+    costs = ascent.across[support[centre]]
     return np.asarray((costs >= PAIR_COSTS[family - len(BODY_RADII)]) | own)
 
 

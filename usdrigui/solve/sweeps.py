@@ -8,8 +8,7 @@ the bound is worked out afresh from them, so what rounding spoils could only wea
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,12 +18,18 @@ from usdrigui.solve.bounds import Dual, Edge
 
 FEWEST = 3
 """Sweeps for which it is worth while to gather the tables."""
+LONG = 200_000
+"""Work of sweeps from which on compiled loops are used, if there are any: some tenths of a second."""
+LARGEST = 1e30
+"""Costs beyond could overflow, and compiled loops do not treat what is not a number as numpy does."""
+
+Least = Callable[[Singles, Indices, Indices, Indices, Singles, Singles], None]
 
 
 def swept(dual: Dual, times: int) -> None:
     """Sweep so many times."""
     if times >= FEWEST and dual.edges:
-        packed = _Packed(dual)
+        packed = _Packed(dual, _quickest(dual, times))
         for _ in range(times - 1):
             packed.sweep()
         packed.hand_over()
@@ -33,9 +38,19 @@ def swept(dual: Dual, times: int) -> None:
         dual.sweep()
 
 
+def _quickest(dual: Dual, times: int) -> Least:
+    """The way to work out least costs that is done first: a compiled one where it pays to have it."""
+    loops = None
+    if work_of(dual, times) >= LONG and all(edge.costs[0].max(initial=0.0) < LARGEST for edge in dual.edges):
+        from usdrigui.solve.compiled import compiled_loops
+
+        loops = compiled_loops()
+    return least if loops is None else loops.least
+
+
 def work_of(dual: Dual, times: int) -> int:
     """Work that so many sweeps count as."""
-    return times * (dual.size // 128 + 16 * len(dual.edges))
+    return times * (dual.size // 128 + 24 * len(dual.edges))
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,14 +63,18 @@ class _Visit:
     """(tables, entries) its multipliers, in the flat list of all."""
     portion: float
     """Share of its costs that each table gets."""
-    tables: Sequence[tuple[Singles, Indices, slice]]
-    """Pair costs (rows, columns) of each table, its rows, and where its columns are among those of all."""
+    costs: Singles
+    """Pair costs of all tables, row by row, one table after another."""
+    rows: Indices
+    """Rows of all tables: entries of the variable."""
+    height: Indices
+    """(tables + 1,) first row of each table."""
+    width: Indices
+    """(tables + 1,) first column of each."""
     unused: Flags
     """(tables, entries) whether an entry is in no row of a table: it costs nothing against anyone."""
     sizes: Indices
     """(tables,) entries of the other ends."""
-    columns: Indices
-    """(tables,) columns."""
     used: Indices
     """Where the columns of all tables are among the entries of all other ends."""
     theirs: Indices
@@ -67,8 +86,9 @@ class _Visit:
 class _Packed:
     """The multipliers of a dual in one list, and its tables by the order of visits."""
 
-    def __init__(self, dual: Dual) -> None:
+    def __init__(self, dual: Dual, least: Least) -> None:
         self._dual = dual
+        self._least = least
         self._start = np.concatenate([[0], np.cumsum([len(each) for each in dual.theta])])
         self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
         self._place: dict[tuple[Edge, int], int] = {}
@@ -98,16 +118,15 @@ class _Packed:
             self._dual.move(edge, side, given - edge.given[side])
 
     def _visit(self, visit: _Visit) -> None:
-        mine = self._given[visit.given].reshape(len(visit.tables), -1)
-        theta = self._theta[visit.variable]
+        mine = self._given[visit.given].reshape(len(visit.sizes), -1)
+        theta: Singles = self._theta[visit.variable]
         share = theta * np.float32(visit.portion)
         mine -= share
-        theta -= share * np.float32(len(visit.tables))
+        theta -= share * np.float32(len(visit.sizes))
         message = np.empty(len(visit.used), dtype=np.float32)
-        for (costs, rows, at), own in zip(visit.tables, mine, strict=True):
-            np.minimum.reduce(costs - own[rows, None], axis=0, out=message[at])
+        self._least(visit.costs, visit.rows, visit.height, visit.width, mine, message)
         elsewhere = -np.where(visit.unused, mine, -np.inf).max(axis=1)
-        np.minimum(message, np.repeat(elsewhere, visit.columns), out=message)
+        np.minimum(message, np.repeat(elsewhere, np.diff(visit.width)), out=message)
         new = np.repeat(-mine.max(axis=1), visit.sizes)
         new[visit.used] = message
         self._theta[visit.others] += new - self._given[visit.theirs]
@@ -117,8 +136,6 @@ class _Packed:
         size = len(self._dual.theta[variable])
         ends = [edge.ends[1 - side] for edge, side in ahead]
         sizes = np.array([len(self._dual.theta[end]) for end in ends])
-        columns = np.array([len(edge.used[1 - side]) for edge, side in ahead])
-        edges = np.concatenate([[0], np.cumsum(columns)]).tolist()
         unused = np.ones((len(ahead), size), dtype=bool)
         for row, (edge, side) in zip(unused, ahead, strict=True):
             row[edge.used[side]] = False
@@ -128,17 +145,29 @@ class _Packed:
             slice(int(self._start[variable]), int(self._start[variable + 1])),
             slice(first, first + len(ahead) * size),
             1.0 / max(len(ahead), len(self._dual.near[variable]) - len(ahead)),
-            [
-                (np.ascontiguousarray(edge.costs[side], dtype=np.float32), edge.used[side], slice(a, b))
-                for (edge, side), (a, b) in zip(ahead, itertools.pairwise(edges), strict=True)
-            ],
+            np.concatenate([edge.costs[side].ravel() for edge, side in ahead], dtype=np.float32, casting="same_kind"),
+            np.concatenate([edge.used[side] for edge, side in ahead]),
+            _starts([len(edge.used[side]) for edge, side in ahead]),
+            _starts([len(edge.used[1 - side]) for edge, side in ahead]),
             unused,
             sizes,
-            columns,
             np.concatenate([at + edge.used[1 - side] for at, (edge, side) in zip(low, ahead, strict=True)]),
             _ranges([self._place[edge, 1 - side] for edge, side in ahead], sizes),
             _ranges(self._start[ends], sizes),
         )
+
+
+def least(costs: Singles, rows: Indices, height: Indices, width: Indices, mine: Singles, message: Singles) -> None:
+    """Work out what each column of a visit's tables costs at least: `message` (columns of all tables,)."""
+    at = 0
+    for own, top, end, left, right in zip(mine, height[:-1], height[1:], width[:-1], width[1:], strict=True):
+        table = costs[at : at + (end - top) * (right - left)].reshape(end - top, right - left)
+        np.minimum.reduce(table - own[rows[top:end], None], axis=0, out=message[left:right])
+        at += table.size
+
+
+def _starts(sizes: Sequence[int]) -> Indices:
+    return np.concatenate([[0], np.cumsum(sizes)])
 
 
 def _ranges(start: Sequence[int] | Indices, sizes: Indices) -> Indices:

@@ -62,6 +62,11 @@ class Watch:
         return time.monotonic() - self._began
 
     @property
+    def work_left(self) -> int:
+        """Work until the limit."""
+        return max(0, self.settings.work_limit - self.work)
+
+    @property
     def seconds_left(self) -> float:
         """Wall time until the limit; inf without one."""
         limit = self.settings.time_limit
@@ -72,8 +77,7 @@ class Watch:
 
         Its work must be counted here with `spend` when it is done: what it leaves goes to those that follow.
         """
-        left = max(0, self.settings.work_limit - self.work)
-        limits = replace(self.settings, work_limit=int(share * left))
+        limits = replace(self.settings, work_limit=int(share * self.work_left))
         if self.settings.time_limit > 0:
             limits = replace(limits, time_limit=max(share * self.seconds_left, _NO_TIME))
         return Watch(limits, stop=self.stopped)
