@@ -12,14 +12,17 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array, vstack
 
 from usdrigui.model import Flags, Floats, Indices, Singles
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, flags
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 STEP = 8.0
 """First step of a price, in Newton steps."""
@@ -101,7 +104,7 @@ class Ascent:
         """Costs of the entries in play as the prices are now."""
         self._inside: list[Indices] = []
         """Of each cell, its entries in play."""
-        self._linking = csr_array((0, len(self.chosen) ** 2), dtype=np.float32)
+        self._linking = _linking([], len(self.chosen))
         """(cells, m * m) one for each pair of entries in play inside each cell."""
         self._enter(self.member)
         self.pairs: Singles = self.across[:, self.chosen]
@@ -111,15 +114,11 @@ class Ascent:
         self._charge()
 
     def _enter(self, member: Flags) -> None:
+        from scipy.sparse import vstack
+
         inside = [np.flatnonzero(each) for each in member[:, self.chosen]]
-        pairs = [(each[:, None] * len(self.chosen) + each).ravel() for each in inside]
-        start = np.concatenate([[0], np.cumsum([len(each) for each in pairs])]).astype(np.int32)
-        at = np.concatenate([np.empty(0, dtype=np.int64), *pairs]).astype(np.int32)
-        ones = np.ones(len(at), dtype=np.float32)
         self._inside += inside
-        self._linking = vstack(
-            [self._linking, csr_array((ones, at, start), (len(inside), len(self.chosen) ** 2))], "csr"
-        )
+        self._linking = vstack([self._linking, _linking(inside, len(self.chosen))], "csr")
         self._gather()
 
     def _gather(self) -> None:
@@ -267,6 +266,16 @@ class Ascent:
         self._reduce(price - self.price)
         self.price = price
         self._charge()
+
+
+def _linking(inside: Sequence[Indices], size: int) -> csr_array:
+    """(cells, size * size) one for each pair of the entries inside each cell."""
+    from scipy.sparse import csr_array
+
+    pairs = [(each[:, None] * size + each).ravel() for each in inside]
+    at = np.concatenate([np.empty(0, dtype=np.int64), *pairs]).astype(np.int32)
+    start = np.concatenate([[0], np.cumsum([len(each) for each in pairs])]).astype(np.int32)
+    return csr_array((np.ones(len(at), dtype=np.float32), at, start), (len(inside), size**2))
 
 
 def _soft_least(values: Singles, first: Indices, eps: float) -> Singles:

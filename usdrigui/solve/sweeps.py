@@ -8,13 +8,19 @@ the bound is worked out afresh from them, so what rounding spoils could only wea
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from usdrigui.model import Flags, Indices, Singles
 from usdrigui.solve.bounds import Dual, Edge
+
+if TYPE_CHECKING:
+    from usdrigui.solve.compiled import Loops
 
 FEWEST = 3
 """Sweeps for which it is worth while to gather the tables."""
@@ -22,8 +28,6 @@ LONG = 200_000
 """Work of sweeps from which on compiled loops are used, if there are any: some tenths of a second."""
 LARGEST = 1e30
 """Costs beyond could overflow, and compiled loops do not treat what is not a number as numpy does."""
-
-Least = Callable[[Singles, Indices, Indices, Indices, Singles, Singles], None]
 
 
 def swept(dual: Dual, times: int) -> None:
@@ -38,14 +42,14 @@ def swept(dual: Dual, times: int) -> None:
         dual.sweep()
 
 
-def _quickest(dual: Dual, times: int) -> Least:
+def _quickest(dual: Dual, times: int) -> Callable[[_Visit, Singles, Singles], None]:
     """The way to work out least costs that is done first: a compiled one where it pays to have it."""
     loops = None
     if work_of(dual, times) >= LONG and all(edge.costs[0].max(initial=0.0) < LARGEST for edge in dual.edges):
         from usdrigui.solve.compiled import compiled_loops
 
         loops = compiled_loops()
-    return least if loops is None else loops.least
+    return least if loops is None else partial(_compiled_least, loops)
 
 
 def work_of(dual: Dual, times: int) -> int:
@@ -71,6 +75,8 @@ class _Visit:
     """(tables + 1,) first row of each table."""
     width: Indices
     """(tables + 1,) first column of each."""
+    tables: Sequence[tuple[Singles, Indices, slice]]
+    """The same for numpy: views of each table's costs (rows, columns) and rows, and where its columns are."""
     unused: Flags
     """(tables, entries) whether an entry is in no row of a table: it costs nothing against anyone."""
     sizes: Indices
@@ -86,7 +92,7 @@ class _Visit:
 class _Packed:
     """The multipliers of a dual in one list, and its tables by the order of visits."""
 
-    def __init__(self, dual: Dual, least: Least) -> None:
+    def __init__(self, dual: Dual, least: Callable[[_Visit, Singles, Singles], None]) -> None:
         self._dual = dual
         self._least = least
         self._start = np.concatenate([[0], np.cumsum([len(each) for each in dual.theta])])
@@ -124,7 +130,7 @@ class _Packed:
         mine -= share
         theta -= share * np.float32(len(visit.sizes))
         message = np.empty(len(visit.used), dtype=np.float32)
-        self._least(visit.costs, visit.rows, visit.height, visit.width, mine, message)
+        self._least(visit, mine, message)
         elsewhere = -np.where(visit.unused, mine, -np.inf).max(axis=1)
         np.minimum(message, np.repeat(elsewhere, np.diff(visit.width)), out=message)
         new = np.repeat(-mine.max(axis=1), visit.sizes)
@@ -141,14 +147,18 @@ class _Packed:
             row[edge.used[side]] = False
         first = self._place[ahead[0]]
         low = np.cumsum(sizes) - sizes
-        return _Visit(
-            slice(int(self._start[variable]), int(self._start[variable + 1])),
-            slice(first, first + len(ahead) * size),
-            1.0 / max(len(ahead), len(self._dual.near[variable]) - len(ahead)),
+        packed = (
             np.concatenate([edge.costs[side].ravel() for edge, side in ahead], dtype=np.float32, casting="same_kind"),
             np.concatenate([edge.used[side] for edge, side in ahead]),
             _starts([len(edge.used[side]) for edge, side in ahead]),
             _starts([len(edge.used[1 - side]) for edge, side in ahead]),
+        )
+        return _Visit(
+            slice(int(self._start[variable]), int(self._start[variable + 1])),
+            slice(first, first + len(ahead) * size),
+            1.0 / max(len(ahead), len(self._dual.near[variable]) - len(ahead)),
+            *packed,
+            _tables(*packed),
             unused,
             sizes,
             np.concatenate([at + edge.used[1 - side] for at, (edge, side) in zip(low, ahead, strict=True)]),
@@ -157,13 +167,24 @@ class _Packed:
         )
 
 
-def least(costs: Singles, rows: Indices, height: Indices, width: Indices, mine: Singles, message: Singles) -> None:
+def least(visit: _Visit, mine: Singles, message: Singles) -> None:
     """Work out what each column of a visit's tables costs at least: `message` (columns of all tables,)."""
-    at = 0
-    for own, top, end, left, right in zip(mine, height[:-1], height[1:], width[:-1], width[1:], strict=True):
-        table = costs[at : at + (end - top) * (right - left)].reshape(end - top, right - left)
-        np.minimum.reduce(table - own[rows[top:end], None], axis=0, out=message[left:right])
-        at += table.size
+    for (costs, rows, at), own in zip(visit.tables, mine, strict=True):
+        np.minimum.reduce(costs - own[rows, None], axis=0, out=message[at])
+
+
+def _compiled_least(loops: Loops, visit: _Visit, mine: Singles, message: Singles) -> None:
+    loops.least(visit.costs, visit.rows, visit.height, visit.width, mine, message)
+
+
+def _tables(costs: Singles, rows: Indices, height: Indices, width: Indices) -> list[tuple[Singles, Indices, slice]]:
+    found, at = [], 0
+    edges = zip(itertools.pairwise(height.tolist()), itertools.pairwise(width.tolist()), strict=True)
+    for (top, end), (left, right) in edges:
+        size = (end - top) * (right - left)
+        found.append((costs[at : at + size].reshape(end - top, -1), rows[top:end], slice(left, right)))
+        at += size
+    return found
 
 
 def _starts(sizes: Sequence[int]) -> Indices:
