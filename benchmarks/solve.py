@@ -17,7 +17,6 @@ a layout at least as good.
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import json
 import resource
 import subprocess
@@ -36,11 +35,11 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import load_problem, save_problem, solve
 from usdrigui.solve.assignment import assignment, forbidden_price
-from usdrigui.solve.blocks import all_labels, block_pool, singles
+from usdrigui.solve.blocks import Labels, Pool, all_labels, block_pool, singles
 from usdrigui.solve.highs import solve_part
 from usdrigui.solve.paper import solve_by_clusters
 from usdrigui.solve.search import whole_part
-from usdrigui.solve.tables import near_blocks, pair_tables
+from usdrigui.solve.tables import Table, near_blocks, pair_tables
 from usdrigui.solve.watch import Watch
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
@@ -54,8 +53,8 @@ UNLIMITED = 10**15
 """Work allowed where time is what limits a run."""
 
 
-class BeyondFreeSizeError(Exception):
-    """CPLEX's free size does not hold a problem."""
+class CannotRunError(Exception):
+    """A method is not installed, or does not hold a problem."""
 
 
 def main() -> None:
@@ -156,7 +155,7 @@ def run_one(path: Path, method: str, seconds: float) -> dict[str, Any]:
         found = _SOLVERS[method.split()[0]](problem, method, seconds)
     except RigUIError as error:
         found = {"note": f"{error.issue.code}: {error.issue.message}"}
-    except BeyondFreeSizeError as error:
+    except CannotRunError as error:
         found = {"note": str(error)}
     measured = {
         "seconds": time.monotonic() - wall,
@@ -185,8 +184,6 @@ def _paper(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any
     settings = SolveSettings(method="paper", clusters=2, sample=share, time_limit=seconds, work_limit=UNLIMITED)
     if not method.endswith("cplex"):
         return _by_us(problem, settings) | {"bound": None}
-    if importlib.util.find_spec("cplex") is None:
-        return {"note": "cplex is not installed"}
     found = solve_by_clusters(problem, Watch(settings), _integer_quadratic)
     return {"cost": found.cost, "bound": None, "note": found.status}
 
@@ -210,10 +207,8 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
     labels = all_labels(problem)
     if len(labels.label) > 8000:
         return {"note": f"{len(labels.label)} candidates: too large to write down"}
-    pool = block_pool(labels, singles(labels))
-    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
+    pool, tables, price = _written_down(problem, labels, watch)
     unary = [pool.cost[a:b] for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
-    price = forbidden_price(problem, labels)
     cut = float(labels.best.sum()) + price - 1e-6
     found = solve_part(whole_part(unary, tables, price), cut, watch, 10**6, pairs=2_000_000)
     if found is None:
@@ -228,22 +223,21 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
 def _cplex(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
     """CPLEX's integer quadratic program over all candidates, hard pairs priced."""
     del method
-    if importlib.util.find_spec("cplex") is None:
-        return {"note": "cplex is not installed"}
     found = _integer_quadratic(problem, Watch(SolveSettings(time_limit=seconds)))
     return {"cost": found.cost, "bound": found.bound}
 
 
 def _integer_quadratic(problem: LayoutProblem, watch: Watch) -> Assignment:
-    """A problem's best layout by CPLEX, within the watch's time; raises BeyondFreeSizeError."""
-    import cplex
+    """A problem's best layout by CPLEX, within the watch's time; raises CannotRunError."""
+    try:
+        import cplex
+    except ImportError as error:
+        raise CannotRunError("cplex is not installed") from error
 
     labels = all_labels(problem)
     if len(labels.label) + len(problem.variables) > FREE_CPLEX:
-        raise BeyondFreeSizeError(f"{len(labels.label)} candidates: beyond the free size")
-    pool = block_pool(labels, singles(labels))
-    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
-    price = forbidden_price(problem, labels)
+        raise CannotRunError(f"{len(labels.label)} candidates: beyond the free size")
+    pool, tables, price = _written_down(problem, labels, watch)
     program = cplex.Cplex()
     program.set_results_stream(None)
     program.set_log_stream(None)
@@ -263,8 +257,15 @@ def _integer_quadratic(problem: LayoutProblem, watch: Watch) -> Assignment:
     program.solve()
     values = np.array(program.solution.get_values())
     chosen = np.array([a + values[a:b].argmax() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)])
-    watch.found("cplex", total_cost(problem, labels.label[chosen]), program.solution.MIP.get_best_objective())
-    return assignment(problem, labels, labels.label[chosen], watch, "paper")
+    watch.found("cplex", bound=program.solution.MIP.get_best_objective())
+    return assignment(problem, labels, labels.label[chosen], watch, "cplex")
+
+
+def _written_down(problem: LayoutProblem, labels: Labels, watch: Watch) -> tuple[Pool, list[Table], float]:
+    """Every label by itself, the costs of all pairs, and what stands for a pair that is forbidden."""
+    pool = block_pool(labels, singles(labels))
+    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
+    return pool, tables, forbidden_price(problem, labels)
 
 
 _SOLVERS = {"ours": _ours, "paper": _paper, "mccormick": _mccormick, "toulbar2": _toulbar2, "cplex": _cplex}

@@ -29,6 +29,9 @@ LONG = 200_000
 LARGEST = 1e30
 """Costs beyond could overflow, and compiled loops do not treat what is not a number as numpy does."""
 
+LeastCosts = Callable[["_Visit", Singles, Singles], None]
+"""Works out what each column of a visit's tables costs at least, of its multipliers, into the room given."""
+
 
 def swept(dual: Dual, times: int) -> None:
     """Sweep so many times."""
@@ -42,14 +45,16 @@ def swept(dual: Dual, times: int) -> None:
         dual.sweep()
 
 
-def _quickest(dual: Dual, times: int) -> Callable[[_Visit, Singles, Singles], None]:
+def _quickest(dual: Dual, times: int) -> LeastCosts:
     """The way to work out least costs that is done first: a compiled one where it pays to have it."""
-    loops = None
-    if work_of(dual, times) >= LONG and all(edge.costs[0].max(initial=0.0) < LARGEST for edge in dual.edges):
-        from usdrigui.solve.compiled import compiled_loops
+    if work_of(dual, times) < LONG:
+        return least
+    from usdrigui.solve.compiled import compiled_loops
 
-        loops = compiled_loops()
-    return least if loops is None else partial(_compiled_least, loops)
+    loops = compiled_loops()
+    if loops is None or any(edge.costs[0].max(initial=0.0) >= LARGEST for edge in dual.edges):
+        return least
+    return partial(_compiled_least, loops)
 
 
 def work_of(dual: Dual, times: int) -> int:
@@ -92,10 +97,10 @@ class _Visit:
 class _Packed:
     """The multipliers of a dual in one list, and its tables by the order of visits."""
 
-    def __init__(self, dual: Dual, least: Callable[[_Visit, Singles, Singles], None]) -> None:
+    def __init__(self, dual: Dual, least: LeastCosts) -> None:
         self._dual = dual
         self._least = least
-        self._start = np.concatenate([[0], np.cumsum([len(each) for each in dual.theta])])
+        self._start = _starts([len(each) for each in dual.theta])
         self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
         self._place: dict[tuple[Edge, int], int] = {}
         """First of an end's multipliers in the flat list: those of a variable that one visit changes are neighbours."""
