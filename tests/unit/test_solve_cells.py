@@ -13,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, crowding, pricing, residual_search, solve, splitting
+from usdrigui.solve import cells, crowding, pricing, reduce, residual_search, solve, splitting
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
@@ -117,9 +117,12 @@ def test_cells_are_inherited_by_the_parts_of_their_entries() -> None:
     assert (new.count.tolist(), new.price.tolist()) == ([1.0], [0.5])
 
 
-def test_stopped_ascent_keeps_an_honest_bound() -> None:
+@pytest.mark.parametrize("blocks", [True, False])
+def test_stopped_ascent_keeps_an_honest_bound(blocks: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     problem = crowd(2, variables=5, candidates=50)
     optimum = solve(problem, SolveSettings()).cost
+    if blocks:
+        monkeypatch.setattr(reduce, "ONE_BY_ONE", 0)
     for limit in (30_000, 100_000, 300_000):
         found = solve(problem, replace(SolveSettings(), work_limit=limit))
         assert found.bound <= optimum + 1e-9

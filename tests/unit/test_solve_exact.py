@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -38,6 +39,7 @@ from usdrigui.solve.residual import Residual, bounded_blocks
 from usdrigui.solve.search import Part
 from usdrigui.solve.watch import Watch
 
+Way = Callable[[pytest.MonkeyPatch], None]
 ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
 PART = max(75, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "300")) // 4)
@@ -83,7 +85,9 @@ def verdicts(seeds: range) -> list[str]:
 
 
 @pytest.mark.parametrize("part", range(4))
-def test_agrees_with_enumeration_on_random_problems(part: int) -> None:
+def test_agrees_with_enumeration_on_random_problems(part: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    if part % 2:
+        by_blocks(monkeypatch)
     assert verdicts(range(PART * part, PART * part + PART)) == []
 
 
@@ -92,9 +96,11 @@ def test_groups_agree_with_enumeration_on_random_problems(monkeypatch: pytest.Mo
     assert verdicts(range(10_000, 10_000 + PART)) == []
 
 
-@pytest.mark.parametrize("way", ["as one problem", "by groups"])
+@pytest.mark.parametrize("way", ["as one problem", "by blocks", "by groups"])
 @pytest.mark.parametrize("seed", range(4))
 def test_proves_crowds_optimal(seed: int, way: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if way == "by blocks":
+        by_blocks(monkeypatch)
     if way == "by groups":
         by_groups(monkeypatch, 20)
     problem = crowd(seed, variables=4, candidates=30)
@@ -136,15 +142,24 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
 
 def by_groups(monkeypatch: pytest.MonkeyPatch, labels: int = 0) -> None:
     """Small problems take the way of large ones, blocks, prices and groups, until no more than `labels` are left."""
+    by_blocks(monkeypatch)
     monkeypatch.setattr(splitting, "FEW_LABELS", 0)
     monkeypatch.setattr(residual_search, "LARGEST", labels)
+
+
+def by_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Small problems are cut into blocks first, as large ones are."""
+    monkeypatch.setattr(reduce, "ONE_BY_ONE", 0)
 
 
 def random_problems() -> list[LayoutProblem]:
     return [random_problem(seed) for seed in range(40)] + [crowd(seed, 4, 20) for seed in range(10)]
 
 
-def test_bounds_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("way", [by_blocks, None])
+def test_bounds_hold_whatever_the_local_search_finds(way: Way | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    if way:
+        way(monkeypatch)
     assert overstated(random_problems(), monkeypatch) == 0
 
 
@@ -219,6 +234,7 @@ def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch
         bound, excess = honest(self)
         return bound + 1e-4, excess
 
+    by_blocks(monkeypatch)
     monkeypatch.setattr(search.Part, "bounds", raised)
     assert overstated(random_problems(), monkeypatch) > 0
 
@@ -230,6 +246,7 @@ def test_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
         bound, excess = honest(self, member)
         return bound + 1e-4, excess
 
+    by_blocks(monkeypatch)
     monkeypatch.setattr(bounds.Dual, "parts", raised)
     assert overstated(random_problems(), monkeypatch) > 0
 
@@ -257,6 +274,7 @@ def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
         shifted[first] = slack[first]
         return honest(labels, parts, shifted)
 
+    by_blocks(monkeypatch)
     monkeypatch.setattr(splitting, "thinned", off)
     try:
         assert overstated(random_problems(), monkeypatch) > 0
@@ -330,6 +348,14 @@ def test_work_limit_is_reproducible() -> None:
     assert [each.figures for each in first.steps] == [each.figures for each in second.steps]
 
 
+@pytest.mark.parametrize(("memory", "single"), [(1024, True), (100, False)])
+def test_few_labels_are_not_cut_into_blocks_where_memory_allows(memory: int, single: bool) -> None:
+    labels = all_labels(crowd(3, variables=5, candidates=30))
+    blocks = reduce._first_blocks(labels, Watch(replace(HIGHS, memory_limit=memory)))
+    assert (blocks.sizes.max() == 1) == single
+    assert np.sort(blocks.members).tolist() == list(range(len(labels.label)))
+
+
 def test_memory_is_planned_before_it_is_spent() -> None:
     problem = crowd(7, variables=8, candidates=400)
     plan = 230  # MiB: little more than the matrices of a search take
@@ -359,7 +385,10 @@ def on_a_line(count: int, apart: int, step: float, first: int, beside: float) ->
 
 
 @pytest.mark.parametrize("grid", [(32, 37, 0.1, -2, 0.3), (16, 20, 0.3, -11, 0.3), (16, 26, 0.013, 16, np.inf)])
-def test_handles_at_the_separation_exactly_are_allowed(grid: tuple[int, int, float, int, float]) -> None:
+def test_handles_at_the_separation_exactly_are_allowed(
+    grid: tuple[int, int, float, int, float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    by_blocks(monkeypatch)
     problem = on_a_line(*grid)
     assert faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE)) == []
 

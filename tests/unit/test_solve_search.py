@@ -105,15 +105,25 @@ def test_gathered_sweeps_bound_what_they_bounded() -> None:
 
 
 def test_gathered_sweeps_that_forget_entries_outside_the_tables_are_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = sweeps._Packed._visit_of
+    honest = sweeps.Sweeps._visit_of
 
     def forgetful(self: object, variable: int, ahead: list[object]) -> object:
         visit = honest(self, variable, ahead)
         return replace(visit, unused=np.zeros_like(visit.unused))
 
-    monkeypatch.setattr(sweeps._Packed, "_visit_of", forgetful)
+    monkeypatch.setattr(sweeps.Sweeps, "_visit_of", forgetful)
     with pytest.raises(AssertionError):
         test_gathered_sweeps_are_sweeps()
+
+
+def test_gathered_sweeps_tell_their_bound() -> None:
+    for seed in range(300):
+        dual = Dual(*random_tables(seed), 20.0)
+        gathered = sweeps.Sweeps(dual, 6)
+        gathered.go(6)
+        told = gathered.bound()
+        gathered.hand_over()
+        assert told == pytest.approx(dual.bound(), abs=1e-4)
 
 
 def test_dual_is_exact_on_trees() -> None:

@@ -126,7 +126,8 @@ class Dual:
 
     def bound(self) -> float:
         """Lower bound on the cost of every solution."""
-        return self.parts()[0]
+        least = [float(theta.min(initial=np.inf)) for theta in self.theta]
+        return self.constant + sum(least) + sum(edge.least() for edge in self.edges)
 
     def cost(self, chosen: Indices) -> float:
         """Cost of a solution."""
@@ -141,21 +142,15 @@ class Dual:
         With `member` (groups of variables, -1 for none) the excess uses nothing that belongs to another
         group, so that what those groups gain may be added to it.
         """
-        total = self.constant
-        excess = []
-        for theta in self.theta:
-            least = theta.min(initial=np.inf)
-            total += least
-            excess.append(theta - least)
+        excess = [theta - theta.min(initial=np.inf) for theta in self.theta]
         stars = [each.copy() for each in excess]
         for edge in self.edges:
             least = edge.least()
-            total += least
             for side in (0, 1):
                 mine, other = edge.ends[side], edge.ends[1 - side]
                 foreign = member is not None and member[other] >= 0 and member[other] != member[mine]
                 stars[mine] += edge.toward(side, None if foreign else excess[other]) - edge.given[side] - least
-        return float(total), stars
+        return self.bound(), stars
 
     def inner_excess(self, group: Sequence[int]) -> list[Floats]:
         """Like the excess of `parts`, of the problem that a group of variables is by itself."""

@@ -14,7 +14,7 @@ from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, bounded, cells_of
 from usdrigui.solve.spots import Places, crowded
-from usdrigui.solve.sweeps import swept, work_of
+from usdrigui.solve.sweeps import Sweeps, work_of
 from usdrigui.solve.watch import Watch
 
 PHASES = 10
@@ -23,7 +23,7 @@ FEWEST_PHASES, PER_PHASE = 3, 100
 """The least number of phases, and entries of the pool for which there is one more."""
 STEPS = 15
 """Steps of prices in a phase."""
-SEARCH_EVERY = 5
+SEARCH_EVERY = 8
 """Steps between two searches for crowded cells."""
 IN_PLAY = 2000
 """Entries that the ascent works on at most."""
@@ -31,11 +31,11 @@ FEWEST = 3
 """Entries in play of a variable, at least: the cheapest."""
 SOFT = 0.33
 """Softness at first, in shares of what is missing per variable and table."""
-WARM = 0.45
+WARM = 1.0
 """The same where there are prices already."""
 COOLER, COOLED = 0.8, 8
 """Where too many entries would be in play, the first softness is lowered by this, so many times at most."""
-COOLING = 0.18
+COOLING = 0.25
 """Share of the first softness that is left at the end."""
 WIDTH = 6.0
 """Entries this many softnesses above the cheapest, for each of its variable's tables, are in play."""
@@ -74,15 +74,17 @@ def tightened(
 
 def _raised(dual: Dual, cut: float, watch: Watch) -> float:
     """Sweep while that raises the bound; the bound."""
-    before = -np.inf
+    sweeps, before = Sweeps(dual, SWEEPS), -np.inf
     for _ in range(SWEEPS // AT_ONCE):
-        swept(dual, AT_ONCE)
+        sweeps.go(AT_ONCE)
         watch.spend(work_of(dual, AT_ONCE))
-        bound = dual.bound()
+        bound = sweeps.bound()
         if bound - before < AT_ONCE * GAINED * (cut - bound):
             break
         before = bound
-    return bound
+    sweeps.hand_over()
+    dual.sweep()
+    return dual.bound()
 
 
 def _proposed(

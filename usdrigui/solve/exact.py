@@ -61,7 +61,10 @@ def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, watc
     incumbent.construct()
     incumbent.search(ROUGH_TRIES * len(problem.variables))
     chosen = rough[incumbent.chosen]
-    kept = np.union1d(in_play(labels, incumbent.cost), chosen)
+    wanted = np.zeros(len(labels.label), dtype=bool)
+    wanted[in_play(labels, incumbent.cost)] = True
+    wanted[chosen] = True
+    kept = np.flatnonzero(wanted)
     labels = selected(labels, kept)
     incumbent = Incumbent(problem, labels, forbidden, watch)
     incumbent.start_from(np.searchsorted(kept, chosen))

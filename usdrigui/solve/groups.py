@@ -136,7 +136,7 @@ def _joined(label: Indices, clashes: list[tuple[float, int, int]], most: int) ->
 
 def _groups(label: Indices) -> list[tuple[int, ...]]:
     """Groups of two variables or more."""
-    found = [tuple(np.flatnonzero(label == each).tolist()) for each in np.unique(label)]
+    found = [tuple(np.flatnonzero(label == each).tolist()) for each in np.flatnonzero(np.bincount(label))]
     return [each for each in found if len(each) > 1]
 
 

@@ -21,7 +21,12 @@ def planned(residual: Residual, parts: Indices) -> float:
     two rounds, with what prices link in both, and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
     linked = BYTES_PER_PRICED * residual.dual.size if residual.priced else 0
-    return (linked + max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES)) / 2**20
+    return (linked + _of_pairs(pairs)) / 2**20
+
+
+def planned_at_worst(entries: int) -> float:
+    """MiB needed for so many entries if every two of them are near."""
+    return _of_pairs(entries**2 // 2) / 2**20
 
 
 def planned_for_prices(residual: Residual) -> float:
@@ -29,3 +34,7 @@ def planned_for_prices(residual: Residual) -> float:
     pairs = sum(len(each.first) for each in residual.near)
     links = min(PAIRS, len(residual.pool.cost) ** 2 // 2)
     return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + HELD_BYTES) / 2**20
+
+
+def _of_pairs(pairs: int) -> int:
+    return max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES)

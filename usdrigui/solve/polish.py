@@ -11,7 +11,7 @@ import itertools
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices
+from usdrigui.model import Flags, Floats, Indices
 from usdrigui.solve.search import Part
 
 RUNS = 12
@@ -33,10 +33,11 @@ def polished(part: Part, seed: int) -> tuple[Indices, float]:
     """The best solution found in a few runs: one entry (index into the part) per variable, and its cost."""
     generator = np.random.default_rng(seed)
     across = part.matrix + part.matrix.T
+    in_the_way = np.maximum.reduceat(across, part.start[:-1], axis=1) > 0
     least = np.minimum.reduceat(part.costs, part.start[:-1])
     best, cost = np.empty(0, dtype=np.int64), np.inf
     for _ in range(RUNS):
-        chosen, value = _run(part, across, least, generator)
+        chosen, value = _run(part, across, in_the_way, least, generator)
         if abs(value - cost) <= SAME:
             break
         if value < cost:
@@ -44,13 +45,16 @@ def polished(part: Part, seed: int) -> tuple[Indices, float]:
     return best, part.value(best)
 
 
-def _run(part: Part, across: Floats, least: Floats, generator: np.random.Generator) -> tuple[Indices, float]:
+def _run(
+    part: Part, across: Floats, in_the_way: Flags, least: Floats, generator: np.random.Generator
+) -> tuple[Indices, float]:
+    """A run; `in_the_way` (n, variables) tells which entries cost anything for some entry of each variable."""
     first = np.array([low + part.costs[low:high].argmin() for low, high in itertools.pairwise(part.start)])
     here, costs = _descended(part, across, first, part.costs + across[first].sum(axis=0))
     value = best_value = _value(part, here, costs)
     best, best_costs = here, costs
     for _ in range(TRIES * len(part.variables)):
-        group = _group(part, across, least, here, costs, generator)
+        group = _group(in_the_way, least, here, costs, generator)
         new, new_costs = _put_back(part, across, here, costs, group, generator)
         new, new_costs = _descended(part, across, new, new_costs)
         new_value = _value(part, new, new_costs)
@@ -68,16 +72,14 @@ def _value(part: Part, chosen: Indices, costs: Floats) -> float:
     return part.constant + 0.5 * float(part.costs[chosen].sum() + costs[chosen].sum())
 
 
-def _group(
-    part: Part, across: Floats, least: Floats, chosen: Indices, costs: Floats, generator: np.random.Generator
-) -> Indices:
+def _group(in_the_way: Flags, least: Floats, chosen: Indices, costs: Floats, generator: np.random.Generator) -> Indices:
     """Variables to take out together: one that pays much, and some that stand where it wants to."""
     pays = np.maximum(costs[chosen] - least, 0.0) + PAYING
     drawn = np.cumsum(pays)
     seed = int(np.searchsorted(drawn, generator.random() * drawn[-1], side="right"))
-    wanted = across[part.start[seed] : part.start[seed + 1]][:, chosen].max(axis=0)
-    wanted[seed] = 0.0
-    rivals = generator.permutation(np.flatnonzero(wanted > 0))
+    wanted = in_the_way[chosen, seed]
+    wanted[seed] = False
+    rivals = generator.permutation(np.flatnonzero(wanted))
     return np.append(seed, rivals[: int(generator.integers(2, MOST + 1))])
 
 
@@ -85,16 +87,19 @@ def _put_back(
     part: Part, across: Floats, chosen: Indices, costs: Floats, group: Indices, generator: np.random.Generator
 ) -> tuple[Indices, Floats]:
     """The group's variables chosen anew one after another, nearly the cheapest each."""
-    chosen, costs = chosen.copy(), costs - across[chosen[group]].sum(axis=0)
+    chosen, costs = chosen.copy(), costs.copy()
+    for taken in chosen[group]:
+        costs -= across[taken]
     for variable in generator.permutation(group):
         low, high = part.start[variable], part.start[variable + 1]
         chosen[variable] = low + (costs[low:high] + generator.exponential(NOISE, high - low)).argmin()
-        costs = costs + across[chosen[variable]]
+        costs += across[chosen[variable]]
     return chosen, costs
 
 
 def _descended(part: Part, across: Floats, chosen: Indices, costs: Floats) -> tuple[Indices, Floats]:
-    """The solution after the moves of single variables that gain most; `costs` (n,) are against the others chosen."""
+    """The solution after the moves of single variables that gain most; `costs` (n,), against the others chosen, are
+    kept up to date in place."""
     chosen = chosen.copy()
     while True:
         gains = costs[chosen] - np.minimum.reduceat(costs, part.start[:-1])
@@ -103,5 +108,6 @@ def _descended(part: Part, across: Floats, chosen: Indices, costs: Floats) -> tu
             return chosen, costs
         low, high = part.start[at], part.start[at + 1]
         new = low + int(costs[low:high].argmin())
-        costs = costs + across[new] - across[chosen[at]]
+        costs += across[new]
+        costs -= across[chosen[at]]
         chosen[at] = new

@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.model import LayoutProblem
-from usdrigui.solve.blocks import Labels, halve, whole
+from usdrigui.solve.blocks import Blocks, Labels, halve, singled, whole
+from usdrigui.solve.groups import LARGEST
 from usdrigui.solve.local_search import Incumbent
+from usdrigui.solve.memory import planned_at_worst
 from usdrigui.solve.pace import Pace
 from usdrigui.solve.pricing import at_better_costs, repriced, without_prices
 from usdrigui.solve.residual import STEP, Residual, bounded_blocks
@@ -18,6 +20,8 @@ from usdrigui.solve.watch import Watch
 
 TRIES = 16
 """Attempts of large-neighbourhood search per variable once the bound rises slowly."""
+ONE_BY_ONE = LARGEST
+"""Labels up to which a problem is not cut into blocks at all."""
 THINNED = 0.8
 """Share of the labels left below which they are bounded again before they are searched."""
 SOLVED = 0.1
@@ -29,9 +33,7 @@ def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watc
 
     `incumbent` holds the best layout known of these labels; it is improved on the way.
     """
-    blocks = whole(labels)
-    for _ in range(3):
-        blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
+    blocks = _first_blocks(labels, watch)
     residual = bounded_blocks(problem, labels, blocks, forbidden, watch)
     pace = Pace()
     while True:
@@ -46,6 +48,16 @@ def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watc
         smaller = bounded_blocks(problem, labels, parts[0], forbidden, watch, examined, parts[1])
         pace = pace.after(residual, examined, smaller, watch.cut)
         residual = smaller
+
+
+def _first_blocks(labels: Labels, watch: Watch) -> Blocks:
+    """A few blocks of every variable, or the labels one by one where there are few."""
+    blocks, count = whole(labels), len(labels.label)
+    if count <= ONE_BY_ONE and planned_at_worst(count) <= watch.settings.memory_limit:
+        return singled(labels, blocks)[0]
+    for _ in range(3):
+        blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
+    return blocks
 
 
 def _examined(

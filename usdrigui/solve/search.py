@@ -148,7 +148,7 @@ class Part:
             reached = np.where(self.linked, label, len(label)).min(axis=1, initial=len(label))
             new = np.minimum(label, reached)
             if (new == label).all():
-                return [np.flatnonzero(label == each) for each in np.unique(label)]
+                return [np.flatnonzero(label == each) for each in np.flatnonzero(label == np.arange(len(label)))]
             label = new
 
     def value(self, chosen: Indices) -> float:

@@ -13,7 +13,7 @@ from usdrigui.solve.blocks import Pool, squared
 NEW = 80
 """Cells found at a time."""
 TRIED = 400
-VIOLATED = 0.04
+VIOLATED = 0.02
 ALIKE = 0.7
 """Share of their mass in common above which two cells count as the same."""
 HANDLE_RADII = (0.4, 0.5, 0.65, 0.9)

@@ -36,10 +36,9 @@ LeastCosts = Callable[["_Visit", Singles, Singles], None]
 def swept(dual: Dual, times: int) -> None:
     """Sweep so many times."""
     if times >= FEWEST and dual.edges:
-        packed = _Packed(dual, _quickest(dual, times))
-        for _ in range(times - 1):
-            packed.sweep()
-        packed.hand_over()
+        gathered = Sweeps(dual, times)
+        gathered.go(times - 1)
+        gathered.hand_over()
         times = 1
     for _ in range(times):
         dual.sweep()
@@ -94,12 +93,12 @@ class _Visit:
     """Entries of the other ends, counted through all variables."""
 
 
-class _Packed:
-    """The multipliers of a dual in one list, and its tables by the order of visits."""
+class Sweeps:
+    """The multipliers of a dual in one list, and its tables by the order of visits; for about so many sweeps."""
 
-    def __init__(self, dual: Dual, least: LeastCosts) -> None:
+    def __init__(self, dual: Dual, times: int) -> None:
         self._dual = dual
-        self._least = least
+        self._least = _quickest(dual, times)
         self._start = _starts([len(each) for each in dual.theta])
         self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
         self._place: dict[tuple[Edge, int], int] = {}
@@ -117,10 +116,16 @@ class _Packed:
             self._given[low : low + len(edge.given[side])] = edge.given[side]
         self._visits = [self._visit_of(variable, ahead) for variable, ahead in turns if ahead]
 
-    def sweep(self) -> None:
-        """One pass over the variables and one back, as `Dual.sweep`."""
-        for visit in self._visits:
-            self._visit(visit)
+    def go(self, times: int) -> None:
+        """So many passes over the variables and back, as `Dual.sweep`."""
+        for _ in range(times):
+            for visit in self._visits:
+                self._visit(visit)
+
+    def bound(self) -> float:
+        """The dual's bound after a sweep, about: a sweep leaves no table with a least cost but 0."""
+        least = np.minimum.reduceat(self._theta, self._start[:-1], dtype=np.float64)
+        return self._dual.constant + float(least.sum())
 
     def hand_over(self) -> None:
         """Give the multipliers to the dual."""
