@@ -14,10 +14,11 @@ from layout_problems import crowd
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import cells, crowding, pricing, reduce, residual_search, solve, splitting
+from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.cells import Cells, Costs, cells_of, inherited, members, no_cells
+from usdrigui.solve.cells import Cells, Costs, cells_of, flags, inherited, members, no_cells
 from usdrigui.solve.crowding import tightened
 from usdrigui.solve.groups import decode
 from usdrigui.solve.spots import places
@@ -108,6 +109,41 @@ def test_prices_raise_the_bound_of_a_crowd(seed: int) -> None:
     assert len(prices.count) > 0
     again, _ = tightened(costs, where, dual, no_cells(), good, optimum, Watch(SolveSettings()))
     assert again.bound() == better.bound()
+
+
+def priced_ascent(seed: int) -> Ascent:
+    """Entries of a crowd in play, at prices of random cells of which some came later and some were dropped."""
+    costs, generator = costs_of(crowd(seed, variables=5, candidates=12)), np.random.default_rng(seed)
+    first, later = random_cells(costs, generator), random_cells(costs, generator)
+    ascent = Ascent(costs, costs.dual(no_cells()), first, np.inf)
+    ascent.play(np.flatnonzero(generator.random(len(costs.pool.cost)) < 0.7))
+    ascent.extend(flags(later, np.arange(len(costs.pool.cost)), len(costs.pool.cost)), later.count)
+    ascent._change(generator.uniform(0, 0.5, len(ascent.price)) * (generator.random(len(ascent.price)) < 0.7))
+    ascent.drop(0.0)
+    ascent.sweep(0.05)
+    return ascent
+
+
+def test_pairs_in_cells_cost_less_by_their_prices() -> None:
+    for seed in range(20):
+        ascent = priced_ascent(seed)
+        member = ascent.member[:, ascent.chosen].astype(np.float64)
+        rebate = np.einsum("ci,cj,c->ij", member, member, ascent.price)
+        apart = ascent.variable[:, None] != ascent.variable
+        costs = ascent.across[:, ascent.chosen] - rebate
+        assert np.allclose(ascent.pairs[apart], costs[apart], atol=1e-5)
+
+
+def test_shares_of_pairs_in_cells_are_those_of_all_pairs() -> None:
+    for seed in range(20):
+        ascent = priced_ascent(seed)
+        share, pairs = ascent.shares(0.05)
+        soft, alone = ascent._entry_shares(0.05)
+        member = ascent.member[:, ascent.chosen].astype(np.float64)
+        both = ascent._held.cells @ ascent._held_shares(soft, 0.05)
+        assert np.array_equal(share, alone)
+        assert both.sum() > 0
+        assert np.allclose(both, np.einsum("ci,cj,ij->c", member, member, pairs), atol=1e-4)
 
 
 def test_cells_are_inherited_by_the_parts_of_their_entries() -> None:

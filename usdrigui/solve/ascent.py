@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +19,7 @@ from numpy.typing import NDArray
 from usdrigui.model import Flags, Floats, Indices, Singles
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.cells import Cells, Costs, flags
-
-if TYPE_CHECKING:
-    from scipy.sparse import csr_array
+from usdrigui.solve.held_pairs import HeldPairs
 
 STEP = 8.0
 """First step of a price, in Newton steps."""
@@ -104,21 +101,18 @@ class Ascent:
         """Costs of the entries in play as the prices are now."""
         self._inside: list[Indices] = []
         """Of each cell, its entries in play."""
-        self._linking = _linking([], len(self.chosen))
-        """(cells, m * m) one for each pair of entries in play inside each cell."""
+        self._held = HeldPairs(self.variable, len(self.start) - 1)
         self._enter(self.member)
-        self.pairs: Singles = self.across[:, self.chosen]
+        self.pairs: Singles = self.across.take(self.chosen, axis=1)
         """(m, m) pair costs of the entries in play, less what prices take off."""
         self._link()
         self._reduce(self.price)
         self._charge()
 
     def _enter(self, member: Flags) -> None:
-        from scipy.sparse import vstack
-
         inside = [np.flatnonzero(each) for each in member[:, self.chosen]]
         self._inside += inside
-        self._linking = vstack([self._linking, _linking(inside, len(self.chosen))], "csr")
+        self._held.enter(inside)
         self._gather()
 
     def _gather(self) -> None:
@@ -133,7 +127,9 @@ class Ascent:
 
     def _reduce(self, price: Floats) -> None:
         """Take prices off the pairs inside the cells."""
-        self.pairs -= (self._linking.T @ price.astype(np.float32)).reshape(self.pairs.shape)
+        less, flat = self._held.cells.T @ price.astype(np.float32), self.pairs.reshape(-1)
+        flat[self._held.above] -= less
+        flat[self._held.below] -= less
 
     def _link(self) -> None:
         """Where the entries of the variables linked to each one are."""
@@ -198,9 +194,7 @@ class Ascent:
     def shares(self, eps: float) -> tuple[Singles, Singles]:
         """(m,) how much of each entry in play the relaxation chooses, and (m, m) of each pair; pairs stand above
         the diagonal blocks, where they are settled after a sweep."""
-        left = self.linear + np.where(self.linked[self.variable], self._mine, np.float32(0)).sum(axis=1)
-        soft = _soft_least(left[None], self.first, eps)[0]
-        share = np.exp((soft[self.variable] - left) / np.float32(eps))
+        soft, share = self._entry_shares(eps)
         pairs = np.zeros_like(self.pairs)
         for variable, (low, high) in enumerate(itertools.pairwise(self.first[:-1])):
             found = self.pairs[low:high, high:] - self._mine[high:, variable]
@@ -212,6 +206,22 @@ class Ascent:
             found[:, apart] = share[low:high, None] * share[high:][apart]
             pairs[low:high, high:] = found
         return share, pairs
+
+    def _entry_shares(self, eps: float) -> tuple[Singles, Singles]:
+        """(variables,) soft least costs and (m,) shares of the entries in play."""
+        left = self.linear + np.where(self.linked[self.variable], self._mine, np.float32(0)).sum(axis=1)
+        soft = _soft_least(left[None], self.first, eps)[0]
+        return soft, np.exp((soft[self.variable] - left) / np.float32(eps))
+
+    def _held_shares(self, soft: Singles, eps: float) -> Singles:
+        """(pairs,) shares of the pairs that cells hold, settled after a sweep: cells link their variables."""
+        held, given = self._held, self._mine.reshape(-1)
+        found = soft[held.variable] - self.pairs.reshape(-1)[held.above]
+        found += given[held.given[0]]
+        found += given[held.given[1]]
+        np.minimum(found, 0.0, out=found)
+        found *= np.float32(1.0 / eps)
+        return np.asarray(np.exp(found, out=found))
 
     # --- prices --------------------------------------------------------------------------------------
 
@@ -235,7 +245,7 @@ class Ascent:
         self.member, self.count, self.price = self.member[kept], self.count[kept], self.price[kept]
         self._step, self._slope = self._step[kept], self._slope[kept]
         self._inside = list(itertools.compress(self._inside, kept))
-        self._linking = self._linking[kept]
+        self._held.drop(kept)
         self._gather()
         self._charge()
 
@@ -243,14 +253,14 @@ class Ascent:
     def work(self) -> int:
         """Nanoseconds or so of a sweep back and a step of prices, with its share of a search for crowded cells."""
         linked = sum(int(self.first[at + 1] - self.first[at]) * len(each) for at, (_, each, _) in enumerate(self._near))
-        return 8 * linked + 16 * len(self.chosen) ** 2 + 14 * int(self._linking.nnz)
+        return 8 * linked + 11 * len(self.chosen) ** 2 + 20 * int(self._held.cells.nnz)
 
     def price_step(self, eps: float) -> None:
         """Raise the prices of crowded cells, lower those of others: a Newton step of each by itself, longer for
         those that keep their direction and shorter for those that turn (M. Riedmiller and H. Braun, 1993)."""
-        share, pairs = self.shares(eps)
+        soft, share = self._entry_shares(eps)
         mass = self._summed(share)
-        both = (self._linking @ pairs.reshape(-1)).astype(np.float64)
+        both = (self._held.cells @ self._held_shares(soft, eps)).astype(np.float64)
         slope = self.count * mass - self.count * (self.count + 1) / 2 - both
         active = (self.price > 0) | (slope > 0)
         others = np.bincount(self._places[active[self._owner]], minlength=len(share))
@@ -266,16 +276,6 @@ class Ascent:
         self._reduce(price - self.price)
         self.price = price
         self._charge()
-
-
-def _linking(inside: Sequence[Indices], size: int) -> csr_array:
-    """(cells, size * size) one for each pair of the entries inside each cell."""
-    from scipy.sparse import csr_array
-
-    pairs = [(each[:, None] * size + each).ravel() for each in inside]
-    at = np.concatenate([np.empty(0, dtype=np.int64), *pairs]).astype(np.int32)
-    start = np.concatenate([[0], np.cumsum([len(each) for each in pairs])]).astype(np.int32)
-    return csr_array((np.ones(len(at), dtype=np.float32), at, start), (len(inside), size**2))
 
 
 def _soft_least(values: Singles, first: Indices, eps: float) -> Singles:

@@ -83,6 +83,6 @@ def likely_solution(residual: Residual, watch: Watch) -> Indices:
     first[order[start[:-1]]] = True
     likely = np.argsort(np.where(first, -np.inf, residual.room), kind="stable")[: max(LARGEST, residual.pool.count)]
     part = residual.costs.part(np.sort(likely))
-    watch.spend(polish.RUNS * polish.TRIES * len(part.variables) * len(part.costs) // 8)
+    watch.spend(polish.RUNS * polish.TRIES * len(part.variables) * len(part.costs) // 12)
     chosen, _value = polish.polished(part, watch.settings.seed)
     return part.entries[chosen]
