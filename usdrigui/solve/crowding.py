@@ -64,9 +64,7 @@ def tightened(
     bound = dual.bound()
     if cut - bound <= 0 or watch.stopped():
         return dual, cells
-    other, ascent = _proposed(costs, where, dual, cells, solution, cut - bound, watch)
-    new = costs.dual(other)
-    ascent.hand_over(new)
+    new, other = _proposed(costs, where, dual, cells, solution, cut - bound, watch)
     if not _raised(new, cut, watch) > bound:  # not a number proves nothing
         return dual, cells
     return new, other
@@ -74,6 +72,12 @@ def tightened(
 
 def _raised(dual: Dual, cut: float, watch: Watch) -> float:
     """Sweep while that raises the bound; the bound."""
+    _swept_while_worth_it(dual, cut, watch)
+    dual.sweep()
+    return dual.bound()
+
+
+def _swept_while_worth_it(dual: Dual, cut: float, watch: Watch) -> None:
     sweeps, before = Sweeps(dual, SWEEPS), -np.inf
     for _ in range(SWEEPS // AT_ONCE):
         sweeps.go(AT_ONCE)
@@ -83,14 +87,12 @@ def _raised(dual: Dual, cut: float, watch: Watch) -> float:
             break
         before = bound
     sweeps.hand_over()
-    dual.sweep()
-    return dual.bound()
 
 
 def _proposed(
     costs: Costs, where: Places, dual: Dual, cells: Cells, solution: Indices, missing: float, watch: Watch
-) -> tuple[Cells, Ascent]:
-    """Cells and multipliers likely to give a better bound than `dual`, whose prices are those of `cells`."""
+) -> tuple[Dual, Cells]:
+    """A dual with other prices, likely to give a better bound than `dual` with those of `cells` once it is swept."""
     ascent = Ascent(costs, dual, cells, DEAR * missing)
     warm = len(cells.count) > 0
     softness = (WARM if warm else SOFT) * missing / (len(dual.theta) + len(dual.edges))
@@ -113,7 +115,10 @@ def _proposed(
             break
     kept = ascent.price > TINY
     members = [np.flatnonzero(each) for each in ascent.member[kept]]
-    return bounded(cells_of(members, ascent.count[kept], ascent.price[kept])), ascent
+    other = bounded(cells_of(members, ascent.count[kept], ascent.price[kept]))
+    new = costs.dual(other)
+    ascent.hand_over(new)
+    return new, other
 
 
 def _width(ascent: Ascent, eps: float) -> float:

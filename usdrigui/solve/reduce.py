@@ -22,6 +22,8 @@ TRIES = 16
 """Attempts of large-neighbourhood search per variable once the bound rises slowly."""
 ONE_BY_ONE = LARGEST
 """Labels up to which a problem is not cut into blocks at all."""
+HANDFUL = 100
+"""Labels left up to which they are searched at once: a better layout first would save less than it takes to find."""
 THINNED = 0.8
 """Share of the labels left below which they are bounded again before they are searched."""
 SOLVED = 0.1
@@ -89,7 +91,8 @@ def _as_one_problem(
     labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
 ) -> Residual:
     """Better prices where there are any, and a search of all that is left."""
-    incumbent.improve_from(residual.representatives(labels, likely_solution(residual, watch)))
+    if residual.alive(watch.cut).sum() > HANDFUL:
+        incumbent.improve_from(residual.representatives(labels, likely_solution(residual, watch)))
     if residual.priced and pace.stuck:
         residual = repriced(residual, residual.entries_of(incumbent.chosen), radius, watch)
     return searched(at_better_costs(residual, watch), watch)
