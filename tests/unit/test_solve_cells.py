@@ -13,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, crowding, pricing, reduce, residual_search, solve, splitting
+from usdrigui.solve import cells, crowding, pricing, reduce, residual_search, solve, splitting, spots
 from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
@@ -144,6 +144,15 @@ def test_shares_of_pairs_in_cells_are_those_of_all_pairs() -> None:
         assert np.array_equal(share, alone)
         assert both.sum() > 0
         assert np.allclose(both, np.einsum("ci,cj,ij->c", member, member, pairs), atol=1e-4)
+
+
+def test_shares_too_thin_to_crowd_anything_get_no_prices(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(spots, "SUPPORT", 1.5)
+    problem = crowd(1, variables=5, candidates=24)
+    costs = costs_of(problem)
+    dual, good = costs.dual(no_cells()), costs.pool.start[:-1]
+    _, prices = tightened(costs, places(costs.pool, 3.0), dual, no_cells(), good, 0.0, Watch(SolveSettings()))
+    assert len(prices.count) == 0
 
 
 def test_cells_are_inherited_by_the_parts_of_their_entries() -> None:

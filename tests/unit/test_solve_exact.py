@@ -348,12 +348,39 @@ def test_work_limit_is_reproducible() -> None:
     assert [each.figures for each in first.steps] == [each.figures for each in second.steps]
 
 
-@pytest.mark.parametrize(("memory", "single"), [(1024, True), (100, False)])
-def test_few_labels_are_not_cut_into_blocks_where_memory_allows(memory: int, single: bool) -> None:
-    labels = all_labels(crowd(3, variables=5, candidates=30))
-    blocks = reduce._first_blocks(labels, Watch(replace(HIGHS, memory_limit=memory)))
+def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
+    """Elements that are drawn more than once, as pairs are."""
+    return replace(
+        problem,
+        variables=tuple(
+            replace(each, samples=each.samples.repeat(copies, axis=1), handles=each.handles.repeat(copies, axis=1))
+            for each in problem.variables
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("copies", "limits", "single"),
+    [
+        (1, {}, True),
+        (3, {}, False),
+        (1, {"memory_limit": 200}, False),
+        (1, {"work_limit": 1_000_000}, False),
+        (1, {"time_limit": 5.0}, False),
+    ],
+)
+def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
+    labels = all_labels(with_copies(crowd(3, variables=5, candidates=300), copies))
+    blocks = reduce._first_blocks(labels, Watch(replace(HIGHS, **limits)))
     assert (blocks.sizes.max() == 1) == single
     assert np.sort(blocks.members).tolist() == list(range(len(labels.label)))
+
+
+def test_work_ends_near_its_limit() -> None:
+    for copies, limit in ((1, 300_000), (2, 1_000_000)):
+        found = solve(with_copies(crowd(7, variables=12, candidates=150), copies), replace(HIGHS, work_limit=limit))
+        assert found.status == "stopped"
+        assert dict(found.steps[-1].figures)["work"] < 1.5 * limit
 
 
 def test_memory_is_planned_before_it_is_spent() -> None:

@@ -104,7 +104,7 @@ class Ascent:
         self._held = HeldPairs(self.variable, len(self.start) - 1)
         self._enter(self.member)
         self.pairs: Singles = self.across.take(self.chosen, axis=1)
-        """(m, m) pair costs of the entries in play, less what prices take off."""
+        """(m, m) pair costs of the entries in play, less what prices take off; changed as a flat list."""
         self._link()
         self._reduce(self.price)
         self._charge()
@@ -217,8 +217,8 @@ class Ascent:
         """(pairs,) shares of the pairs that cells hold, settled after a sweep: cells link their variables."""
         held, given = self._held, self._mine.reshape(-1)
         found = soft[held.variable] - self.pairs.reshape(-1)[held.above]
-        found += given[held.given[0]]
-        found += given[held.given[1]]
+        found += given[held.multipliers[0]]
+        found += given[held.multipliers[1]]
         np.minimum(found, 0.0, out=found)
         found *= np.float32(1.0 / eps)
         return np.asarray(np.exp(found, out=found))

@@ -32,7 +32,7 @@ FEWEST = 3
 SOFT = 0.33
 """Softness at first, in shares of what is missing per variable and table."""
 WARM = 1.0
-"""The same where there are prices already."""
+"""The same where there are prices already: about as soft, since a third as much is missing."""
 COOLER, COOLED = 0.8, 8
 """Where too many entries would be in play, the first softness is lowered by this, so many times at most."""
 COOLING = 0.25

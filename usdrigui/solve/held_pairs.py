@@ -10,13 +10,13 @@ from usdrigui.model import Flags, Indices
 
 
 class HeldPairs:
-    """The pairs of entries in play, of different variables, that some cell holds."""
+    """The pairs of entries in play, of different variables, that some cell holds or held."""
 
-    def __init__(self, variable: Indices, variables: int) -> None:
+    def __init__(self, variable_of: Indices, variables: int) -> None:
         from scipy.sparse import csr_array  # a tenth of a second, for those who price spots
 
-        size = len(variable)
-        self._of, self._variables = variable, variables
+        size = len(variable_of)
+        self._variable_of, self._variables = variable_of, variables
         self._number = np.full(size**2, -1, dtype=np.int32)
         """(m * m,) number of each pair, first entry before the second; -1 of those in no cell."""
         none = np.empty(0, dtype=np.int64)
@@ -24,7 +24,7 @@ class HeldPairs:
         """(pairs,) where the pair stands in a matrix of all, flat: above the diagonal and below."""
         self.variable = none
         """(pairs,) of the first entry."""
-        self.given = (none, none)
+        self.multipliers = (none, none)
         """(pairs,) each: where in (m, variables) flat the multipliers of the two entries stand, each with the other's
         variable."""
         self.cells = csr_array((0, 0), dtype=np.float32)
@@ -48,17 +48,23 @@ class HeldPairs:
         self.cells = csr_array((ones, columns, rows), (len(rows) - 1, len(self.above)))
 
     def drop(self, kept: Flags) -> None:
-        """Forget the other cells."""
+        """Forget the other cells; their pairs stay, with what was taken off them."""
         self.cells = self.cells[kept]
 
     def _pairs(self, inside: Indices) -> Indices:
-        variable = self._of[inside]
-        return np.asarray((inside[:, None] * len(self._of) + inside)[variable[:, None] < variable])
+        variable = self._variable_of[inside]
+        return np.asarray((inside[:, None] * len(self._variable_of) + inside)[variable[:, None] < variable])
 
     def _append(self, new: Indices) -> None:
-        first, second = np.divmod(new, len(self._of))
+        first, second = np.divmod(new, len(self._variable_of))
         self.above = np.concatenate([self.above, new])
-        self.below = np.concatenate([self.below, second * len(self._of) + first])
-        self.variable = np.concatenate([self.variable, self._of[first]])
-        given = (first * self._variables + self._of[second], second * self._variables + self._of[first])
-        self.given = (np.concatenate([self.given[0], given[0]]), np.concatenate([self.given[1], given[1]]))
+        self.below = np.concatenate([self.below, second * len(self._variable_of) + first])
+        self.variable = np.concatenate([self.variable, self._variable_of[first]])
+        found = (
+            first * self._variables + self._variable_of[second],
+            second * self._variables + self._variable_of[first],
+        )
+        self.multipliers = (
+            np.concatenate([self.multipliers[0], found[0]]),
+            np.concatenate([self.multipliers[1], found[1]]),
+        )

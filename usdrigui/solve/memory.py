@@ -5,6 +5,7 @@ from __future__ import annotations
 from usdrigui.model import Indices
 from usdrigui.solve.cells import BYTES_PER_PAIR as BYTES_PER_LINK
 from usdrigui.solve.cells import PAIRS
+from usdrigui.solve.crowding import FEWEST, IN_PLAY
 from usdrigui.solve.residual import Residual
 from usdrigui.solve.search import HELD_BYTES
 
@@ -12,6 +13,8 @@ BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys and tables while those of two rounds are held."""
 BYTES_PER_TABLED = 105
 """Of one in near pairs and tables alone."""
+BYTES_PER_PLAYING, BYTES_PER_SETTLED = 12, 8
+"""Of a pair of entries in play, and of one with any entry, while prices are looked for."""
 BYTES_PER_PRICED = 24
 """Of an entry of the tables of priced costs, while those of two rounds are held."""
 
@@ -24,16 +27,19 @@ def planned(residual: Residual, parts: Indices) -> float:
     return (linked + _of_pairs(pairs)) / 2**20
 
 
-def planned_at_worst(entries: int) -> float:
-    """MiB needed for so many entries if every two of them are near."""
-    return _of_pairs(entries**2 // 2) / 2**20
+def planned_for_pairs(pairs: int) -> float:
+    """MiB needed for so many near pairs of elements."""
+    return _of_pairs(pairs) / 2**20
 
 
 def planned_for_prices(residual: Residual) -> float:
-    """MiB needed to price the residual's entries: its own tables, and those of all pairs that prices may link."""
-    pairs = sum(len(each.first) for each in residual.near)
-    links = min(PAIRS, len(residual.pool.cost) ** 2 // 2)
-    return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + HELD_BYTES) / 2**20
+    """MiB needed to price the residual's entries: its own tables, those of all pairs that prices may link, and what
+    entries in play cost each other and everyone else, twice."""
+    pairs, entries = sum(len(each.first) for each in residual.near), len(residual.pool.cost)
+    links = min(PAIRS, entries**2 // 2)
+    playing = min(entries, max(IN_PLAY, FEWEST * residual.pool.count))
+    ascent = playing * (BYTES_PER_PLAYING * playing + BYTES_PER_SETTLED * entries)
+    return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + max(HELD_BYTES, ascent)) / 2**20
 
 
 def _of_pairs(pairs: int) -> int:

@@ -61,6 +61,8 @@ def crowded(ascent: Ascent, where: Places, eps: float, exchanges: int) -> tuple[
     """
     share, pairs = ascent.shares(eps)
     support = np.flatnonzero(share > SUPPORT)
+    if not len(support):  # spread thinly over hundreds of alike entries: nothing is crowded
+        return np.zeros((0, len(ascent.costs.pool.cost)), dtype=bool), []
     share, pairs = _rounded(share[support]), _rounded(pairs[np.ix_(support, support)])
     pairs += pairs.T
     sets, family, centre = _candidates(ascent, where, support, share)

@@ -94,11 +94,14 @@ class _Visit:
 
 
 class Sweeps:
-    """The multipliers of a dual in one list, and its tables by the order of visits; for about so many sweeps."""
+    """The multipliers of a dual in one list, and its tables by the order of visits.
 
-    def __init__(self, dual: Dual, times: int) -> None:
+    The number of sweeps `expected` tells whether compiled loops pay.
+    """
+
+    def __init__(self, dual: Dual, expected: int) -> None:
         self._dual = dual
-        self._least = _quickest(dual, times)
+        self._least = _quickest(dual, expected)
         self._start = _starts([len(each) for each in dual.theta])
         self._theta: Singles = np.concatenate(dual.theta).astype(np.float32)
         self._place: dict[tuple[Edge, int], int] = {}
@@ -192,7 +195,7 @@ def _tables(costs: Singles, rows: Indices, height: Indices, width: Indices) -> l
     edges = zip(itertools.pairwise(height.tolist()), itertools.pairwise(width.tolist()), strict=True)
     for (top, end), (left, right) in edges:
         size = (end - top) * (right - left)
-        found.append((costs[at : at + size].reshape(end - top, -1), rows[top:end], slice(left, right)))
+        found.append((costs[at : at + size].reshape(end - top, right - left), rows[top:end], slice(left, right)))
         at += size
     return found
 
