@@ -85,10 +85,10 @@ def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest
 
 
 def layouts(problem: LayoutProblem, labels: Labels) -> tuple[np.ndarray, np.ndarray]:
-    """(n, count) every choice of labels (pool indices) of a small problem, and (n,) what it costs."""
+    """(n, count) choices of labels (pool indices) of a small problem, up to 500, and (n,) what each costs."""
     ends = itertools.pairwise(labels.pool.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
-    every = every[:: max(1, len(every) // 500)]
+    every = every[:: max(1, len(every) // 250)]
     return every, np.array([total_cost(problem, labels.label[each]) for each in every])
 
 

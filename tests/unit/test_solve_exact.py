@@ -179,13 +179,13 @@ def by_prices(monkeypatch: pytest.MonkeyPatch, problem: LayoutProblem) -> None:
 
 
 def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(5)]
+    problems = [crowd(seed, 4, 20) for seed in range(3)]
     by_prices(monkeypatch, problems[0])
     assert overstated(problems, monkeypatch, 300_000) == 0
 
 
 def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(5)]
+    problems = [crowd(seed, 4, 20) for seed in range(3)]
     by_prices(monkeypatch, problems[0])
     honest = residual_search._left
 
