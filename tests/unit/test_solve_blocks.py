@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -22,10 +23,11 @@ def usable(problem: LayoutProblem) -> bool:
     return all(np.isfinite(each) for each in all_labels(problem).best)
 
 
-def problems() -> list[LayoutProblem]:
+@cache
+def problems() -> tuple[LayoutProblem, ...]:
     drawn = [random_problem(seed) for seed in range(60)] + [crowd(seed, 4, 12) for seed in range(5)]
     drawn += [replace(each, overlap=Overlap(5.0, 0.2, 20.0, 0.6, 0.15), separation=0.1) for each in drawn[-5:]]
-    return [each for each in drawn if usable(each)]
+    return tuple(each for each in drawn if usable(each))
 
 
 def watch() -> Watch:
@@ -84,17 +86,19 @@ def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest
     assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
-def layouts(problem: LayoutProblem, labels: Labels) -> tuple[np.ndarray, np.ndarray]:
-    """(n, count) choices of labels (pool indices) of a small problem, up to 500, and (n,) what each costs."""
+@cache
+def layouts(problem: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
+    """(n, count) choices of labels (pool indices) of a small problem, up to 1000, and (n,) what each costs."""
+    labels = all_labels(problem)
     ends = itertools.pairwise(labels.pool.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
-    every = every[:: max(1, len(every) // 250)]
+    every = every[:: max(1, len(every) // 500)]
     return every, np.array([total_cost(problem, labels.label[each]) for each in every])
 
 
 def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     labels = all_labels(problem)
-    every, costs = layouts(problem, labels)
+    every, costs = layouts(problem)
     limit = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
     kept = in_play(labels, limit - taken_off)
     return int((costs[~np.isin(every, kept).all(axis=1)] < limit).sum())
@@ -127,7 +131,7 @@ def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     """How many layouts below a cut-off use labels that were thinned out, by the blocks' true bounds."""
     labels = all_labels(problem)
     found = parts(labels, 1)
-    every, costs = layouts(problem, labels)
+    every, costs = layouts(problem)
     block_of = np.empty(len(labels.label), dtype=np.int64)
     block_of[found.members] = np.repeat(np.arange(len(found.variable)), found.sizes)
     least = np.minimum.reduceat(labels.pool.cost[found.members], found.start[:-1])

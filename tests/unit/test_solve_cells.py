@@ -13,7 +13,7 @@ from layout_problems import crowd
 
 from usdrigui.model import LayoutProblem
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import cells, crowding, pricing, reduce, residual_search, solve, splitting, spots
+from usdrigui.solve import cells, crowding, pricing, residual_search, solve, splitting, spots
 from usdrigui.solve.ascent import Ascent
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import all_labels, block_pool, singles
@@ -167,7 +167,7 @@ def test_stopped_ascent_keeps_an_honest_bound(blocks: bool, monkeypatch: pytest.
     problem = crowd(2, variables=5, candidates=50)
     optimum = solve(problem, SolveSettings()).cost
     if blocks:
-        monkeypatch.setattr(reduce, "ONE_BY_ONE", 0)
+        monkeypatch.setattr(splitting, "ONE_BY_ONE", 0)
     for limit in (30_000, 100_000, 300_000):
         found = solve(problem, replace(SolveSettings(), work_limit=limit))
         assert found.bound <= optimum + 1e-9

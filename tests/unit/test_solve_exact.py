@@ -149,7 +149,7 @@ def by_groups(monkeypatch: pytest.MonkeyPatch, labels: int = 0) -> None:
 
 def by_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Small problems are cut into blocks first, as large ones are."""
-    monkeypatch.setattr(reduce, "ONE_BY_ONE", 0)
+    monkeypatch.setattr(splitting, "ONE_BY_ONE", 0)
 
 
 def random_problems() -> list[LayoutProblem]:
@@ -179,13 +179,13 @@ def by_prices(monkeypatch: pytest.MonkeyPatch, problem: LayoutProblem) -> None:
 
 
 def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(3)]
+    problems = [crowd(seed, 4, 20) for seed in range(5)]
     by_prices(monkeypatch, problems[0])
     assert overstated(problems, monkeypatch, 300_000) == 0
 
 
 def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(3)]
+    problems = [crowd(seed, 4, 20) for seed in range(5)]
     by_prices(monkeypatch, problems[0])
     honest = residual_search._left
 
@@ -371,7 +371,7 @@ def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
 )
 def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
     labels = all_labels(with_copies(crowd(3, variables=5, candidates=300), copies))
-    blocks = reduce._first_blocks(labels, Watch(replace(HIGHS, **limits)))
+    blocks = splitting.first_blocks(labels, Watch(replace(HIGHS, **limits)))
     assert (blocks.sizes.max() == 1) == single
     assert np.sort(blocks.members).tolist() == list(range(len(labels.label)))
 

@@ -24,12 +24,12 @@ def planned(residual: Residual, parts: Indices) -> float:
     two rounds, with what prices link in both, and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
     linked = BYTES_PER_PRICED * residual.dual.size if residual.priced else 0
-    return (linked + _of_pairs(pairs)) / 2**20
+    return linked / 2**20 + planned_for_pairs(pairs)
 
 
 def planned_for_pairs(pairs: int) -> float:
     """MiB needed for so many near pairs of elements."""
-    return _of_pairs(pairs) / 2**20
+    return max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES) / 2**20
 
 
 def planned_for_prices(residual: Residual) -> float:
@@ -40,7 +40,3 @@ def planned_for_prices(residual: Residual) -> float:
     playing = min(entries, max(IN_PLAY, FEWEST * residual.pool.count))
     ascent = playing * (BYTES_PER_PLAYING * playing + BYTES_PER_SETTLED * entries)
     return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + max(HELD_BYTES, ascent)) / 2**20
-
-
-def _of_pairs(pairs: int) -> int:
-    return max(BYTES_PER_PAIR * pairs, BYTES_PER_TABLED * pairs + HELD_BYTES)

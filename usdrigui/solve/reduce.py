@@ -4,28 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from usdrigui.model import LayoutProblem
-from usdrigui.solve.blocks import Blocks, Labels, halve, singled, whole
-from usdrigui.solve.groups import LARGEST
+from usdrigui.solve.blocks import Labels
 from usdrigui.solve.local_search import Incumbent
-from usdrigui.solve.memory import planned_for_pairs
 from usdrigui.solve.pace import Pace
 from usdrigui.solve.pricing import at_better_costs, repriced, without_prices
 from usdrigui.solve.residual import STEP, Residual, bounded_blocks
 from usdrigui.solve.residual_search import few_enough, grouped, likely_solution, searched
-from usdrigui.solve.splitting import few_labels, split
+from usdrigui.solve.splitting import few_labels, first_blocks, split
 from usdrigui.solve.watch import Watch
 
 TRIES = 16
 """Attempts of large-neighbourhood search per variable once the bound rises slowly."""
-ONE_BY_ONE = LARGEST
-"""Labels up to which a problem is not cut into blocks at all."""
-FIRST_LOOK = 0.25
-"""Share of the work and time left that the first look at all of those may take."""
-PAIRS_A_SECOND = 200_000
-"""Pairs of elements that a slow machine looks at."""
 HANDFUL = 100
 """Labels left up to which they are searched at once: a better layout first would save less than it takes to find."""
 THINNED = 0.8
@@ -39,7 +29,7 @@ def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watc
 
     `incumbent` holds the best layout known of these labels; it is improved on the way.
     """
-    blocks = _first_blocks(labels, watch)
+    blocks = first_blocks(labels, watch)
     residual = bounded_blocks(problem, labels, blocks, forbidden, watch)
     pace = Pace()
     while True:
@@ -54,26 +44,6 @@ def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watc
         smaller = bounded_blocks(problem, labels, parts[0], forbidden, watch, examined, parts[1])
         pace = pace.after(residual, examined, smaller, watch.cut)
         residual = smaller
-
-
-def _first_blocks(labels: Labels, watch: Watch) -> Blocks:
-    """A few blocks of every variable, or the labels one by one where there are few."""
-    blocks = whole(labels)
-    if len(labels.label) <= ONE_BY_ONE and _affordable_at_once(labels, watch):
-        return singled(labels, blocks)[0]
-    for _ in range(3):
-        blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
-    return blocks
-
-
-def _affordable_at_once(labels: Labels, watch: Watch) -> bool:
-    """Whether all pairs of elements can be looked at within the limits, should every two of different variables be
-    near."""
-    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
-    elements = np.bincount(labels.pool.variable[owners])
-    pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
-    in_time = pairs <= FIRST_LOOK * min(watch.work_left, PAIRS_A_SECOND * watch.seconds_left)
-    return in_time and planned_for_pairs(pairs) <= watch.settings.memory_limit
 
 
 def _examined(

@@ -1,19 +1,36 @@
-"""Which blocks of a residual are split, and into what: halves, or all their labels."""
+"""Which blocks there are at first, which of a residual are split, and into what: halves, or all their labels."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from usdrigui.model import Flags, Indices
-from usdrigui.solve.blocks import Blocks, Labels, halve, member_slack, singled, thinned
-from usdrigui.solve.memory import planned
+from usdrigui.solve.blocks import Blocks, Labels, halve, member_slack, singled, thinned, whole
+from usdrigui.solve.groups import LARGEST
+from usdrigui.solve.memory import planned, planned_for_pairs
 from usdrigui.solve.residual import Residual
 from usdrigui.solve.watch import Watch
 
+ONE_BY_ONE = LARGEST
+"""Labels up to which a problem is not cut into blocks at all."""
+FIRST_LOOK = 0.25
+"""Share of the work and time left that the first look at all of those may take."""
+PAIRS_A_SECOND = 200_000
+"""Pairs of elements that a slow machine looks at."""
 FEW_LABELS = 20000
 """Labels left in blocks from which on they are looked at one by one."""
 SINGLED = 0.5
 """Share of the pairs of two blocks' labels that are near, at most, when blocks are small enough to be frustrated."""
+
+
+def first_blocks(labels: Labels, watch: Watch) -> Blocks:
+    """A few blocks of every variable, or the labels one by one where there are few."""
+    blocks = whole(labels)
+    if len(labels.label) <= ONE_BY_ONE and _affordable_at_once(labels, watch):
+        return singled(labels, blocks)[0]
+    for _ in range(3):
+        blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
+    return blocks
 
 
 def split(labels: Labels, residual: Residual, share: float, watch: Watch) -> tuple[Blocks, Indices] | None:
@@ -43,6 +60,16 @@ def few_labels(labels: Labels, residual: Residual, watch: Watch) -> bool:
     left = member_slack(labels, residual.blocks, watch.cut - residual.room) >= 0
     sizes = np.add.reduceat(left, residual.blocks.start[:-1], dtype=np.int64)
     return bool(sizes.sum() <= FEW_LABELS and SINGLED * planned(residual, sizes) <= watch.settings.memory_limit)
+
+
+def _affordable_at_once(labels: Labels, watch: Watch) -> bool:
+    """Whether all pairs of elements can be looked at within the limits, should every two of different variables be
+    near."""
+    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
+    elements = np.bincount(labels.pool.variable[owners])
+    pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
+    in_time = pairs <= FIRST_LOOK * min(watch.work_left, PAIRS_A_SECOND * watch.seconds_left)
+    return in_time and planned_for_pairs(pairs) <= watch.settings.memory_limit
 
 
 def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) -> Flags | None:
