@@ -35,6 +35,7 @@ from usdrigui.solve import (
 )
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
+from usdrigui.solve.memory import planned_for_prices
 from usdrigui.solve.residual import Residual, bounded_blocks
 from usdrigui.solve.search import Part
 from usdrigui.solve.watch import Watch
@@ -225,6 +226,19 @@ def test_prices_are_not_looked_for_with_too_little_work_left_for_them_to_cool() 
     priced = pricing.repriced(replace(residual, pricing=watch.work_left), solution, problem.overlap.radius, watch)
     assert priced.priced
     assert 0 < priced.pricing < 1_000_000
+
+
+def test_what_prices_link_already_counts_when_more_are_planned() -> None:
+    problem = crowd(1, variables=8, candidates=100)
+    watch = Watch(HIGHS)
+    labels = all_labels(problem)
+    residual = bounded_blocks(problem, labels, singles(labels), forbidden_price(problem, labels), watch)
+    watch.found("test", cost=solve(problem, HIGHS).cost)
+    solution = residual.pool.start[:-1] + residual.chosen
+    watch.settings = replace(HIGHS, memory_limit=int(planned_for_prices(residual)) + 1)
+    priced = pricing.repriced(residual, solution, problem.overlap.radius, watch)
+    assert priced.priced
+    assert pricing.repriced(priced, solution, problem.overlap.radius, watch) is priced
 
 
 def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:

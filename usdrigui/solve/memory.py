@@ -23,8 +23,7 @@ def planned(residual: Residual, parts: Indices) -> float:
     """MiB needed when every block is replaced by so many parts: near pairs, their keys while sorted, the tables of
     two rounds, with what prices link in both, and the matrices of a search."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in residual.near)
-    linked = BYTES_PER_PRICED * residual.dual.size if residual.priced else 0
-    return linked / 2**20 + planned_for_pairs(pairs)
+    return _linked(residual) / 2**20 + planned_for_pairs(pairs)
 
 
 def planned_for_pairs(pairs: int) -> float:
@@ -39,4 +38,10 @@ def planned_for_prices(residual: Residual) -> float:
     links = min(PAIRS, entries**2 // 2)
     playing = min(entries, max(IN_PLAY, FEWEST * residual.pool.count))
     ascent = playing * (BYTES_PER_PLAYING * playing + BYTES_PER_SETTLED * entries)
-    return (BYTES_PER_TABLED * pairs + BYTES_PER_LINK * links + max(HELD_BYTES, ascent)) / 2**20
+    tables = BYTES_PER_TABLED * pairs + _linked(residual)
+    return (tables + BYTES_PER_LINK * links + max(HELD_BYTES, ascent)) / 2**20
+
+
+def _linked(residual: Residual) -> int:
+    """Bytes of the tables of priced costs that there are."""
+    return BYTES_PER_PRICED * residual.dual.size if residual.priced else 0
