@@ -10,6 +10,7 @@ from usdrigui.solve.assignment import assignment, forbidden_price
 from usdrigui.solve.blocks import Labels, all_labels, cheapest, halve, in_play, selected, whole
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.reduce import reduce
+from usdrigui.solve.splitting import affordable_at_once
 from usdrigui.solve.watch import Watch
 
 HALVINGS = 6
@@ -51,7 +52,20 @@ def solve_whole(problem: LayoutProblem, watch: Watch) -> Assignment:
 
 
 def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> tuple[Labels, Incumbent]:
-    """A good layout, and the labels that a better one may use.
+    """A good layout, and the labels that a better one may use."""
+    if affordable_at_once(labels, watch):
+        incumbent = Incumbent(problem, labels, forbidden, watch)
+        incumbent.construct()
+    else:
+        labels, chosen = _roughly(problem, labels, forbidden, watch)
+        incumbent = Incumbent(problem, labels, forbidden, watch)
+        incumbent.start_from(chosen)
+    incumbent.search(TRIES * len(problem.variables))
+    return labels, incumbent
+
+
+def _roughly(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> tuple[Labels, Indices]:
+    """The labels that a layout better than a rough one may use, and those among them that the rough one chooses.
 
     What a label costs against all others is dear to work out where there are many, so a layout of few labels, far
     apart, comes first: it rules out most of the others by their linear costs alone.
@@ -65,11 +79,7 @@ def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, watc
     wanted[in_play(labels, incumbent.cost)] = True
     wanted[chosen] = True
     kept = np.flatnonzero(wanted)
-    labels = selected(labels, kept)
-    incumbent = Incumbent(problem, labels, forbidden, watch)
-    incumbent.start_from(np.searchsorted(kept, chosen))
-    incumbent.search(TRIES * len(problem.variables))
-    return labels, incumbent
+    return selected(labels, kept), np.searchsorted(kept, chosen)
 
 
 def _cheapest_places(labels: Labels) -> Indices:

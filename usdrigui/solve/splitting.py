@@ -26,11 +26,23 @@ SINGLED = 0.5
 def first_blocks(labels: Labels, watch: Watch) -> Blocks:
     """A few blocks of every variable, or the labels one by one where there are few."""
     blocks = whole(labels)
-    if len(labels.label) <= ONE_BY_ONE and _affordable_at_once(labels, watch):
+    if affordable_at_once(labels, watch):
         return singled(labels, blocks)[0]
     for _ in range(3):
         blocks, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
     return blocks
+
+
+def affordable_at_once(labels: Labels, watch: Watch) -> bool:
+    """Whether labels are few, and all pairs of elements can be looked at within the limits, should every two of
+    different variables be near."""
+    if len(labels.label) > ONE_BY_ONE:
+        return False
+    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
+    elements = np.bincount(labels.pool.variable[owners])
+    pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
+    in_time = pairs <= FIRST_LOOK * min(watch.work_left, PAIRS_A_SECOND * watch.seconds_left)
+    return in_time and planned_for_pairs(pairs) <= watch.settings.memory_limit
 
 
 def split(labels: Labels, residual: Residual, share: float, watch: Watch) -> tuple[Blocks, Indices] | None:
@@ -60,16 +72,6 @@ def few_labels(labels: Labels, residual: Residual, watch: Watch) -> bool:
     left = member_slack(labels, residual.blocks, watch.cut - residual.room) >= 0
     sizes = np.add.reduceat(left, residual.blocks.start[:-1], dtype=np.int64)
     return bool(sizes.sum() <= FEW_LABELS and SINGLED * planned(residual, sizes) <= watch.settings.memory_limit)
-
-
-def _affordable_at_once(labels: Labels, watch: Watch) -> bool:
-    """Whether all pairs of elements can be looked at within the limits, should every two of different variables be
-    near."""
-    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
-    elements = np.bincount(labels.pool.variable[owners])
-    pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
-    in_time = pairs <= FIRST_LOOK * min(watch.work_left, PAIRS_A_SECOND * watch.seconds_left)
-    return in_time and planned_for_pairs(pairs) <= watch.settings.memory_limit
 
 
 def _affordable(residual: Residual, alive: Flags, share: float, watch: Watch) -> Flags | None:
