@@ -58,7 +58,7 @@ def _examined(
         incumbent.search(TRIES * residual.pool.count)
     if few_enough(residual, watch.cut):
         alive = residual.alive(watch.cut)
-        if alive.sum() < THINNED * len(alive):
+        if HANDFUL < alive.sum() < THINNED * len(alive):
             return residual
         residual = _as_one_problem(labels, residual, watch, pace, radius, incumbent)
     elif residual.exact or (residual.frustrated(watch.cut) and not few_labels(labels, residual, watch)):
