@@ -92,6 +92,17 @@ def test_a_left_handed_mesh_is_turned_over(tmp_path):
     assert glyph_of(tmp_path, text).indices.tolist() == [2, 1, 0]
 
 
+def test_faces_of_a_mirrored_glyph_look_up_all_the_same(tmp_path):
+    mirror = '{\n double3 xformOp:scale = (-1, 1, 1)\n uniform token[] xformOpOrder = ["xformOp:scale"]'
+    straight, mirrored = glyph_of(tmp_path, ARROW), glyph_of(tmp_path, ARROW.replace("{", mirror, 1))
+
+    def up(glyph):
+        a, b, c = glyph.points[glyph.indices]
+        return np.sign(np.cross(b - a, c - a)[2])
+
+    assert up(straight) == up(mirrored) != 0
+
+
 def test_a_prim_of_the_asset_itself(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda")
     layer = Sdf.Layer.FindOrOpen(str(source))

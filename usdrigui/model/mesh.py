@@ -22,6 +22,7 @@ class RigMesh(Record):
     face_indices: Indices
     """Local point indices."""
     left_handed: bool
+    """Whether faces turn clockwise seen from outside *in root space*: a mirroring transform turns them round."""
     visible: bool
     """False when the visibility or the purpose hides it from a default render."""
     subdivision: str

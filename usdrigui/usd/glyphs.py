@@ -18,6 +18,7 @@ from usdrigui.errors import RigUIError, refuse
 from usdrigui.model import Floats, Glyph, Indices
 from usdrigui.settings import Settings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
+from usdrigui.usd.mesh import left_handed
 from usdrigui.usd.source import admit
 from usdrigui.usd.stage import open_stage
 
@@ -95,7 +96,7 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
 
 def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
     """The points as seen from above, in a sphere of radius 1 about the origin."""
-    to_world = np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim), dtype=np.float64)
+    to_world = _to_world(prim)
     up = "Z" if UsdGeom.GetStageUpAxis(prim.GetStage()) == UsdGeom.Tokens.z else "Y"
     axes = np.array(_TOP_VIEW[up], dtype=np.float64)
     seen = (points @ to_world[:3, :3]) @ axes.T
@@ -106,6 +107,10 @@ def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
     if radius <= 1e-12 * float(np.abs(seen).max()):
         raise refuse("GLYPH_EMPTY", path, "all its points are at one place")
     return np.asarray(centred / radius, dtype=np.float64)
+
+
+def _to_world(prim: Usd.Prim) -> Floats:
+    return np.array(UsdGeom.XformCache().GetLocalToWorldTransform(prim), dtype=np.float64)
 
 
 def _points(gprim: UsdGeom.PointBased, path: str) -> Floats:
@@ -125,7 +130,7 @@ def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
     if not len(counts) or counts.min() < 3 or counts.sum() != len(indices):
         raise refuse("TOPOLOGY_INVALID", path, f"{len(counts)} faces with {len(indices)} corners")
     check_range(indices, len(points), path, "faceVertexIndices")
-    if mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded:
+    if left_handed(mesh, _to_world(mesh.GetPrim())[:3, :3]):
         indices = np.concatenate([face[::-1] for face in np.split(indices, np.cumsum(counts)[:-1])])
     return points, counts, indices
 

@@ -82,7 +82,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
     if mesh.GetPointsAttr().GetNumTimeSamples() > 1 or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1:
         found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}"))
     shapes = read_shapes(prim, binding, len(points), found)
-    skin = _skin(binding, len(points), path, frames.time, found)
+    skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
     if binding is not None and prim.IsInstanceProxy():
         raise refuse("INSTANCE", path, "a deforming mesh lies inside an instance")
     return RigMesh(
@@ -90,15 +90,29 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         points=points,
         face_counts=counts,
         face_indices=indices,
-        left_handed=mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded,
+        left_handed=left_handed(mesh, _linear_to_root(binding, skin, to_root)),
         visible=_visible(mesh, frames.time),
         subdivision=str(mesh.GetSubdivisionSchemeAttr().Get()),
-        to_root=frames.to_root(prim),
+        to_root=to_root,
         skin=skin,
         shapes=shapes,
         topology_hash=topology_hash(len(points), counts, indices),
         subsets=_subsets(mesh, counts, indices, len(points)),
     )
+
+
+def left_handed(mesh: UsdGeom.Mesh, linear: Floats) -> bool:
+    """Whether faces turn clockwise seen from outside, once a (3, 3) `linear` map in row-vector form is applied to the
+    points: as its orientation says, and the other way round where the map mirrors."""
+    authored = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
+    return bool(authored != (np.linalg.det(linear) < 0.0))
+
+
+def _linear_to_root(binding: Binding | None, skin: Skin | None, to_root: Floats) -> Floats:
+    """(3, 3) what takes the mesh's points to root space in the bind pose: a skinned mesh goes by its Skeleton."""
+    if skin is None or binding is None:
+        return to_root[:3, :3]
+    return np.asarray(skin.geom_bind[:3, :3] @ binding.armature.record.to_root[:3, :3], dtype=np.float64)
 
 
 def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int) -> tuple[Subset, ...]:
