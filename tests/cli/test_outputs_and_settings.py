@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import skinned_stages
-from pxr import Usd
+from pxr import Sdf, Usd
 
 from usdrigui.cli import main
 
@@ -55,6 +55,20 @@ def test_a_file_of_the_character_is_not_replaced(sample, capsys):
     assert main(["process", str(sample), "--bare", "-o", str(geometry), *QUICK]) == 3
     assert "FILE_TARGET" in capsys.readouterr().err
     assert geometry.read_bytes() == before
+
+
+def test_the_layout_of_another_file_of_that_name_is_not_replaced(character, capsys):
+    other = character.with_suffix(".usdc")
+    Sdf.Layer.FindOrOpen(str(character)).Export(str(other))
+    assert main(["process", str(character), *QUICK[1:]]) == 0
+    layout = character.with_name(character.stem + ".rigui.usda")
+    before = layout.read_bytes()
+    assert main(["process", str(other), *QUICK[1:]]) == 3
+    assert f"is the layout of {character.name}, not of {other.name}" in capsys.readouterr().err
+    assert layout.read_bytes() == before
+    assert main(["process", str(other), "-o", str(layout), *QUICK[1:]]) == 0, "who names it means it"
+    other.rename(other.with_name("old.usdc"))
+    assert main(["process", str(character), *QUICK[1:]]) == 0, "nor is it missed by a source that is gone"
 
 
 def test_a_layer_of_somebody_else_is_not_replaced(character, capsys):

@@ -52,7 +52,7 @@ def process(
         source = read_rigs_isolated(asset, settings)
         _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
         if not dry_run:
-            check_replaceable(target, settings)
+            check_replaceable(target, settings, asset if output is None else None)
         heeded = read_examples(examples or ExampleLayers(), settings)
     heeded, characters = followed(heeded, source.rigs)
     rigs = rigs_over(heeded, characters)

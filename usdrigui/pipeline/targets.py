@@ -43,18 +43,23 @@ def check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
 
 
-def check_replaceable(target: Path, settings: Settings) -> None:
+def check_replaceable(target: Path, settings: Settings, asset: Path | None = None) -> None:
     """What stands at the target must be a layout layer: nobody's own work is replaced by a slip of the hand.
 
-    Raises FILE_TARGET.
+    With `asset`, whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and
+    ``char.usda`` share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
     """
     if not target.is_file() or not target.stat().st_size:
         return
     try:
-        read_layouts_isolated(target, settings)
+        standing = read_layouts_isolated(target, settings)
     except RigUIError as error:
         if error.issue.code == "LAYOUT_MISSING" or error.issue.code.startswith("FILE_NOT"):
             raise refuse("FILE_TARGET", str(target), "exists and is no layout layer") from error
+        return
+    source = Path(standing.source)
+    if asset is not None and source.is_file() and not source.samefile(asset):
+        raise refuse("FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}")
 
 
 def make_folder(target: Path) -> None:
