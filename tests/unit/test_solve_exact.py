@@ -35,6 +35,7 @@ from usdrigui.solve import (
 )
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
+from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.memory import planned_for_prices
 from usdrigui.solve.residual import Residual, bounded_blocks
 from usdrigui.solve.search import Part
@@ -303,6 +304,16 @@ def test_infeasible_names_the_variables() -> None:
     )
     with pytest.raises(RigUIError, match=r"SOLVE_INFEASIBLE.*v0, v1, v2"):
         solve(replace(problem, variables=forced), HIGHS)
+
+
+def test_infeasible_problems_are_told_at_once_however_their_bound_is_rounded() -> None:
+    problem = random_problem(5000453, 6, 8)  # its bound ended one unit of rounding below what is never allowed
+    with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
+        solve(problem, ENUMERATE)
+    spent = Watch(replace(HIGHS, work_limit=10**6))
+    with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
+        solve_whole(problem, spent)
+    assert spent.work < 10**4
 
 
 def test_no_candidate_and_no_place_beside_is_refused() -> None:

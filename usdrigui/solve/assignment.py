@@ -25,6 +25,14 @@ def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
     return float(1.0 + spread.sum() + overlaps + explicit)
 
 
+def allowed_below(least: float, forbidden: float) -> float:
+    """What every allowed layout costs less than and every other one more, clear of rounding: the two are 1 apart.
+
+    `least` is the sum of the least linear costs.
+    """
+    return least + forbidden - 0.5
+
+
 def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str) -> Assignment:
     """The record of a solution, its cost worked out by the objective itself.
 

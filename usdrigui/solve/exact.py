@@ -6,7 +6,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, Indices, LayoutProblem
-from usdrigui.solve.assignment import assignment, forbidden_price
+from usdrigui.solve.assignment import allowed_below, assignment, forbidden_price
 from usdrigui.solve.blocks import Labels, all_labels, cheapest, halve, in_play, selected, whole
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.reduce import reduce
@@ -34,7 +34,7 @@ def solve_whole(problem: LayoutProblem, watch: Watch) -> Assignment:
         watch.found("local search", cost=0.0, bound=0.0)
         return assignment(problem, labels, labels.label, watch, "highs")
     forbidden = forbidden_price(problem, labels)
-    watch.ceiling = float(labels.best.sum()) + forbidden
+    watch.ceiling = allowed_below(float(labels.best.sum()), forbidden)
     watch.found("linear costs", bound=float(labels.best.sum()))
     count = len(labels.label)
     labels, incumbent = _first_layout(problem, labels, forbidden, watch)

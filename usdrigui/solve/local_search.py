@@ -13,6 +13,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.solve.assignment import allowed_below
 from usdrigui.solve.blocks import ALL, Labels, Pool, pair_bounds, squared
 from usdrigui.solve.watch import Watch
 
@@ -257,7 +258,7 @@ def _cost(state: State, forbidden: float) -> float:
     """The total, or +inf when it must contain a forbidden pair."""
     total = state.total()
     least = float(np.minimum.reduceat(state.pool.cost, state.pool.start[:-1]).sum())
-    return total if total < least + forbidden else np.inf
+    return total if total < allowed_below(least, forbidden) else np.inf
 
 
 def insert(state: State, order: Iterable[int]) -> None:
