@@ -12,6 +12,10 @@ from usdrigui.settings.parts import Settings
 _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
     {
         "read.joint_min_degrees": (0.0, 360.0),
+        "read.time_limit": (0.0, 1e9),
+        "read.memory_limit": (1, 2**40),
+        "read.size_limit": (0, 2**40),
+        "trajectories.noise": (0.0, 1.0),
         "trajectories.tolerance": (1e-9, 1.0),
         "trajectories.max_samples": (2, 1025),
         "trajectories.tiny": (0.0, 1.0),
@@ -37,6 +41,7 @@ _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
         "objective.handle_size": (1e-4, 1.0),
         "objective.handle_least": (1e-4, 1.0),
         "objective.handle_crowd": (0.0, 1e6),
+        "objective.beside_price": (-1e6, 1e6),
         "objective.keep_price": (0.0, 1e6),
         "solve.gap": (0.0, 1.0),
         "solve.threads": (0, 1024),
@@ -47,13 +52,16 @@ _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
         "solve.sample": (1e-6, 1.0),
         "solve.seed": (0, 2**62),
         "output.min_track": (0.0, 1e6),
+        "like.price": (0.0, 1e6),
         "animation.weight": (0.0, 1.0),
         "animation.together": (0.0, 1.0),
     }
 )
 """Least and largest value of each number; what lies outside has no meaning and would only fail later."""
-_MOST_IMPORTANT = 100.0
-"""Largest importance of a control."""
+_OF_CONTROLS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
+    {"importance": (0.0, 100.0), "within": (0.0, 1e6), "glyph_size": (0.0, 1e6)}
+)
+"""The same for the numbers of a control's table."""
 _VIEWS = ("", "front", "side")
 """Views with names; others are a camera's prim path, or two angles."""
 
@@ -69,9 +77,11 @@ def check_bounds(settings: Settings) -> None:
         if not least <= value <= largest:
             raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
     for name, said in settings.controls.items():
-        if said.importance is not None and not 0.0 <= said.importance <= _MOST_IMPORTANT:
-            what = f"expected 0 to {_MOST_IMPORTANT:g}, got {said.importance:g}"
-            raise refuse("CONFIG_VALUE", f'controls."{name}".importance', what)
+        for key, (least, largest) in _OF_CONTROLS.items():
+            value = getattr(said, key)
+            if value is not None and not least <= value <= largest:
+                what = f"expected {least:g} to {largest:g}, got {value:g}"
+                raise refuse("CONFIG_VALUE", f'controls."{name}".{key}', what)
 
 
 def view_angles(view: str) -> tuple[float, float]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import sys
 import types
 import typing
 from collections.abc import Mapping
@@ -82,11 +84,11 @@ def _table(value: Any, path: str) -> Mapping[str, Any]:
 
 def _scalar(hint: Any, value: Any, path: str) -> Any:
     if hint is float and isinstance(value, int) and not isinstance(value, bool):
-        value = float(value)
+        value = float(value) if abs(value) <= sys.float_info.max else math.inf
     if not isinstance(value, hint) or (hint is not bool and isinstance(value, bool)):
         raise refuse("CONFIG_VALUE", path, f"expected {hint.__name__}, got {value!r}")
-    if hint is float and value != value:
-        raise refuse("CONFIG_VALUE", path, "expected a number, got nan")
+    if hint is float and not math.isfinite(value):
+        raise refuse("CONFIG_VALUE", path, f"expected a number, got {value}")
     return value
 
 
