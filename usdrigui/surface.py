@@ -12,9 +12,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components, dijkstra
+from scipy.sparse.csgraph import connected_components
 
-from usdrigui.model import Flags, Floats, Indices, RigMesh
+from usdrigui.model import Floats, Indices, RigMesh
 
 
 def triangles(face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False) -> Indices:
@@ -132,29 +132,9 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices | None = 
 
 def components(corners: Indices, places: Indices) -> Indices:
     """``(n,)`` number of the connected piece of surface that each point belongs to, over welded points."""
-    graph = _graph(edges(corners, places), None, len(places))
+    graph = _graph(edges(corners, places), len(places))
     _, labels = connected_components(graph, directed=False)
     return np.asarray(labels[places], dtype=np.int64)
-
-
-def surface_distances(points: Floats, corners: Indices, places: Indices, sources: ArrayLike, limit: float) -> Floats:
-    """``(n,)`` length of the shortest way along edges to the nearest of `sources`; inf beyond `limit`."""
-    pairs = edges(corners, places)
-    lengths = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-    graph = _graph(pairs, np.maximum(lengths, 1e-300), len(points))
-    starts = np.unique(places[np.atleast_1d(np.asarray(sources, dtype=np.int64))])
-    found = dijkstra(graph, directed=False, indices=starts, limit=limit, min_only=True)
-    return np.asarray(found[places], dtype=np.float64)
-
-
-def boundary(corners: Indices, places: Indices) -> Flags:
-    """``(n,)`` True where a point lies on an edge of one triangle only (over welded points)."""
-    welded = places[corners]
-    pairs = np.sort(np.concatenate([welded[:, [0, 1]], welded[:, [1, 2]], welded[:, [2, 0]]]), axis=1)
-    found, count = np.unique(pairs, axis=0, return_counts=True)
-    flags = np.zeros(len(places), dtype=bool)
-    flags[found[count == 1]] = True
-    return np.asarray(flags[places], dtype=bool)
 
 
 def _doubled_normals(points: Floats, corners: Indices) -> Floats:
@@ -192,7 +172,6 @@ def _row_keys(cells: Indices) -> Indices:
     return keys
 
 
-def _graph(pairs: Indices, lengths: Floats | None, count: int) -> csr_array:
-    weights = np.ones(len(pairs)) if lengths is None else lengths
+def _graph(pairs: Indices, count: int) -> csr_array:
     first, second = pairs.astype(np.int32).T  # the only index type that every graph routine of scipy takes
-    return csr_array((weights, (first, second)), shape=(count, count))
+    return csr_array((np.ones(len(pairs)), (first, second)), shape=(count, count))

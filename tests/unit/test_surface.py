@@ -80,25 +80,9 @@ def test_edges_cross_seams_only_by_place():
     assert len(set(surface.components(corners, places))) == 1
 
 
-def test_surface_distance_walks_over_the_seam_up_to_the_limit():
-    points, corners = split_strip()
-    places = surface.weld(points)
-    found = surface.surface_distances(points, corners, places, 0, 10.0)
-    assert found[5] == pytest.approx(2.0)
-    assert found[4] == found[1] == pytest.approx(1.0)
-    assert np.isinf(surface.surface_distances(points, corners, places, 0, 1.5)[5])
-
-
 def test_areas_sum_to_the_surface_and_fall_to_the_first_point_of_a_place():
     points, corners = split_strip()
     places = surface.weld(points)
     area = surface.point_areas(points, corners, places)
     assert area.sum() == pytest.approx(2.0)
     assert area[[4, 7]].tolist() == [0.0, 0.0]
-
-
-def test_boundary_is_where_one_triangle_ends():
-    points, corners = split_strip()
-    closed = np.array([[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])
-    assert surface.boundary(corners, surface.weld(points)).all()
-    assert not surface.boundary(closed, np.arange(4)).any()
