@@ -10,7 +10,7 @@ from pxr import Sdf, Usd, UsdUtils
 from usdrigui.cli import main
 from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
-from usdrigui.usd.attach import attach, detach
+from usdrigui.usd.attach import attach, detach, write_bare
 
 
 @pytest.fixture(scope="module")
@@ -35,6 +35,14 @@ def refusal(asset, layer):
         attach(asset, layer, Settings())
     assert (asset.read_bytes() if asset.is_file() else b"") == before
     return caught.value.issue.code
+
+
+def test_a_layer_does_not_lose_its_sublayers_to_its_own_copy(folder):
+    layer = folder / "char.rigui.usda"
+    before = layer.read_bytes()
+    with pytest.raises(RigUIError, match="FILE_TARGET"):
+        write_bare(layer, folder / "ui" / ".." / layer.name)
+    assert layer.read_bytes() == before
 
 
 def layouts(path):
