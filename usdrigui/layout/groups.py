@@ -31,6 +31,8 @@ _SINGLE_SHARED = 0.9
 """The same for an axis and a single control."""
 _ACROSS = 0.4
 """Largest cosine of the directions of two axes of a joystick."""
+_ALIKE = 0.1
+"""Least amount of one axis of a joystick in shares of the other's: no drag could aim at a far lesser one."""
 
 
 @dataclass(frozen=True)
@@ -200,6 +202,8 @@ class _Grouping:
 
     def joysticks(self, axes: list[_Merged], free: set[int]) -> list[_Merged]:
         """The axes, joined two by two where they share a region and cross; or joined with a single control."""
+        if not self.context.settings.groups.opposed:
+            return []
         left = list(axes)
         singles = free - {i for axis in axes for i in axis.motions}
         swinging = [_Merged((i,), ((0,),), "") for i in sorted(singles & set(self.context.both_ways))]
@@ -224,7 +228,7 @@ class _Grouping:
                 if not self.may_share((*first.motions, *second.motions)):
                     continue
                 shared, across = self._crossing(first, second)
-                if shared >= least and across <= _ACROSS:
+                if shared >= least and across <= _ACROSS and self._match(first, second):
                     names = sorted(self.names[i] for i in (*first.motions, *second.motions))
                     ranked.append((-round(shared * (1.0 - across) * self._flatness(second), 9), names, first, second))
         return [(first, second) for _, _, first, second in sorted(ranked, key=lambda each: each[:2])]
@@ -234,6 +238,15 @@ class _Grouping:
         table = self.context.affinity
         pick = np.ix_(first.motions, second.motions)
         return float(table.shared[pick].min()), float(np.abs(table.direction[pick]).max())
+
+    def _match(self, first: _Merged, second: _Merged) -> bool:
+        """Whether two axes are of like amount, and of one joint if joints turn both: a joystick poses one thing."""
+        amounts = [max(float(self.context.affinity.norm[i]) for i in axis.motions) for axis in (first, second)]
+        motions = self.context.trajectories.motions
+        controls = [self.context.rig.controls[motions[i].control] for i in (*first.motions, *second.motions)]
+        by_joints = all(each.kind == "joint" for each in controls)
+        joints = {joint for each in controls for joint in each.drive.joints.tolist()} if by_joints else set()
+        return min(amounts) >= _ALIKE * max(amounts) and len(joints) <= 1
 
     def _flatness(self, axis: _Merged) -> float:
         """How far an axis runs along the surface rather than out of it: what a drag on a screen can follow."""

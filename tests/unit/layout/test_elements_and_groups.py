@@ -11,7 +11,7 @@ import pytest
 from usdrigui.errors import RigUIError
 from usdrigui.layout import extensions
 from usdrigui.layout.fans import fan_order
-from usdrigui.layout.groups import suggested_groups
+from usdrigui.layout.groups import find_groups, suggested_groups
 from usdrigui.layout.orbits import orbit_points
 from usdrigui.layout.tracks import gains, resampled
 from usdrigui.model import ExtraPairs
@@ -76,6 +76,36 @@ def test_two_crossing_axes_of_one_region_become_a_joystick():
     stick = groups["lookIn_L", "lookOut_L", "lookDown_L", "lookUp_L"]
     assert (stick.kind, stick.opposed) == ("patch", ((0, 1), (2, 3)))
     assert [names[c] for c in stick.mirror] == ["lookIn_R", "lookOut_R", "lookDown_R", "lookUp_R"]
+
+
+def swinging(lesser=1.0):
+    """Two controls of one region that go to both sides and cross."""
+    shapes = {
+        "across": makers.bump(POINTS, (0.0, 0.6), (1, 0, 0), 0.3, 0.1),
+        "upright": makers.bump(POINTS, (0.0, 0.6), (0, 1, 0), 0.3, 0.1 * lesser),
+    }
+    return makers.rig(POINTS, QUADS, shapes, ranges=dict.fromkeys(shapes, (-1.0, 1.0, 0.0)))
+
+
+def test_controls_that_swing_across_each_other_make_a_joystick_if_opposed_ones_may():
+    assert ("across", "upright") in groups_of(swinging())[0]
+    assert ("across", "upright") not in groups_of(swinging(), groups={"opposed": False})[0]
+
+
+def test_a_far_lesser_axis_makes_no_joystick():
+    assert ("across", "upright") in groups_of(swinging(0.2))[0]
+    assert ("across", "upright") not in groups_of(swinging(0.05))[0]
+
+
+@pytest.mark.parametrize(("turned", "shared"), [((0, 0), True), ((0, 1), False)])
+def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
+    line = chain.posed(swinging(), chain.settings())
+    controls = tuple(
+        replace(each, kind="joint", drive=replace(each.drive, joints=np.array([joint])))
+        for each, joint in zip(line.context.rig.controls, turned, strict=True)
+    )
+    context = replace(line.context, rig=replace(line.context.rig, controls=controls))
+    assert any(len(group.controls) == 2 for group in find_groups(context, line.candidates)) == shared
 
 
 def test_an_axis_takes_a_crossing_single_control():
