@@ -75,8 +75,8 @@ def test_the_characters_left_is_on_the_right_and_blue(front):
 
 
 def test_a_view_of_one_side_shows_that_side(rig, layout):
-    left = render(rig, layout, views=["left"], size=SMALL)
-    right = render(rig, layout, views=["right"], size=SMALL)
+    left = render(rig, layout, views=["left"], size=(960, 600))
+    right = render(rig, layout, views=["right"], size=(960, 600))
     assert len(pixels_like(left, BLUE)) > 3 * len(pixels_like(left, RED))
     assert len(pixels_like(right, RED)) > 3 * len(pixels_like(right, BLUE))
 
@@ -195,9 +195,83 @@ def test_pictures_without_embree_look_the_same(rig, layout, front, monkeypatch):
     assert (apart > 8).mean() < 0.005
 
 
+def crossed(at, ends):
+    """A posed element whose two straight tracks run to the right and up, from the first to the second of `ends`."""
+    axes = np.eye(3)[:2]
+    return replace(at, tracks=tuple(at.rest + np.outer(pair, axis) for pair, axis in zip(ends, axes, strict=True)))
+
+
+@pytest.mark.parametrize(
+    ("ends", "count", "area"),
+    [
+        ([(-0.2, 0.2), (-0.1, 0.1)], 4, 0.08),
+        ([(-0.05, 0.2), (-0.1, 0.3)], 4, 0.1),
+        ([(0.0, 0.2), (-0.1, 0.1)], 2, 0.04),
+        ([(0.0, 0.2), (0.0, 0.1)], 1, 0.02),
+    ],
+)
+def test_signed_axes_span_every_quadrant_once(rig, ends, count, area):
+    layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
+    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], ends)
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    fields = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields
+    assert len(fields) == count
+    assert sum(surface(each) for each in fields) == pytest.approx(area * 100.0**2)
+
+
+def surface(outline):
+    """Area of a closed outline (k, 2)."""
+    x, y = outline.T
+    return 0.5 * abs(float(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+SIDE = np.array([1.0, 0.0, 0.0])
+
+
+def scene_of(rig, layout, views=None):
+    return picture._set_up(rig, layout, evaluate(prepare(rig, layout)), views, (1800, 1000), False)
+
+
+@pytest.mark.parametrize(
+    ("view", "captions"),
+    [
+        ((0, 0, 1), ["front", "three-quarter, character's left", "three-quarter, character's right"]),
+        ((1, 0, 0), ["side, character's left", "three-quarter, character's left", "front"]),
+        ((0, 0, -1), ["back"]),
+        ((0.6, 0, 0.8), ["azimuth 36.9°, elevation 0°", "front", "three-quarter, character's right"]),
+        (
+            (0, 1, 0),
+            ["azimuth 0°, elevation 90°", "three-quarter, character's left", "three-quarter, character's right"],
+        ),
+    ],
+)
+def test_captions_say_from_where_the_layout_is_seen(rig, layout, view, captions):
+    """Whatever view a layout was made for: that comes first, then what shows the same."""
+    scene = scene_of(rig, replace(layout, view=np.array(view, dtype=np.float64)))
+    assert [each.caption for each in scene.panels] == captions
+    assert scene.cameras[0].rows[2] == pytest.approx(view)
+
+
+def test_views_turned_from_the_side_are_captioned_as_what_they_show(rig, layout):
+    scene = scene_of(rig, replace(layout, view=SIDE), ["front", "left", "right"])
+    assert [each.caption for each in scene.panels] == ["side, character's left", "back", "front"]
+
+
+def test_a_frame_holds_the_whole_head_and_no_arm():
+    """Elements in a corner of the face do not cut the head on the other side, nor its crown."""
+    low, high = (np.array(each) for each in ((-0.3, -0.3), (0.3, 0.3)))
+    head = np.array([[-0.5, 0.0], [0.6, 0.0], [0.0, 0.5], [0.0, -0.4]])
+    found_low, found_high = picture._around_head(low, high, (0.8 * low, 0.8 * high), head)
+    assert (found_low < head.min(axis=0)).all()
+    assert (found_high > head.max(axis=0)).all()
+    arms = np.array([[-9.0, 0.0], [9.0, 0.0], [0.0, -9.0]])
+    assert picture._around_head(low, high, (0.8 * low, 0.8 * high), arms) == (pytest.approx(low), pytest.approx(high))
+
+
 def test_patches_and_fans_span_fields_and_axes_do_not(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin"), ("jawLeft", "jawRight"), ("brow_L",)])
-    posed = elements_at(prepare(rig, layout), layout.base_values)
+    posed = list(elements_at(prepare(rig, layout), layout.base_values))
+    posed[0] = crossed(posed[0], [(0.0, 0.1), (0.0, 0.1)])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     depth = np.full((300, 300), -np.inf)
     marks = [overlay.mark(*pair, camera, depth, 0.06) for pair in zip(layout.elements, posed, strict=True)]
@@ -207,7 +281,7 @@ def test_patches_and_fans_span_fields_and_axes_do_not(rig):
 
 def test_a_field_is_the_parallelogram_of_its_members(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
-    at = elements_at(prepare(rig, layout), layout.base_values)[0]
+    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
     outline = overlay.mark(layout.elements[0], at, camera, np.full((300, 300), -np.inf), 0.06).fields[0]
     corner = at.tracks[0][-1] + at.tracks[1][-1] - at.rest

@@ -193,11 +193,15 @@ def _seen(at: Floats, depth: Floats, slack: float) -> Flags:
 
 
 def _fields(posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
-    """Outlines of the parallelograms between members next to each other by angle (paper section 4.2).
+    """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle (paper section 4.2).
 
-    Pairs more than 180 degrees apart, and the two ends of one axis, span nothing.
+    A track that goes both ways from the rest is two arms: two such axes span all four quadrants.  Arms of one
+    track, pairs more than 180 degrees apart, and the two ends of one axis span nothing.
     """
-    arms = [track - posed.rest for track in posed.tracks]
+    halves = [(member, arm) for member, track in enumerate(posed.tracks) for arm in _arms(track - posed.rest)]
+    if not halves:
+        return ()
+    members, arms = [member for member, _ in halves], [arm for _, arm in halves]
     tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
     east = np.cross(posed.normal, np.eye(3)[int(np.argmin(np.abs(posed.normal)))])
     angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
@@ -205,10 +209,30 @@ def _fields(posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
     found = []
     for i, j in zip(order, np.roll(order, -1), strict=True):
         span = (angle[j] - angle[i]) % (2.0 * np.pi)
-        if 1e-3 < span < np.pi - 1e-3:
+        if members[i] != members[j] and 1e-3 < span < np.pi - 1e-3:
             out = np.concatenate([arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]])
             found.append(camera.project(posed.rest + out)[:, :2])
     return tuple(found)
+
+
+def _arms(line: Floats) -> list[Floats]:
+    """A track (k, 3) relative to the rest, cut where it passes the rest: one or two lines that start there.
+
+    Tracks pass the rest at the base value of their control, which need not be one of the vertices.
+    """
+    steps = np.diff(line, axis=0)
+    square = np.maximum((steps**2).sum(axis=1), 1e-300)
+    share = np.clip(-(line[:-1] * steps).sum(axis=1) / square, 0.0, 1.0)
+    nearest = line[:-1] + share[:, None] * steps
+    away, size = np.linalg.norm(nearest, axis=1), float(np.linalg.norm(line, axis=1).max(initial=0.0))
+    if not len(away) or not size > 0.0:
+        return []
+    # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of the second time.
+    piece = int(np.flatnonzero(away <= away.min() + 1e-9 * size)[0])
+    cut = nearest[piece][None]
+    halves = (np.concatenate([cut, line[piece::-1]]), np.concatenate([cut, line[piece + 1 :]]))
+    reaches = [float(np.linalg.norm(half - cut, axis=1).max()) for half in halves]
+    return [half for half, reach in zip(halves, reaches, strict=True) if reach > 1e-6 * size]
 
 
 # --- layers ------------------------------------------------------------------------------------------

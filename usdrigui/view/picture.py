@@ -16,11 +16,19 @@ from PIL import Image, ImageDraw
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
-from usdrigui.view import lettering, overlay, shading
+from usdrigui.view import directions, lettering, overlay, shading
 from usdrigui.view.shading import Body, Camera
 
-VIEWS = {"front": 0.0, "left34": 35.0, "right34": -35.0, "left": 90.0, "right": -90.0, "back": 180.0}
-"""Degrees about the up axis from `Layout.view` toward the character's own left."""
+VIEWS = {
+    "front": 0.0,
+    "left34": directions.TURN,
+    "right34": -directions.TURN,
+    "left": 90.0,
+    "right": -90.0,
+    "back": 180.0,
+}
+"""Degrees about the up axis from `Layout.view` toward the character's own left: ``front`` is the view that the
+layout was made for, whichever that is.  Captions say what is shown."""
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
@@ -29,6 +37,8 @@ _MARGIN = np.array([0.14, 0.20])
 _CROWN, _SIDE = 0.9, 0.1
 """How far above the elements the head may go on beside a board, and the space at its side, in heights of the
 elements' frame."""
+_FAR = 0.6
+"""How far beyond the elements' frame the head may go on to be drawn whole, in heights of that frame."""
 _HEADROOM = 34.0
 """Space above a board that reaches the upper edge, for its heading, in pixels."""
 _LEAST_FRAME = 22.0
@@ -45,15 +55,17 @@ def render(
     rig: Rig,
     layout: Layout,
     values: ArrayLike | None = None,
-    views: Sequence[str] = ("front", "left34", "right34"),
+    views: Sequence[str] | None = None,
     size: tuple[int, int] = (1800, 1000),
     labels: bool = False,
     title: str = "",
 ) -> Image.Image:
     """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels.
 
-    ``values`` (controls,) is the pose, by default the layout's base pose.  Elements beside the face are
-    drawn and named in front views only; ``labels`` names those on the face as well.  Raises RigUIError
+    ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
+    default the view that the layout was made for, and of front and three-quarter views the nearest two that
+    show what it sees.  Elements beside the face are drawn and named in the layout's own view only; ``labels``
+    names those on the face there as well.  Raises RigUIError
     CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
     belong to the rig, POSE_VALUE for a pose that is not one.
     """
@@ -88,10 +100,20 @@ class _Scene:
 
 
 def _set_up(
-    rig: Rig, layout: Layout, posed: PosedLayout, views: Sequence[str], size: tuple[int, int], labels: bool
+    rig: Rig, layout: Layout, posed: PosedLayout, views: Sequence[str] | None, size: tuple[int, int], labels: bool
 ) -> _Scene:
-    skin = _skin(rig, posed)
-    panels = tuple(_framed(layout, posed, skin, rig.up, view, labels) for view in views)
+    """Panels for ``views``, or by default for the layout's own view and its companions."""
+    skin, ahead = _skin(rig, posed), directions.ahead_of(rig, layout)
+    if views is None:
+        shown = [(layout.view, True), *((each, False) for each in directions.companions(layout.view, ahead, rig.up))]
+    else:
+        shown = [(directions.turned(layout.view, rig.up, VIEWS[view]), VIEWS[view] == 0.0) for view in views]
+    panels = tuple(
+        _framed(
+            layout, posed, skin, shading.look(at, rig.up), directions.caption(at, ahead, rig.up), own, own and labels
+        )
+        for at, own in shown
+    )
     cameras, corners = _arranged(panels, size)
     return _Scene(panels, tuple(cameras), tuple(corners))
 
@@ -105,7 +127,7 @@ def _page(
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
         middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
         type_ = lettering.font(13)
-        caption = lettering.cut(_CAPTIONS[panel.view], type_, float(camera.width))
+        caption = lettering.cut(panel.caption, type_, float(camera.width))
         ImageDraw.Draw(page).text(middle, caption, fill=_QUIET, font=type_, anchor="mm")
     _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout, size[0] - 2 * _EDGE))
     _legend(page, layout)
@@ -146,7 +168,8 @@ def contact_sheet(
 class _Framed:
     """What one panel shows, before the scale is known."""
 
-    view: str
+    caption: str
+    """What the view is called."""
     rows: Floats
     low: Floats
     """(2,) lower left corner of the frame along the rows' right and up, scene units."""
@@ -163,9 +186,8 @@ class _Framed:
 # --- arrangement -------------------------------------------------------------------------------------
 
 
-def _check(views: Sequence[str], size: tuple[int, int]) -> None:
-    unknown = [view for view in views if view not in VIEWS]
-    if unknown or not views:
+def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
+    if views is not None and (not views or any(view not in VIEWS for view in views)):
         raise refuse("CONFIG_VALUE", "views", f"expected some of {', '.join(VIEWS)}, got {', '.join(views) or 'none'}")
     if size[0] < 320 or size[1] < 240:
         raise refuse("CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small")
@@ -178,17 +200,18 @@ def _skin(rig: Rig, posed: PosedLayout) -> Floats:
     return np.asarray(points[np.isfinite(points).all(axis=1)])
 
 
-def _framed(layout: Layout, posed: PosedLayout, skin: Floats, up: Floats, view: str, labels: bool) -> _Framed:
-    """The rectangle around the elements, with a margin; with a board also around it and the head between."""
-    angle = np.radians(VIEWS[view])
-    ahead = layout.view - (layout.view @ up) * up
-    left = np.cross(up, ahead)
-    rows = shading.look(np.cos(angle) * layout.view + np.sin(angle) * left, up)
-    beside = VIEWS[view] == 0.0 and any(element.anchor.beside for element in layout.elements)
-    low, high = _extent(layout, posed, rows, False)
+def _framed(
+    layout: Layout, posed: PosedLayout, skin: Floats, rows: Floats, caption: str, own: bool, labels: bool
+) -> _Framed:
+    """The rectangle around the elements and the head (`skin`, (m, 3)), with a margin.
+
+    ``rows`` are those of the camera.  In the layout's ``own`` view the board, if there is one, is in it too.
+    """
+    beside = own and any(element.anchor.beside for element in layout.elements)
+    low, high = bare = _extent(layout, posed, rows, False)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
-    half[0] = max(half[0], (0.85 if view == "front" else 0.72) * half[1])
+    half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
     low, high = middle - half, middle + half
     columns, headroom = (0.0, 0.0), 0.0
     if beside:
@@ -198,11 +221,33 @@ def _framed(layout: Layout, posed: PosedLayout, skin: Floats, up: Floats, view: 
         headroom = _HEADROOM if more[1][1] + pad > high[1] else 0.0
         low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
         columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
-    if labels and view == "front":
+    else:
+        low, high = _around_head(low, high, bare, skin @ rows[:2].T)
+    if labels:
         names = [each.label for each in layout.elements if not each.anchor.beside]
         wide = min(lettering.widest(names), lettering.CALLED) + 16.0
         columns = (columns[0] + wide, columns[1] + wide)
-    return _Framed(view, rows, low, high, beside, columns, headroom, labels and view == "front")
+    return _Framed(caption, rows, low, high, beside, columns, headroom, labels)
+
+
+def _around_head(low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats) -> tuple[Floats, Floats]:
+    """A frame widened to both sides of the head, of points (m, 2), level with the box of the elements, raised to its
+    crown and lowered to its chin.
+
+    A side of which more lies farther off than `_FAR` stays as it is: it is a body, or an arm, and the face would
+    get small.
+    """
+    reach, pad = _FAR * (high - low)[1], _SIDE * (high - low)[1]
+    wide_low, wide_high = low.copy(), high.copy()
+    level = across[(across[:, 1] >= elements[0][1]) & (across[:, 1] <= elements[1][1])]
+    inner = across[(across[:, 0] >= elements[0][0]) & (across[:, 0] <= elements[1][0])]
+    for axis, points in ((0, level), (1, inner)):
+        first, last = points[:, axis].min(initial=elements[0][axis]), points[:, axis].max(initial=elements[1][axis])
+        if first - pad < low[axis] and first > low[axis] - reach:
+            wide_low[axis] = first - pad
+        if last + pad > high[axis] and last < high[axis] + reach:
+            wide_high[axis] = last + pad
+    return wide_low, wide_high
 
 
 def _with_head(low: Floats, high: Floats, across: Floats, board: float) -> tuple[Floats, Floats]:
@@ -277,16 +322,6 @@ def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, ca
     beside = [(element, drawn) for element, drawn in shown if element.anchor.beside]
     lettering.name_beside(picture, beside)
     return picture
-
-
-_CAPTIONS = {
-    "front": "front",
-    "left34": "three-quarter, character's left",
-    "right34": "three-quarter, character's right",
-    "left": "character's left",
-    "right": "character's right",
-    "back": "back",
-}
 
 
 def _developed(shaded: shading.Shaded) -> Image.Image:

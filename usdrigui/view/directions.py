@@ -1,0 +1,82 @@
+"""What the directions from which a character is drawn are called, and which go well together.
+
+Directions are (3,) unit vectors from the character to the viewer, in root space.  Angles are degrees: azimuth
+from where the face looks toward the character's own left, elevation above the horizon.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.facing import front
+from usdrigui.layout.trajectory import trajectories
+from usdrigui.model import Floats, Layout, Rig
+from usdrigui.settings import TrajectorySettings
+
+TURN = 35.0
+"""Azimuth of a three-quarter view."""
+_SAME = 0.5
+"""Views nearer to each other than this are called alike: more than single precision loses, less than one sees."""
+_NAMES = {
+    0.0: "front",
+    TURN: "three-quarter, character's left",
+    -TURN: "three-quarter, character's right",
+    90.0: "side, character's left",
+    -90.0: "side, character's right",
+    180.0: "back",
+}
+"""Of level views, by azimuth."""
+_APART, _BEYOND = 20.0, 90.0
+"""A companion shows something else than the layout's own view, and still what that one sees."""
+
+
+def ahead_of(rig: Rig, layout: Layout) -> Floats:
+    """Where the face looks: level, and found as it was when the layout was made.
+
+    `Layout.view` does not tell: a layout made for the side has the profile there.
+    """
+    return front(rig, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal)
+
+
+def turned(direction: Floats, up: Floats, degrees: float) -> Floats:
+    """The direction turned about the up axis toward the character's own left, as high above the horizon."""
+    level = direction - (direction @ up) * up
+    angle = np.radians(degrees)
+    around = np.cos(angle) * level + np.sin(angle) * np.cross(up, level)
+    return np.asarray(around + (direction @ up) * up)
+
+
+def angles(direction: Floats, ahead: Floats, up: Floats) -> tuple[float, float]:
+    """Azimuth within (-180, 180] and elevation; azimuth 0 straight above and below."""
+    height = float(np.clip(direction @ up, -1.0, 1.0))
+    level = direction - height * up
+    if np.linalg.norm(level) < 1e-6:
+        return 0.0, 90.0 if height > 0.0 else -90.0
+    azimuth = float(np.degrees(np.arctan2(level @ np.cross(up, ahead), level @ ahead)))
+    return (azimuth if azimuth > -180.0 + _SAME else 180.0), float(np.degrees(np.arcsin(height)))
+
+
+def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
+    """What a view is called: by its name where it has one, else by its angles."""
+    azimuth, elevation = angles(direction, ahead, up)
+    if abs(elevation) < _SAME:
+        for at, name in _NAMES.items():
+            if abs(azimuth - at) < _SAME:
+                return name
+    return f"azimuth {_number(azimuth)}°, elevation {_number(elevation)}°"
+
+
+def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ...]:
+    """At most two level views, front and three-quarter, that show what the layout's own view sees, nearest first."""
+    near = []
+    for azimuth in (TURN, -TURN, 0.0):
+        other = turned(ahead, up, azimuth)
+        apart = float(np.degrees(np.arccos(np.clip(direction @ other, -1.0, 1.0))))
+        if _APART < apart < _BEYOND + _SAME:
+            near.append((round(apart, 1), other))
+    return tuple(other for _, other in sorted(near, key=lambda each: each[0])[:2])
+
+
+def _number(degrees: float) -> str:
+    """To a tenth, without a minus before zero."""
+    return f"{round(degrees, 1) + 0.0:g}"
