@@ -71,6 +71,61 @@ def test_the_layout_of_another_file_of_that_name_is_not_replaced(character, caps
     assert main(["process", str(character), *QUICK[1:]]) == 0, "nor is it missed by a source that is gone"
 
 
+def _attached(character):
+    """A copy of the character with its layout attached."""
+    asset = character.with_name("attached.usda")
+    shutil.copy(character, asset)
+    bare = character.with_name("bare.usda")
+    assert main(["process", str(character), "--bare", "-o", str(bare), *QUICK]) == 0
+    assert main(["attach", str(asset), str(bare), "--quiet"]) == 0
+    return asset
+
+
+def _shot(character):
+    """A layer with work of its own over the layout."""
+    shot = character.with_name("shot.usda")
+    shot.write_text('#usda 1.0\n(\n subLayers = [@./char.rigui.usda@]\n)\ndef Xform "work" {}\n')
+    return shot
+
+
+def _corrections(character):
+    corrections = character.with_name("corrections.usda")
+    corrections.write_text("#usda 1.0\n(\n subLayers = [@./char.rigui.usda@]\n)\n")
+    return corrections
+
+
+def _pointer(character):
+    """What a version control leaves where it did not fetch a file."""
+    pointer = character.with_name("pointer.usdc")
+    pointer.write_text("version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 12\n")
+    return pointer
+
+
+@pytest.mark.parametrize("made", [_attached, _shot, _corrections, _pointer])
+def test_what_only_brings_a_layout_in_is_not_replaced(character, capsys, made):
+    assert main(["process", str(character), *QUICK]) == 0
+    mine = made(character)
+    before = mine.read_bytes()
+    capsys.readouterr()
+    assert main(["process", str(character), "-o", str(mine), *QUICK]) == 3
+    assert "FILE_TARGET" in capsys.readouterr().err
+    assert mine.read_bytes() == before
+
+
+def test_a_character_is_not_replaced_by_a_report_or_an_archive(character, capsys):
+    loud = character.with_name("CHAR2.USDA")
+    shutil.copy(character, loud)
+    before = loud.read_bytes()
+    for said in (
+        ["process", str(character), "--report", str(loud), *QUICK],
+        ["blender-extension", str(loud)],
+        ["blender-extension", str(character)],
+    ):
+        assert main(said) == 3, said
+        assert "FILE_TARGET" in capsys.readouterr().err
+    assert loud.read_bytes() == before
+
+
 def test_a_layer_of_somebody_else_is_not_replaced(character, capsys):
     mine = character.with_name("mine.usda")
     mine.write_text('#usda 1.0\ndef Xform "work" {}\n')

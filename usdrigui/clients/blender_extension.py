@@ -13,7 +13,7 @@ from pathlib import Path
 
 import usdrigui
 from usdrigui.errors import refuse
-from usdrigui.usd.safe_write import commit
+from usdrigui.pipeline import write_file
 
 NAME = "usdrigui_controls"
 """Folder in the archive, and the extension's id."""
@@ -42,13 +42,13 @@ def extension_files() -> Mapping[str, bytes]:
 def write_extension(target: Path) -> None:
     """Write the archive that Blender installs, the same bytes every time.
 
-    Raises EXTENSION_MISSING, and OSError codes of writing as every output does.
+    Raises EXTENSION_MISSING, FILE_TARGET for the name of a USD file, and FILE_ codes of writing as every output does.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in sorted(extension_files().items()):
             archive.writestr(zipfile.ZipInfo(f"{NAME}/{name}", _EPOCH), content, zipfile.ZIP_DEFLATED)
-    commit(buffer.getvalue(), target)
+    write_file(buffer.getvalue(), target)
 
 
 def _sources() -> Path:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_layouts_isolated
+from usdrigui.usd.child import read_layer_isolated
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
 _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
@@ -31,7 +31,7 @@ def write_file(content: bytes, target: Path) -> str:
 
 def check_file_name(target: Path) -> None:
     """Refuse the name of a USD file for a file that is none; raises FILE_TARGET."""
-    if target.suffix in _USD_SUFFIXES:
+    if target.suffix.lower() in _USD_SUFFIXES:
         raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
 
 
@@ -44,21 +44,22 @@ def check_target(asset: Path, target: Path) -> None:
 
 
 def check_replaceable(target: Path, settings: Settings, asset: Path | None = None) -> None:
-    """What stands at the target must be a layout layer: nobody's own work is replaced by a slip of the hand.
+    """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a slip of the hand.
 
-    With `asset`, whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and
-    ``char.usda`` share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
+    An asset with its layout attached, a shot over one and a layer of corrections are somebody's work.  With `asset`,
+    whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and ``char.usda``
+    share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
     """
     if not target.is_file() or not target.stat().st_size:
         return
     try:
-        standing = read_layouts_isolated(target, settings)
+        standing = read_layer_isolated(target, settings)
     except RigUIError as error:
-        if error.issue.code == "LAYOUT_MISSING" or error.issue.code.startswith("FILE_NOT"):
-            raise refuse("FILE_TARGET", str(target), "exists and is no layout layer") from error
-        return
-    source = Path(standing.source)
-    if asset is not None and source.is_file() and not source.samefile(asset):
+        raise refuse("FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}") from error
+    if not standing.ours:
+        raise refuse("FILE_TARGET", str(target), "exists and is no layout layer that process wrote")
+    source = target.parent / standing.sublayers[0] if standing.sublayers else target
+    if asset is not None and source != target and source.is_file() and not source.samefile(asset):
         raise refuse("FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}")
 
 

@@ -78,7 +78,7 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
 def write_bare(layer: Path, target: Path) -> Outcome:
     """Write a copy of a layout layer that has no sublayers, as `usdrigui process --bare` would have written it.
 
-    Raises FILE_TARGET for the layer itself, which is to keep its sublayers, FILE_NOT_USD, and the FILE_ codes of writing.
+    Raises FILE_TARGET for the layer itself, which keeps its sublayers, FILE_NOT_USD, and the FILE_ codes of writing.
     """
     if _same(layer, target):
         raise refuse("FILE_TARGET", str(target), "is the layer itself, of which a copy was wanted")

@@ -32,6 +32,8 @@ _Part = TypeVar("_Part")
 
 _KEPT_TEXT = 1 << 16
 """Bytes kept of what the child prints: USD can complain without end."""
+_LAYERS_TOLD = 3
+"""Layers in one message."""
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Memory allocation", b"Cannot allocate memory")
 """What C++, Python, OpenBLAS and the C library print when there is no more."""
 
@@ -104,6 +106,8 @@ class LayoutsResult(Record):
     """By SkelRoot: names of the elements whose place or controls a stronger layer has changed."""
     sources: tuple[SourceFile, ...]
     prims: tuple[StandingPrim, ...] = ()
+    brought: Mapping[str, str] = field(default_factory=dict)
+    """By SkelRoot, the file of the layout that another layer of it brings in."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +127,8 @@ class LayerResult(Record):
     """As authored."""
     needed: tuple[str, ...]
     """Every file that it, or what it brings along, names for composition; each need not be there."""
+    ours: bool
+    """Whether it is a layout layer that we wrote, not one that brings such a layer in."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,6 +178,18 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
 def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
     """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a child; raises as `read_rigs_isolated`."""
     return _understood(_asked("layouts", path, settings, limits).layouts, path)
+
+
+def asset_below(found: LayoutsResult, layer: Path) -> str:
+    """The asset that a layout layer stands over; `found` is what was read of it.  Raises RigUIError SOURCE_MISSING."""
+    if found.source:
+        return found.source
+    brought = sorted(set(found.brought.values()))
+    if brought and len(found.brought) == len(found.layouts):
+        named = f"{', '.join(brought[:_LAYERS_TOLD])}{' and more' if len(brought) > _LAYERS_TOLD else ''}"
+        reason = f"is no layout but a stage that references some; the layers that hold them: {named}"
+        raise refuse("SOURCE_MISSING", str(layer), reason)
+    raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
 
 
 def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:

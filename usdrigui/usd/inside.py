@@ -109,14 +109,15 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path) -> LayoutsResult:
-    from usdrigui.usd.read_layout import edited_elements, read_layout, source_of
+    from usdrigui.usd.read_layout import brought_layouts, edited_elements, read_layout, source_of
     from usdrigui.usd.standing import standing_prims
 
     with _hashed_before(path) as (before, _), _kept_stages() as stages:
         layouts = read_layout(path)
         stage = next(iter(stages.GetAllStages()))
         sources = _sources(path, stages.GetAllStages(), before)
-        return LayoutsResult(layouts, source_of(path), edited_elements(stage), sources, standing_prims(stage))
+        edited, prims = edited_elements(stage), standing_prims(stage)
+        return LayoutsResult(layouts, source_of(path), edited, sources, prims, brought_layouts(stage))
 
 
 def _performances(path: Path) -> tuple[Performance, ...]:
@@ -134,6 +135,7 @@ def _faults(path: Path) -> FaultsResult:
 
 
 def _layer(path: Path) -> LayerResult:
+    from usdrigui.usd.layer import SIGNATURE
     from usdrigui.usd.stage import open_layer
 
     needed: dict[str, str] = {}
@@ -149,7 +151,7 @@ def _layer(path: Path) -> LayerResult:
 
     layer = open_layer(path)
     follow(layer, path.parent)
-    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()))
+    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()), SIGNATURE in layer.customLayerData)
 
 
 @contextlib.contextmanager

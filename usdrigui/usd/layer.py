@@ -28,6 +28,8 @@ from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_part
 from usdrigui.usd.safe_write import commit, file_error
 
+SIGNATURE = "usdrigui"
+"""Key in the customLayerData of every layout layer that we write."""
 _METADATA = (
     "defaultPrim",
     "upAxis",
@@ -160,7 +162,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
             # Some exporters write metersPerUnit as float, which USD's own API then refuses to read.
             number = isinstance(value, (int, float)) and not isinstance(value, bool)
             root.SetInfo(key, float(value) if number else value)
-    root.SetInfo("customLayerData", {"usdrigui": {"version": usdrigui.__version__}})
+    root.SetInfo("customLayerData", {SIGNATURE: {"version": usdrigui.__version__}})
 
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
