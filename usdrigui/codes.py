@@ -135,13 +135,14 @@ _CODES: dict[str, Code] = {
     "CONTROLS_MISSING": Code(
         "error",
         "No SkelRoot has anything to control.",
-        "Add blend shapes or an animated skeleton, bind a Skeleton to meshes that have blend shapes but none "
-        "(skel:skeleton), or name joints or poses in the configuration.",
+        "Mend what the message names; else add blend shapes or an animated skeleton, bind a Skeleton (skel:skeleton) "
+        "to meshes that have blend shapes but none, or name joints or poses in the configuration.",
     ),
     "INSTANCE": Code(
         "error",
         "The character is inside an instance, where no layer can add or edit prims.",
-        "Set `instanceable = false` on the prim named, or process the referenced asset itself.",
+        "Set `instanceable = false` on the prim named, process the referenced asset itself, or lay out a character "
+        "that is in no instance alone (`--set read.skel_root=PATH`).",
     ),
     "TARGETS_LENGTH": Code(
         "error",
@@ -170,8 +171,9 @@ _CODES: dict[str, Code] = {
     ),
     "SKELETON_INVALID": Code(
         "error",
-        "The Skeleton's joints, bind transforms or rest transforms are unusable.",
-        "Author one valid bind and rest transform per joint, parents before children.",
+        "The Skeleton's joints, bind transforms or rest transforms are unusable, or its place cannot be inverted.",
+        "Author one valid bind and rest transform per joint, parents before children; where the message is about the "
+        "transform of the prim named, one without a scale of 0.",
     ),
     "ANIMATION_LENGTH": Code(
         "error",
@@ -185,8 +187,15 @@ _CODES: dict[str, Code] = {
     ),
     "MESH_UNBOUND": Code(
         "warning",
-        "A mesh has blend shapes but no Skeleton is bound to it, so that nothing can move it.",
-        "Bind it by skel:skeleton (a Skeleton without joints will do).",
+        "A mesh has blend shapes or joint influences but no Skeleton is bound to it, so that nothing can move it.",
+        "Mend what the message names; if it names nothing, bind the mesh by skel:skeleton (a Skeleton without joints "
+        "will do for blend shapes).",
+    ),
+    "MESH_HIDDEN": Code(
+        "warning",
+        "A mesh is invisible or of a purpose that is not drawn, so that controls which move nothing else are laid out "
+        "beside the face.",
+        "Make it visible, and of purpose default or render, if it is a part of the face; else exclude the controls.",
     ),
     "MESH_OUTSIDE": Code(
         "warning",
@@ -454,7 +463,8 @@ _CODES: dict[str, Code] = {
     "SOURCE_MISSING": Code(
         "error",
         "The layout layer does not say which asset it stands over.",
-        "Name the asset as its first sublayer, or write the layer without --bare.",
+        "Name the asset as its first sublayer, or write the layer without --bare; instead of a stage that only "
+        "references layouts, name the layers that the message names.",
     ),
     "LAYOUT_STALE": Code(
         "error",
@@ -502,7 +512,8 @@ _CODES: dict[str, Code] = {
     "LAYOUT_TOPOLOGY": Code(
         "error",
         "The mesh under an element has other points or faces than when it was laid out.",
-        "Run `usdrigui process` again, with --previous to keep what can be kept.",
+        "Run `usdrigui process` again, with --previous to keep what can be kept; in a shot of several characters, lay "
+        "out one that still fits its layout alone (`--set read.skel_root=PATH`).",
     ),
     "LAYOUT_ANCHOR_MOVED": Code(
         "warning",

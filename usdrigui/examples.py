@@ -19,7 +19,7 @@ from usdrigui.layout.trajectory import trajectories as find_trajectories
 from usdrigui.layout.transfer import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
-from usdrigui.usd.child import LayoutsResult, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.child import LayoutsResult, asset_below, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,10 +188,9 @@ def _characters(layer: Path, settings: Settings) -> tuple[tuple[Rig, Layout], ..
     )
     plain = Settings(read=limits)
     found = read_layouts_isolated(layer, plain)
-    if not found.source:
-        raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
+    source = asset_below(found, layer)
     layouts = _by_root(found)
-    rigs = read_rigs_isolated(Path(found.source), plain).rigs
+    rigs = read_rigs_isolated(Path(source), plain).rigs
     return tuple((rig, layouts[rig.root]) for rig in rigs if rig.root in layouts)
 
 

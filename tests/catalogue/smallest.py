@@ -115,6 +115,7 @@ EDITS: Mapping[str, tuple[tuple[str, str], ...]] = {
 
     def SkelAnimation "Anim\""""),
     ),
+    "MESH_HIDDEN": ((_FACE, _FACE + '        token visibility = "invisible"\n'),),
     "MESH_OUTSIDE": (
         ('def SkelRoot "Char"', """def Mesh "Hat" (prepend apiSchemas = ["SkelBindingAPI"])
 {

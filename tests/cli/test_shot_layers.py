@@ -218,6 +218,23 @@ def test_a_stale_base_is_refused(folder, capsys):
     assert told["issues"][0]["code"] == "LAYOUT_TOPOLOGY"
 
 
+def test_one_character_of_a_shot_that_still_fits_can_be_laid_out_alone(folder, capsys):
+    """Another reference to the same layout has another topology; the refusal tells the way past it."""
+    stage = Usd.Stage.CreateNew(str(folder / "two.usda"))
+    for name in ("/Hero", "/Twin"):
+        stage.DefinePrim(name).GetReferences().AddReference("./char.rigui.usda", "/World")
+    face = UsdGeom.Mesh(stage.GetPrimAtPath("/Twin/Char/face0"))
+    indices = list(face.GetFaceVertexIndicesAttr().Get())
+    face.GetFaceVertexIndicesAttr().Set([*indices[4:], *indices[:4]])
+    stage.GetRootLayer().Save()
+    arguments = ("process", folder / "two.usda", "--base", folder / "char.rigui.usda", "--dry-run")
+    (found,) = run(capsys, *arguments, expected=1)["issues"]
+    assert found["code"] == "LAYOUT_TOPOLOGY"
+    assert "/Twin/" in found["message"]
+    assert "`--set read.skel_root=PATH`" in found["repair"]
+    run(capsys, *arguments, "--set", "read.skel_root=/Hero/Char")
+
+
 @pytest.mark.parametrize("option", ["--fixed", "--previous", "--like"])
 def test_a_base_goes_with_no_other_layout(folder, capsys, option):
     layer = folder / "char.rigui.usda"

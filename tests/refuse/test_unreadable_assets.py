@@ -216,6 +216,130 @@ def test_instanced_geometry(tmp_path):
     assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Char/Copy/Nose")
 
 
+@pytest.mark.parametrize("wanted", ["", "/Shot/A"])
+def test_an_instance_beside_a_character_that_is_in_none(tmp_path, wanted):
+    """The one that can be laid out alone is named, and can."""
+    head(tmp_path / "char.usda")
+    stage = Usd.Stage.CreateNew(str(tmp_path / "shot.usda"))
+    for name in "AB":
+        prim = stage.DefinePrim(f"/Shot/{name}")
+        prim.GetReferences().AddReference("./char.usda", "/Char")
+        prim.SetInstanceable(name == "A")
+    stage.GetRootLayer().Save()
+    error = refused(tmp_path / "shot.usda", {"read": {"skel_root": wanted}})
+    assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Shot/A")
+    assert error.issue.message.endswith("; in no instance: /Shot/B")
+    assert "read.skel_root" in error.issue.repair
+    (rig,) = read_rigs(tmp_path / "shot.usda", load({"read": {"skel_root": "/Shot/B"}}))
+    assert rig.root == "/Shot/B"
+
+
+# --- bindings that UsdSkel passes over -----------------------------------------------------------------
+
+
+def _joints_for_shapes(stage):
+    """Give the face joint influences instead of its shapes."""
+    add_skin(_face(stage), [0] * SIDE**2, [1.0] * SIDE**2, 1)
+    for name in ("skel:blendShapes", "skel:blendShapeTargets"):
+        stage.GetPrimAtPath("/Char/Face").RemoveProperty(name)
+
+
+def _not_applied(stage):
+    stage.GetPrimAtPath("/Char/Face").RemoveAPI(UsdSkel.BindingAPI)
+
+
+def _not_applied_above(stage):
+    stage.GetPrimAtPath("/Char/Face").RemoveProperty("skel:skeleton")
+    stage.GetPrimAtPath("/Char").CreateRelationship("skel:skeleton").SetTargets(["/Char/Skel"])
+
+
+def _below(kind):
+    def edit(stage):
+        stage.DefinePrim("/Char/Geo", kind)
+        editor = Usd.NamespaceEditor(stage)
+        assert editor.MovePrimAtPath("/Char/Face", "/Char/Geo/Face")
+        assert editor.ApplyEdits()
+
+    return edit
+
+
+def _astray(stage):
+    _binding(stage).GetSkeletonRel().SetTargets(["/Char/Gone"])
+
+
+def _nowhere(stage):
+    _binding(stage).GetSkeletonRel().SetTargets([])
+
+
+CAUSES = [
+    (_not_applied, "skel:skeleton is authored on /Char/Face, but SkelBindingAPI is not applied there: apply it"),
+    (_not_applied_above, "skel:skeleton is authored on /Char, but SkelBindingAPI is not applied there: apply it"),
+    (_below(""), "/Char/Geo has no type, so that UsdSkel looks at nothing below it: make it an Xform"),
+    (_below("Material"), "/Char/Geo is a Material, which is not imageable, so that UsdSkel looks at nothing below it"),
+    (_below("Mesh"), "/Char/Geo is a Mesh itself, so that UsdSkel looks at nothing below it: move the mesh out"),
+    (_astray, "skel:skeleton of /Char/Face leads to /Char/Gone, which is no active Skeleton: correct it"),
+    (_nowhere, "skel:skeleton of /Char/Face has no target"),
+]
+
+
+@pytest.mark.parametrize(("edit", "cause"), CAUSES)
+@pytest.mark.parametrize("joints_only", [False, True])
+def test_a_binding_in_vain_is_refused_with_its_cause(tmp_path, edit, cause, joints_only):
+    def edits(stage):
+        if joints_only:
+            _joints_for_shapes(stage)
+        edit(stage)
+
+    error = spoilt(tmp_path, edits)
+    assert error.issue.code == "CONTROLS_MISSING"
+    assert error.issue.message.count(cause) == 1
+    assert "no Skeleton is bound" not in error.issue.message
+    assert ("Face has joint influences; " in error.issue.message) == joints_only
+
+
+def test_every_cause_of_a_binding_in_vain_is_told(tmp_path):
+    def edit(stage):
+        _not_applied(stage)
+        _below("")(stage)
+
+    message = spoilt(tmp_path, edit).issue.message
+    assert "SkelBindingAPI is not applied there: apply it; /Char/Geo has no type" in message
+
+
+def test_a_mesh_that_nothing_is_bound_to_has_no_other_cause(tmp_path):
+    message = spoilt(tmp_path, lambda stage: stage.GetPrimAtPath("/Char/Face").RemoveProperty("skel:skeleton"))
+    assert "no Skeleton is bound to /Char/Face" in message.issue.message
+
+
+# --- places that cannot be inverted --------------------------------------------------------------------
+
+
+def _flattened(path):
+    return lambda stage: UsdGeom.Xformable(stage.GetPrimAtPath(path)).AddScaleOp().Set(Gf.Vec3f(1, 0, 1))
+
+
+def _flattened_between(stage):
+    stage.DefinePrim("/Char/Rig", "Xform")
+    editor = Usd.NamespaceEditor(stage)
+    assert editor.MovePrimAtPath("/Char/Skel", "/Char/Rig/Skel")
+    assert editor.ApplyEdits()
+    _flattened("/Char/Rig")(stage)
+
+
+@pytest.mark.parametrize(
+    ("edit", "culprit", "skeleton"),
+    [
+        (_flattened("/Char"), "/Char", "/Char/Skel"),
+        (_flattened("/Char/Skel"), "/Char/Skel", ""),
+        (_flattened_between, "/Char/Rig", "/Char/Rig/Skel"),
+    ],
+)
+def test_the_prim_that_collapses_space_is_named(tmp_path, edit, culprit, skeleton):
+    error = spoilt(tmp_path, edit)
+    assert (error.issue.code, error.issue.path) == ("SKELETON_INVALID", culprit)
+    assert error.issue.message.endswith(f"the Skeleton {skeleton}") == bool(skeleton)
+
+
 # --- arrays ------------------------------------------------------------------------------------------
 
 

@@ -122,6 +122,50 @@ def test_a_mesh_without_skeleton_cannot_move(tmp_path):
     assert len(rig.meshes) == 2
 
 
+def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_told(tmp_path):
+    def edit(stage):
+        stage.DefinePrim("/Char/Extra")
+        mesh = add_mesh(stage, "/Char/Extra/Hat", skeleton="/Char/Skel")
+        add_skin(mesh, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+        loose = add_mesh(stage, "/Char/Loose")  # nobody says what should move it: a prop as good as any
+        add_skin(loose, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+
+    rig = edited(tmp_path, edit)
+    assert list(controls(rig)) == ["smile", "frown"]
+    assert [(each.code, each.path) for each in rig.issues] == [("MESH_UNBOUND", "/Char/Extra/Hat")]
+    assert "/Char/Extra has no type" in rig.issues[0].message
+
+
+@pytest.mark.parametrize(
+    ("hide", "why"),
+    [
+        (lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char/Face")).MakeInvisible(), "is invisible; "),
+        (
+            lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char")).MakeInvisible(),
+            "is invisible, as /Char is; ",
+        ),
+        (
+            lambda stage: UsdGeom.Imageable(stage.GetPrimAtPath("/Char")).CreatePurposeAttr("proxy"),
+            "has the purpose proxy; ",
+        ),
+    ],
+)
+def test_a_mesh_that_nobody_sees_is_told(tmp_path, hide, why):
+    rig = edited(tmp_path, hide)
+    assert [(each.code, each.path) for each in rig.issues] == [("MESH_HIDDEN", "/Char/Face")]
+    assert rig.issues[0].message == f"{why}2 of its blend shapes are on no mesh that is drawn"
+
+
+def test_a_hidden_stand_in_for_what_is_seen_is_nothing_to_tell(tmp_path):
+    def edit(stage):
+        mesh = add_mesh(stage, "/Char/Proxy", skeleton="/Char/Skel")
+        add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
+        add_skin(mesh, [0] * SIDE**2, [1.0] * SIDE**2, 1)
+        UsdGeom.Imageable(mesh).CreatePurposeAttr("proxy")
+
+    assert edited(tmp_path, edit).issues == ()
+
+
 def test_points_prims_are_not_supported(tmp_path):
     def edit(stage):
         points = UsdGeom.Points.Define(stage, "/Char/Sparks")

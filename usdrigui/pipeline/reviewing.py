@@ -13,7 +13,7 @@ from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import posed
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_faults_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.child import asset_below, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,9 +65,7 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING and everything that reading an asset can raise.
     """
     found = read_layouts_isolated(layer, settings)
-    layouts, source = {each.root: each for each in found.layouts}, found.source
-    if not source:
-        raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
+    layouts, source = {each.root: each for each in found.layouts}, asset_below(found, layer)
     read = read_rigs_isolated(Path(source), settings)
     missing = set(layouts) - {each.root for each in read.rigs}
     if missing:

@@ -15,6 +15,7 @@ from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import Settings
+from usdrigui.usd.binding import bound_in_vain
 from usdrigui.usd.controls import (
     Draft,
     State,
@@ -28,6 +29,7 @@ from usdrigui.usd.controls import (
     unknown_names,
 )
 from usdrigui.usd.glyphs import read_glyphs
+from usdrigui.usd.hidden import hidden_issues
 from usdrigui.usd.mesh import outside_issues, read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import metres_per_unit, read_ranges
@@ -47,6 +49,8 @@ _JOINTS_TOLD = 12
 """Names of joints in one message."""
 _REASONS_TOLD = 3
 """Reasons in one message."""
+_ROOTS_TOLD = 3
+"""SkelRoots in one message."""
 _VARIANTS_TRIED = 64
 """Variants that are looked into for a character that the selected ones lack."""
 
@@ -70,7 +74,9 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
     if not rigs:
         lost = [each for reading in readings for each in reading.rig.left_off]
-        why = _lost_told(lost) if lost else _joints_told(readings[0])
+        reasons = tuple({each.reason for each in lost})
+        vain = [each for reading in readings for each in reading.bound_in_vain if not each.message.endswith(reasons)]
+        why = f"{_lost_told(lost)}{_vain_told(vain)}" or _joints_told(readings[0])
         raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in heard)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
@@ -83,6 +89,8 @@ class _Reading:
     rig: Rig
     unknown_controls: set[str]
     unknown_joints: set[str]
+    bound_in_vain: tuple[Issue, ...]
+    """Meshes with joint influences that no Skeleton moves although one is named."""
 
 
 @dataclass(frozen=True)
@@ -98,6 +106,7 @@ class _Scene:
     clip: Clip | None
     names: FrameNames
     found: Found
+    bound_in_vain: tuple[Issue, ...]
 
 
 def _guarded(root: Usd.Prim, settings: Settings) -> _Reading:
@@ -117,7 +126,7 @@ def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[st
 
 def _read(root: Usd.Prim, settings: Settings) -> _Reading:
     if root.IsInstance() or root.IsInstanceProxy():
-        reason = f"is an instance: no layer can add prims below {root.GetPath()}"
+        reason = f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings)
     drafts, left_off, issues = _drafts(root, scene, settings)
@@ -138,7 +147,8 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         issues=(*scene.found.issues, *scene.names.issues, *issues),
         excluded=excluded,
     )
-    return _Reading(rig, unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings))
+    unknown = unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings)
+    return _Reading(rig, *unknown, scene.bound_in_vain)
 
 
 def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
@@ -158,13 +168,16 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     channels, heard = read_channels(armatures)
     found.issues.extend(heard)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
-    meshes = read_meshes(root, _bound(bindings, armatures), frames, found)
+    bound = _bound(bindings, armatures)
+    meshes = read_meshes(root, bound, frames, found)
+    vain = bound_in_vain(root.GetStage(), (mesh.path for mesh in meshes), bound)
+    found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
     channels = _with_unanimated(root, channels, found)
     clip, heard = read_clip(armatures, joints, channels, root.GetStage().GetTimeCodesPerSecond())
     found.issues.extend(heard)
     authored = weights_at(armatures, channels, None)
     base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
-    return _Scene(armatures, joints, channels, meshes, base, authored, clip, names, found)
+    return _Scene(armatures, joints, channels, meshes, base, authored, clip, names, found, vain)
 
 
 def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
@@ -261,6 +274,15 @@ def _instance(prim: Usd.Prim) -> Usd.Prim:
     return prim
 
 
+def _others_told(instance: Usd.Prim) -> str:
+    """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no such."""
+    roots = _skel_roots(instance.GetStage(), "")
+    free = [str(each.GetPath()) for each in roots if not each.IsInstance() and not each.IsInstanceProxy()]
+    if not free:
+        return ""
+    return f"; in no instance: {', '.join(free[:_ROOTS_TOLD])}{' and more' if len(free) > _ROOTS_TOLD else ''}"
+
+
 def _up(root: Usd.Prim) -> Floats:
     vertical = Gf.Vec3d(0, 0, 1) if UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z else Gf.Vec3d(0, 1, 0)
     return Frames(root, Usd.TimeCode.Default()).direction(vertical)
@@ -300,7 +322,9 @@ def _joints_told(reading: _Reading) -> str:
 
 
 def _lost_told(lost: list[LeftOff]) -> str:
-    """A clause with the reasons for which everything was left off, and how many controls share each."""
+    """A clause with the reasons for which everything was left off, and how many controls share each; empty if none."""
+    if not lost:
+        return ""
     names: dict[str, list[str]] = {}
     for each in lost:
         names.setdefault(each.reason, []).append(each.control)
@@ -310,6 +334,14 @@ def _lost_told(lost: list[LeftOff]) -> str:
     ]
     more = len(names) - len(told)
     return f"; left off: {', '.join(told)}{f' and {more} more reasons' if more else ''}"
+
+
+def _vain_told(vain: list[Issue]) -> str:
+    """A clause with the first mesh that is bound in vain, and how many are; empty if none."""
+    if not vain:
+        return ""
+    more = f" (and {len(vain) - 1} more meshes)" if len(vain) > 1 else ""
+    return f"; {vain[0].path}{more} {vain[0].message}"
 
 
 def _with_issues(rig: Rig, more: tuple[Issue, ...]) -> Rig:

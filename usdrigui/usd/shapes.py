@@ -11,6 +11,7 @@ from pxr import Sdf, Usd, UsdSkel
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Indices, LeftOff, Shape, Singles
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
+from usdrigui.usd.binding import why_unbound
 from usdrigui.usd.skeleton import Armature, repeated
 
 
@@ -46,8 +47,9 @@ def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Foun
     if len(names) != len(targets):
         raise refuse("TARGETS_LENGTH", path, f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets")
     if binding is None:
-        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes"))
-        found.shapeless.update(dict.fromkeys(names, f"no Skeleton is bound to {path}"))
+        why = why_unbound(prim)
+        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes{why and '; '}{why}"))
+        found.shapeless.update(dict.fromkeys(names, why or f"no Skeleton is bound to {path}"))
         return ()
     found.issues.extend(repeated(names, path, "skel:blendShapes"))
     shapes = []
