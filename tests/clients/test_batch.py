@@ -189,9 +189,9 @@ def test_patterns(tmp_path):
         (tmp_path / name).touch()
     found = places.find_assets([str(tmp_path / "b" / "x.usd"), str(tmp_path / "**" / "*")])
     assert [each.relative_to(tmp_path).as_posix() for each in found] == ["b/x.usd", "a/x.usda", "a/x.usdc"]
-    layers = [places.output_of(each, found, tmp_path / "out").relative_to(tmp_path).as_posix() for each in found]
+    layers = [each.relative_to(tmp_path).as_posix() for each in places.outputs_of(found, tmp_path / "out")]
     assert layers == ["out/b/x.rigui.usda", "out/a/x_usda.rigui.usda", "out/a/x_usdc.rigui.usda"]
-    assert places.output_of(found[0], found, None) == tmp_path / "b" / "x.rigui.usda"
+    assert places.outputs_of(found, None)[0] == tmp_path / "b" / "x.rigui.usda"
 
 
 def test_a_pattern_without_match_is_refused(tmp_path, capsys):

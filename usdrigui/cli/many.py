@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
+import signal
 import sys
+import threading
 import time
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui.cli.options import add_settings, command, passed_on, settings_digest
 from usdrigui.cli.outcomes import say, screen_of
-from usdrigui.errors import Exit
+from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
-    from usdrigui.clients.batch import jobs
+    from usdrigui.clients.batch import jobs as batch_jobs
 
 
 def add_batch(commands: Any) -> None:
@@ -45,11 +49,44 @@ def _add_assets(parser: Any) -> None:
 
 
 def _batch(arguments: argparse.Namespace) -> Exit:
+    _check_names(arguments)
+    jobs = _jobs(arguments)
+    _check_apart(jobs, arguments)
+    with _ended_by_signals():
+        return _all_of(jobs, arguments)
+
+
+def _check_names(arguments: argparse.Namespace) -> None:
+    """Refuse what the summary and the sheet cannot be called before the work, not after it."""
+    from usdrigui import pipeline
+
+    for target in filter(None, (arguments.summary, arguments.sheet)):
+        pipeline.check_file_name(target)
+        if target.is_dir():
+            raise refuse("FILE_TARGET", str(target), "is a folder")
+    if arguments.sheet is not None and arguments.sheet.suffix.lower() != ".png":
+        raise refuse("CONFIG_VALUE", "--sheet", f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}")
+
+
+def _check_apart(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) -> None:
+    """Nothing that a batch writes may take the place of something else that it writes."""
+    from usdrigui.clients.batch import places, state
+
+    files = []
+    for job in jobs:
+        files += [(Path(job.output), f"the layer of {job.asset}")]
+        files += [(state.state_path(job.output), f"what is remembered of {job.asset}")]
+        files += [(Path(job.picture), f"the picture of {job.asset}")] if job.picture else []
+    files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
+    files += [(arguments.summary, "the summary")] if arguments.summary is not None else []
+    places.check_apart(files)
+
+
+def _all_of(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.clients.batch import run, sheet
 
     screen = screen_of(arguments)
-    jobs = _jobs(arguments)
     address = arguments.dask
     start = time.perf_counter()
     with screen.batch_progress(len(jobs)) as shown:
@@ -72,13 +109,43 @@ def _batch(arguments: argparse.Namespace) -> Exit:
     return max(summary.exit_code, Exit.REFUSED if warned else Exit.OK)
 
 
+@contextlib.contextmanager
+def _ended_by_signals() -> Iterator[None]:
+    """SIGTERM, SIGHUP and Ctrl-C all raise KeyboardInterrupt, once: each process of a batch has a session of its own.
+
+    So nobody but the batch ends them, and a second signal must not stop it from doing so.  Signals that are ignored
+    stay ignored, and threads other than the main one may set no handlers.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    came: list[int] = []
+
+    def on_signal(number: int, frame: object) -> None:
+        del frame
+        came.append(number)
+        if len(came) == 1:
+            raise KeyboardInterrupt
+
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    before = {each: signal.getsignal(each) for each in numbers}
+    taken = {each: handler for each, handler in before.items() if handler not in (signal.SIG_IGN, None)}
+    try:
+        for each in taken:
+            signal.signal(each, on_signal)
+        yield
+    finally:
+        for each, handler in taken.items():
+            signal.signal(each, handler)
+
+
 def _openjd(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.clients import openjd
     from usdrigui.clients.batch import places
 
     assets = places.find_assets(arguments.patterns)
-    pairs = [(asset, places.output_of(asset, assets, arguments.folder)) for asset in assets]
+    pairs = list(zip(assets, places.outputs_of(assets, arguments.folder), strict=True))
     template = openjd.template(pairs, passed_on(arguments))
     if arguments.output is None:
         sys.stdout.write(template)
@@ -88,7 +155,7 @@ def _openjd(arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
-def _jobs(arguments: argparse.Namespace) -> list[jobs.Job]:
+def _jobs(arguments: argparse.Namespace) -> list[batch_jobs.Job]:
     """One job per asset, each with the settings that its own configuration gives."""
     from usdrigui.clients.batch import jobs, places
 
@@ -96,8 +163,7 @@ def _jobs(arguments: argparse.Namespace) -> list[jobs.Job]:
     threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
     passed = (*passed_on(arguments), *threads)
     found = []
-    for asset in assets:
-        output = places.output_of(asset, assets, arguments.folder)
+    for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
         arguments.asset = asset
         digest = settings_digest(arguments)

@@ -100,9 +100,10 @@ def end_all() -> None:
 
 def _process(job: Job) -> tuple[int, dict[str, Any]]:
     """Exit code (minus a signal; one more than any signal when the time was up) and report of the process."""
-    command = [sys.executable, "-m", "usdrigui", "process", job.asset, "-o", job.output, "--json", *job.arguments]
+    files = [_no_option(job.asset), "-o", _no_option(job.output)]
+    command = [sys.executable, "-m", "usdrigui", "process", *files, "--json", *job.arguments]
     if job.picture:
-        command += ["--preview", job.picture]
+        command += ["--preview", _no_option(job.picture)]
     with _started(command) as process:
         try:
             printed, _ = process.communicate(timeout=job.timeout or None)
@@ -115,6 +116,11 @@ def _process(job: Job) -> tuple[int, dict[str, Any]]:
     except ValueError:
         return process.returncode, {}
     return process.returncode, document if isinstance(document, dict) else {}
+
+
+def _no_option(path: str) -> str:
+    """The path so that a command line cannot take it for an option, as it would ``-x.usda``."""
+    return os.path.join(os.curdir, path) if path.startswith("-") else path  # noqa: PTH118 (a Path drops the dot)
 
 
 _TIME_IS_UP = -1000

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import os
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -28,18 +29,42 @@ def find_assets(patterns: Iterable[str]) -> tuple[Path, ...]:
     return tuple(found.values())
 
 
-def output_of(asset: Path, assets: Sequence[Path], folder: Path | None) -> Path:
-    """Where the layer of an asset goes: beside it, or below `folder` as deep as it lies below all assets' folder.
+def outputs_of(assets: Sequence[Path], folder: Path | None) -> tuple[Path, ...]:
+    """Where the layer of each asset goes: beside it, or below `folder` as deep as it lies below all assets' folder.
 
-    Two assets that differ in their extension alone get layers with the extension in their names.
+    Assets whose layers would have one name, as those that differ in their extension alone, get layers with the
+    extension in their names.  Raises FILE_TARGET where even so two of them would share one.
     """
-    twins = [each for each in assets if each.parent == asset.parent and each.stem == asset.stem]
-    name = asset.name.replace(".", "_") if len(twins) > 1 else asset.stem
-    where = asset.parent
+    wheres = [each.parent for each in assets]
     if folder is not None:
-        common = os.path.commonpath([os.path.abspath(each.parent) for each in assets])  # noqa: PTH100 (keeps links)
-        where = folder / os.path.relpath(asset.parent, common)
-    return Path(os.path.normpath(where / f"{name}.rigui.usda"))
+        common = os.path.commonpath([os.path.abspath(each) for each in wheres])  # noqa: PTH100 (keeps links)
+        wheres = [folder / os.path.relpath(each, common) for each in wheres]
+    real = {where: os.path.realpath(where) for where in wheres}  # one folder can be named in several ways
+    names = [each.stem for each in assets]
+    twins: set[int] = set()
+    while more := _not_alone([(real[where], name) for where, name in zip(wheres, names, strict=True)]) - twins:
+        twins |= more  # whose longer names may be those of others, as of char_usda.usda
+        for index in more:
+            names[index] = assets[index].name.replace(".", "_")
+    outputs = tuple(where / f"{name}.rigui.usda" for where, name in zip(wheres, names, strict=True))
+    check_apart([(output, f"the layer of {asset}") for output, asset in zip(outputs, assets, strict=True)])
+    return outputs
+
+
+def check_apart(files: Iterable[tuple[Path, str]]) -> None:
+    """Refuse to write one file twice; each comes with a word on what it is to be.  Raises FILE_TARGET."""
+    seen: dict[str, str] = {}
+    for path, what in files:
+        place = os.path.normcase(os.path.realpath(path))
+        if place in seen:
+            raise refuse("FILE_TARGET", str(path), f"would be {seen[place]} and {what}; make them apart")
+        seen[place] = what
+
+
+def _not_alone(keys: Sequence[tuple[str, str]]) -> set[int]:
+    """Places of the keys that occur more than once."""
+    count = Counter(keys)
+    return {index for index, key in enumerate(keys) if count[key] > 1}
 
 
 def _matches(pattern: str) -> list[Path]:

@@ -10,7 +10,7 @@ import importlib
 import json
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, as_completed, wait
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -47,8 +47,10 @@ class Summary:
 def run_local(jobs: Sequence[Job], workers: int) -> Iterator[Row]:
     """Rows as they are done, `workers` at a time; leaving the loop early ends what still runs."""
     pool = ThreadPoolExecutor(max_workers=max(1, workers))
-    futures = [pool.submit(run_job, job) for job in jobs]
+    futures: list[Future[Row]] = []
     try:
+        for job in jobs:  # within, as Python would do at its exit all that an interruption leaves in the pool
+            futures.append(pool.submit(run_job, job))  # noqa: PERF401 (what was handed out until then is known)
         for future in as_completed(futures):
             yield future.result()
     finally:

@@ -37,7 +37,8 @@ def recall(job: Job) -> dict[str, Any] | None:
         if not job.picture:
             about["picture"] = known["about"]["picture"]  # one that nobody asks for now changes nothing
         same = known["about"] == about and known["row"]["asset"] == job.asset
-        return {**known["row"], "picture": job.picture} if same else None
+        # Rows are told apart by the layer, which may have had another name then, seen from another folder.
+        return {**known["row"], "output": job.output, "picture": job.picture} if same else None
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
