@@ -401,9 +401,7 @@ _CODES: dict[str, Code] = {
     "FILE_PERMISSION": Code(
         "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
     ),
-    "FILE_TARGET": Code(
-        "error", "The output cannot be a file of this name.", "Choose another name with -o.", Exit.FILE
-    ),
+    "FILE_TARGET": Code("error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE),
     "FILE_WRITE": Code(
         "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
     ),

@@ -157,6 +157,7 @@ def test_a_picture_that_cannot_be_written_leaves_the_layout(character, capsys):
         (["-o", "out.txt"], "FILE_TARGET"),
         (["-o", "out.usdz"], "FILE_TARGET"),
         (["--preview", "c.usda"], "FILE_TARGET"),
+        (["--preview", "c.jpg"], "a picture ends in .png"),
         (["--report", "c.usdc"], "FILE_TARGET"),
         (["--view", "frnt"], "did you mean 'front'?"),
         (["--set", "objective.handle_sise=3"], "there is no setting of this name; did you mean 'handle_size'?"),

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from usdrigui.cli.options import add_settings, command, settings_of
 from usdrigui.cli.outcomes import Interruption, screen_of, strict
-from usdrigui.errors import Exit
+from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
     from usdrigui import report, terminal
@@ -63,6 +63,8 @@ def _process(arguments: argparse.Namespace) -> Exit:
     )
     for target in filter(None, (arguments.report, arguments.preview)):
         pipeline.check_file_name(target)  # before the work, not after it
+    if arguments.preview is not None and arguments.preview.suffix.lower() != ".png":
+        raise refuse("CONFIG_VALUE", "--preview", f"a picture ends in .png, not in {arguments.preview.suffix!r}")
     screen = screen_of(arguments)
     with Interruption() as interruption, _progress(screen, arguments) as shown:
 
