@@ -49,9 +49,16 @@ def settings_page() -> str:
     parts = [
         "# Settings\n",
         NOTE,
-        "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with `--config`, in an\n"
-        "environment variable (`USDRIGUI_SOLVE_GAP=1e-3`) or on the command line (`--set solve.gap=1e-3`).\n"
-        "Strongest first: command line, configuration file, environment, preset, default. Unknown keys are errors.\n",
+        "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with `--config`, or on the\n"
+        "command line (`--set solve.gap=1e-3`, `--set controls.smile.maximum=0.5`; names with a dot in quotes:\n"
+        "`--set 'controls.\"brow.L\".exclude=true'`). An environment variable (`USDRIGUI_SOLVE_GAP=1e-3`) can say\n"
+        "every setting but those of a control, pose or joint by its name (`controls`, `poses`, `joints`).\n"
+        "Strongest first: command line, configuration file, environment, preset, default. Unknown keys are errors.\n\n"
+        "`check`, `view`, `picture` and `picker` of a layout need the configuration that it was made with, as it says\n"
+        "which controls the character has. They take one file: that of `--config`; without it that of the layout's\n"
+        "own name (`looks/cfg.toml` for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\n"
+        "the layout stands over, wherever the layout lies. For an asset, by itself or with its layout attached, it is\n"
+        "`CHAR.rigui.toml` beside it. A layer over a layout (corrections) takes that of the layout if it has none.\n",
     ]
     for field in (node for node in classes["Settings"].body if isinstance(node, ast.AnnAssign)):
         name = ast.unparse(field.target)

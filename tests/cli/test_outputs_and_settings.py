@@ -174,6 +174,12 @@ def test_what_the_command_line_gets_wrong_is_told_before_the_asset_is_read(tmp_p
     assert "FILE_NOT_FOUND" not in told
 
 
+def test_a_folder_is_no_character(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["process", "."]) == 3
+    assert "SOURCE_NOT_A_FILE" in capsys.readouterr().err
+
+
 def test_a_picture_of_an_unknown_kind_is_refused_before_the_layer_is_read(tmp_path, capsys):
     main(["picture", str(tmp_path / "missing.usda"), "-o", "p.jpg"])
     assert "ends in .png or .gif" in capsys.readouterr().err

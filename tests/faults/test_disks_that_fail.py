@@ -34,6 +34,12 @@ def character(tmp_path_factory):
 
 
 OLD = b"""#usda 1.0
+(
+    customLayerData = {
+        dictionary usdrigui = {
+        }
+    }
+)
 over "Char"
 {
     def Scope "RigUI" (

@@ -5,15 +5,21 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import hashlib
+import os
+import re
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.errors import Exit, refuse
+from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.settings import Settings
+
+_BESIDE_CHAR = "CHAR.rigui.toml beside CHAR"
+_BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
+_ANY_SETTING = "any one setting: solve.gap=1e-3, controls.smile.maximum=0.5"
 
 
 def command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
@@ -26,12 +32,19 @@ def command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit],
     return parser
 
 
-def add_settings(parser: Any) -> None:
-    """The options that choose settings; `settings_of` reads them."""
+def add_configuration(parser: Any, *, layer: bool = True) -> Any:
+    """The options for any setting at all, and their group; `layer` where the command takes a layout, not an asset."""
     group = parser.add_argument_group("settings", "docs/settings.md lists all that a configuration can say")
-    group.add_argument("--config", type=Path, metavar="TOML", help="default: CHAR.rigui.toml beside CHAR, if there")
+    default = _BELOW_LAYER if layer else _BESIDE_CHAR
+    group.add_argument("--config", type=Path, metavar="TOML", help=f"default: {default}, if there")
+    group.add_argument("--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING)
+    return group
+
+
+def add_settings(parser: Any, *, layer: bool = False) -> None:
+    """The options that choose settings; `settings_of` reads them."""
+    group = add_configuration(parser, layer=layer)
     group.add_argument("--preset", default="default", metavar="NAME", help="default, or paper: the paper's constants")
-    group.add_argument("--set", action="append", default=[], metavar="PART.KEY=VALUE", help="any one setting")
     group.add_argument("--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a camera prim")
     group.add_argument("--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view")
     group.add_argument("--pose", type=Path, metavar="TOML", help="base pose: a file of control = value lines")
@@ -44,25 +57,36 @@ def add_settings(parser: Any) -> None:
 
 
 def settings_of(arguments: argparse.Namespace) -> Settings:
-    """Settings of a command, from the weakest to the strongest source."""
+    """Settings of a command, from the weakest to the strongest source.
+
+    Which configuration belongs to a layer only the layer tells, so it is read for that where none is given.  Raises
+    RigUIError with what that reading raises, and with the CONFIG_ codes.
+    """
     from usdrigui import settings
 
-    sources: list[Mapping[str, Any]] = []
-    configuration = _configuration(arguments)
-    if configuration is not None:
-        sources.append(settings.read_toml(configuration))
-    sources += [_assignment(text) for text in getattr(arguments, "set", [])]
+    said = _said(arguments)
+
+    def load(*weaker: Mapping[str, Any]) -> Settings:
+        preset = getattr(arguments, "preset", "default")
+        return settings.load(*weaker, *said, preset=preset, environment=settings.environment_settings())
+
+    loaded = load()  # what is wrong with the command line is told before anything is read
+    configuration = _configuration(arguments, loaded)
+    return loaded if configuration is None else load(settings.read_toml(configuration))
+
+
+def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
+    """What the command line says, the strongest last."""
+    from usdrigui import settings
+
+    sources = [_assignment(text) for text in getattr(arguments, "set", [])]
     if getattr(arguments, "pose", None):
         sources.append({"read": {"pose": settings.read_toml(arguments.pose)}})
     for option, (part, key) in _OPTIONS.items():
         value = getattr(arguments, option, None)
         if value is not None and value is not False:
             sources.append({part: {key: value}})
-    return settings.load(
-        *sources,
-        preset=getattr(arguments, "preset", "default"),
-        environment=settings.environment_settings(),
-    )
+    return sources
 
 
 def settings_digest(arguments: argparse.Namespace) -> str:
@@ -103,25 +127,89 @@ _OPTIONS: Mapping[str, tuple[str, str]] = {
 }
 
 
-def _configuration(arguments: argparse.Namespace) -> Path | None:
+_WORD = r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|[^."'=][^.=]*)"""
+"""One part of a key: as TOML quotes it, or else anything but a dot; names of controls are no bare keys of TOML."""
+_ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
+
+
+def _configuration(arguments: argparse.Namespace, limits: Settings) -> Path | None:
+    """The configuration of a command: the one given, or that of its asset or layer; none if there is no such file."""
     given: Path | None = getattr(arguments, "config", None)
     if given is not None:
         return given
     asset: Path | None = getattr(arguments, "asset", None)
     layer: Path | None = getattr(arguments, "layer", None)
-    beside = asset.with_suffix(".rigui.toml") if asset is not None else None
-    if asset is None and layer is not None:
-        beside = layer.with_suffix(".toml")  # char.rigui.usda → char.rigui.toml
-    return beside if beside is not None and beside.is_file() else None
+    if asset is not None:
+        return next(_existing(_beside(asset)), None)
+    return next(_of_layer(layer, limits), None) if layer is not None else None
+
+
+def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()) -> Iterator[Path]:
+    """The configurations of what a command takes as a layout, the first of which counts; `above` are layers over it.
+
+    A layout was made with the configuration of the asset below it, wherever the layout itself lies, unless it has one
+    of its own name.  An asset may be given as well, by itself or with its layout inside: a file `char.toml` beside
+    `char.usda` is somebody else's.
+    """
+    from usdrigui.usd.child import read_layouts_isolated
+
+    try:
+        found = read_layouts_isolated(layer, limits)
+    except RigUIError as error:
+        if error.issue.code == "LAYOUT_MISSING":
+            yield from _existing(_beside(layer))
+            return
+        # Perhaps its configuration raises the limit that it ran into; only its name can tell which that is.
+        guesses = [_beside(layer), *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else [])]
+        named = [path for guess in guesses for path in _existing(guess)]
+        if not named:
+            raise
+        yield from named
+        return
+    if _same(found.source, layer) or (found.brought and not found.source):
+        yield from _existing(_beside(layer))
+        return
+    yield from _existing(layer.with_suffix(".toml"))  # char.rigui.usda → char.rigui.toml
+    yield from _existing(_beside(Path(found.source)))
+    above |= {os.path.realpath(layer)}
+    if found.brought and os.path.realpath(found.source) not in above:  # layers can stand over each other in a circle
+        yield from _of_layer(Path(found.source), limits, above)
+
+
+def _beside(asset: Path) -> Path | None:
+    """``char.usda`` → ``char.rigui.toml``, there or not; none of what has no name."""
+    return asset.with_suffix(".rigui.toml") if asset.name else None
+
+
+def _existing(path: Path | None) -> Iterator[Path]:
+    if path is not None and os.path.isfile(path):  # noqa: PTH113  (a name too long for a file is an OSError there)
+        yield path
+
+
+def _same(first: str, second: Path) -> bool:
+    return bool(first) and os.path.realpath(first) == os.path.realpath(second)
 
 
 def _assignment(text: str) -> Mapping[str, Any]:
-    """``solve.gap=1e-3`` as nested tables; the value is TOML, or else a plain word."""
-    key, equals, value = text.partition("=")
-    part, dot, name = key.partition(".")
-    if not (equals and dot):
+    """``solve.gap=1e-3`` as nested tables, however deep; the value is TOML, or else a plain word."""
+    found = _ASSIGNED.fullmatch(text)
+    if not found:
         raise refuse("CONFIG_VALUE", "--set", f"expected PART.KEY=VALUE, got {text!r}")
+    *parts, last = (_unquoted(word, text) for word in re.findall(_WORD, found[1]))
     try:
-        return {part: {name: tomllib.loads(f"value = {value}")["value"]}}
+        tables = {last: tomllib.loads(f"value = {found[2]}")["value"]}
     except tomllib.TOMLDecodeError:
-        return {part: {name: value}}
+        tables = {last: found[2]}
+    for part in reversed(parts):
+        tables = {part: tables}
+    return tables
+
+
+def _unquoted(word: str, text: str) -> str:
+    """A part of a key without the quotes that a name with a dot, or an equals sign, needs."""
+    if word[0] not in "\"'":
+        return word.strip()
+    try:
+        return str(tomllib.loads(f"word = {word}")["word"])
+    except tomllib.TOMLDecodeError as error:
+        raise refuse("CONFIG_VALUE", "--set", f"{word} of {text!r} is no string of TOML: {error}") from error

@@ -15,8 +15,10 @@ from usdrigui.errors import Exit
 def add_check(commands: Any) -> None:
     """Add ``check`` to the commands."""
     parser = command(commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layout layer over its character")
-    add_settings(parser)
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="a layout layer over its character, or the character itself"
+    )
+    add_settings(parser, layer=True)
 
 
 def add_diff(commands: Any) -> None:

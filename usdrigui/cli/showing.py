@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.cli.options import command, settings_of
+from usdrigui.cli.options import add_configuration, command, settings_of
 from usdrigui.cli.outcomes import say
 from usdrigui.errors import Exit, refuse
 
@@ -24,6 +24,7 @@ def add_view(commands: Any) -> None:
     parser.add_argument(
         "--study", action="store_true", help="offer the evaluation: match target faces with three interfaces"
     )
+    add_configuration(parser)
 
 
 def add_picture(commands: Any) -> None:
@@ -34,6 +35,7 @@ def add_picture(commands: Any) -> None:
     parser.add_argument("--labels", action="store_true", help="name the elements")
     _add_levels(parser)
     parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
+    add_configuration(parser)
 
 
 def add_flat_picker(commands: Any) -> None:
@@ -44,6 +46,7 @@ def add_flat_picker(commands: Any) -> None:
     parser.add_argument("--labels", action="store_true", help="name the elements on the face in the picture as well")
     _add_levels(parser)
     parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
+    add_configuration(parser)
 
 
 def _add_levels(parser: Any) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
@@ -13,7 +14,9 @@ _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
 
 
 def default_output(asset: Path) -> Path:
-    """``char.usda`` → ``char.rigui.usda``, beside it."""
+    """``char.usda`` → ``char.rigui.usda``, beside it.  Raises SOURCE_NOT_A_FILE for a folder without a name."""
+    if not asset.name:
+        raise refuse("SOURCE_NOT_A_FILE", str(asset), "is a folder")
     return asset.with_name(asset.stem + ".rigui.usda")
 
 
@@ -50,8 +53,8 @@ def check_replaceable(target: Path, settings: Settings, asset: Path | None = Non
     whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and ``char.usda``
     share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
     """
-    if not target.is_file() or not target.stat().st_size:
-        return
+    if not target.is_file() or not target.stat().st_size or not os.access(target, os.W_OK):
+        return  # writing will refuse what may not be written
     try:
         standing = read_layer_isolated(target, settings)
     except RigUIError as error:
