@@ -20,6 +20,15 @@ pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP] if sys.platform != "win32" else []
 
 
+@pytest.fixture(autouse=True)
+def heeded():
+    """No signal is ignored to begin with, as it is where a shell has put the tests in the background."""
+    before = {each: signal.signal(each, signal.default_int_handler) for each in ENDING}
+    yield
+    for each, handler in before.items():
+        signal.signal(each, handler)
+
+
 def hanging(folder, count=3):
     """Assets that USD never finishes to read."""
     os.mkfifo(folder / "pipe.usda")
