@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
+from processes import children_of, until
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import run
@@ -35,20 +36,6 @@ def hanging(folder, count=3):
     for index in range(count):
         (folder / f"char{index}.usd").write_text("#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\n")
     return str(folder / "*.usd")
-
-
-def children_of(*processes):
-    parents = ",".join(map(str, processes))
-    found = subprocess.run(["ps", "-o", "pid=", "--ppid", parents], capture_output=True, text=True, check=False)
-    return [int(each) for each in found.stdout.split()]
-
-
-def until(question, seconds=30):
-    end = time.monotonic() + seconds
-    while not (found := question()):
-        assert time.monotonic() < end, "waited too long"
-        time.sleep(0.02)
-    return found
 
 
 def gone(process):

@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from processes import children_of, until
 from skel_stages import character, head
 
 from usdrigui.cli import main
@@ -62,19 +63,6 @@ def untouched(asset):
     return layer.read_bytes() == b"#usda 1.0\n" and not [each for each in layer.parent.iterdir() if "tmp" in each.name]
 
 
-def readers_of(process):
-    found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(process)], capture_output=True, text=True, check=False)
-    return [int(each) for each in found.stdout.split()]
-
-
-def until(question):
-    end = time.monotonic() + 30
-    while not (found := question()):
-        assert time.monotonic() < end
-        time.sleep(0.02)
-    return found
-
-
 def test_reading_ends_at_its_limit(hanging):
     sent = time.monotonic()
     process = start(hanging, "--set", "read.time_limit=1.5", "--json")
@@ -87,7 +75,7 @@ def test_reading_ends_at_its_limit(hanging):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     process = start(hanging)
-    (reader,) = until(lambda: readers_of(process.pid))
+    (reader,) = until(lambda: children_of(process.pid))
     sent = time.monotonic()
     process.send_signal(number)
     _, err = ended(process, sent)
@@ -117,7 +105,7 @@ def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, number):
 
 def test_a_second_signal_ends_at_once(hanging):
     process = start(hanging)
-    until(lambda: readers_of(process.pid))
+    until(lambda: children_of(process.pid))
     sent = time.monotonic()
     for _ in range(3):
         if process.poll() is None:

@@ -4,11 +4,11 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import batch_assets
 import pytest
+from processes import until
 
 from usdrigui.clients.batch import jobs, run
 from usdrigui.errors import RigUIError
@@ -33,7 +33,7 @@ def scheduler(tmp_path):
 
     where = tmp_path / "scheduler.json"
     start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(where))
-    wait_until(where.exists)
+    until(where.exists, 120.0)
     options = ["--scheduler-file", str(where), "--no-nanny", "--nthreads", "1", "--no-dashboard", "--host", "127.0.0.1"]
     workers = [start("dask_worker", *options, "--local-directory", str(tmp_path / f"w{i}")) for i in range(2)]
     yield where, workers
@@ -41,13 +41,6 @@ def scheduler(tmp_path):
         if each.poll() is None:
             os.killpg(each.pid, signal.SIGKILL)
         each.wait()
-
-
-def wait_until(condition, seconds=120):
-    deadline = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < deadline, "waited too long"
-        time.sleep(0.05)
 
 
 def test_a_killed_worker_loses_nothing(tmp_path, scheduler):

@@ -61,8 +61,10 @@ def check_replaceable(target: Path, settings: Settings, asset: Path | None = Non
         raise refuse("FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}") from error
     if not standing.ours:
         raise refuse("FILE_TARGET", str(target), "exists and is no layout layer that process wrote")
-    source = target.parent / standing.sublayers[0] if standing.sublayers else target
-    if asset is not None and source != target and source.is_file() and not source.samefile(asset):
+    if asset is None or not standing.sublayers:
+        return
+    source = target.parent / standing.sublayers[0]
+    if source.is_file() and not source.samefile(asset):
         raise refuse("FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}")
 
 

@@ -73,15 +73,15 @@ def check_bounds(settings: Settings) -> None:
         view_angles(view)
     for key, (least, largest) in _BOUNDS.items():
         part, _, name = key.partition(".")
-        value = getattr(getattr(settings, part), name)
-        if not least <= value <= largest:
-            raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
+        _check(key, getattr(getattr(settings, part), name), least, largest)
     for name, said in settings.controls.items():
         for key, (least, largest) in _OF_CONTROLS.items():
-            value = getattr(said, key)
-            if value is not None and not least <= value <= largest:
-                what = f"expected {least:g} to {largest:g}, got {value:g}"
-                raise refuse("CONFIG_VALUE", f'controls."{name}".{key}', what)
+            _check(f'controls."{name}".{key}', getattr(said, key), least, largest)
+
+
+def _check(key: str, value: float | None, least: float, largest: float) -> None:
+    if value is not None and not least <= value <= largest:
+        raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
 
 
 def view_angles(view: str) -> tuple[float, float]:

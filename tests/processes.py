@@ -1,0 +1,22 @@
+"""Processes of a test: waiting for them, and those that they have started."""
+
+from __future__ import annotations
+
+import subprocess
+import time
+
+
+def until(question, seconds=30.0):
+    """The first answer that is true, or nothing empty."""
+    end = time.monotonic() + seconds
+    while not (found := question()):
+        assert time.monotonic() < end, "waited too long"
+        time.sleep(0.02)
+    return found
+
+
+def children_of(*processes):
+    """Numbers of the processes that these have started and that are still listed."""
+    parents = ",".join(map(str, processes))
+    found = subprocess.run(["ps", "-o", "pid=", "--ppid", parents], capture_output=True, text=True, check=False)
+    return [int(each) for each in found.stdout.split()]
