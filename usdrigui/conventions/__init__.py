@@ -1,0 +1,192 @@
+"""What the names of controls mean: the conventions of the field as one table.
+
+Names are priors, never requirements: geometry overrules them (a rig may swap its sides), and a rig whose names say
+nothing is laid out by its motions alone.  But riggers share conventions, and a cast that shares one should look alike.
+
+A name is taken apart into words (`words`); words that nearly all names of a rig share in front or behind are dropped;
+what is left is looked up among the codes of the conventions (``codes.toml``: FACS numbers, phonemes, moods) and then
+read as a phrase (``phrases.toml``: *brow* and *up* is `browUp`).  ``actions.toml`` says what an action is.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any, Literal
+
+Side = Literal["left", "right", ""]
+Category = Literal["atom", "viseme", "emotion", "identity", "interior", "detail"]
+Region = Literal[
+    "eye", "gaze", "brow", "forehead", "cheek", "nose", "jaw", "chin", "mouth", "mouthCorner", "upperLip", "lowerLip",
+    "ear", "neck", "head", "interior", "face",
+]  # fmt: skip
+
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
+_SIDES: Mapping[str, Side] = {
+    "left": "left", "right": "right", "l": "left", "r": "right", "lf": "left", "rt": "right", "lt": "left",
+}  # fmt: skip
+_SHARED = 0.8
+"""Share of a rig's names that begin (or end) with a word from which the word says nothing."""
+_CODED = 0.5
+"""Share of a rig's names that are numbers of action units from which its numbers are such."""
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """What a control does to a face, whatever its rig calls it."""
+
+    name: str
+    region: Region
+    category: Category = "atom"
+    axis: str = ""
+    """Name of the axis of which it is an end; empty for a control without an opposite."""
+    pole: int = 0
+    """-1 or 1: which end."""
+    importance: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """How a name is read."""
+
+    action: Action
+    side: Side
+    """Side of the character on which the name says that it acts; a guess that geometry overrules."""
+
+
+def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
+    """(names,) how each name of one rig is read; None where it says nothing that is known."""
+    bare = _without_shared([words(name) for name in names])
+    coded = sum(_action_unit(each) is not None for each in bare) >= _CODED * max(1, len(bare))
+    return tuple(_meaning(each, action_units=coded) for each in bare)
+
+
+def words(name: str) -> tuple[str, ...]:
+    """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come apart alike."""
+    found: list[str] = []
+    for word in _WORD.findall(name):
+        # A side is glued to the front of a word that is known: LbrowUp.
+        glued = word[0] in "LR" and word[1:] in _vocabulary() and word.lower() not in _vocabulary()
+        found += [word[0], word[1:]] if glued else [word]
+    return tuple(_table("codes")["abbreviations"].get(word.lower(), word.lower()) for word in found)
+
+
+def joysticks() -> Mapping[str, tuple[str, str]]:
+    """Names of joysticks to their axes: the one that runs across, the one that runs up."""
+    return {name: (pair[0], pair[1]) for name, pair in _table("actions")["_joysticks"].items()}
+
+
+def _meaning(each: tuple[str, ...], *, action_units: bool) -> Meaning | None:
+    """The words as they stand first (in mouthLeft the side is a direction), then without the side."""
+    side, rest = _side(each)
+    unit = _action_unit(each) if action_units else None
+    if unit is not None:
+        return Meaning(unit, side)
+    if found := _coded(each):
+        return Meaning(found, "")
+    for phrase in _phrases():
+        if phrase.fits(rest, side):
+            return Meaning(_actions()[phrase.action], "" if phrase.directed else side)
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class _Phrase:
+    """Words that together mean an action: one of every set must be among those of the name."""
+
+    action: str
+    every: tuple[frozenset[str], ...]
+    without: frozenset[str]
+    directed: bool
+    """Whether a word for a side is a direction here: mouthLeft goes to the left."""
+
+    def fits(self, rest: tuple[str, ...], side: Side) -> bool:
+        own = {*rest, side} if self.directed else set(rest)
+        if self.without & own:
+            return False
+        return all(alternatives & own for alternatives in self.every)
+
+
+def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
+    """The side that the words name, the last such word counting, and the words without it."""
+    for i in reversed(range(len(each))):
+        if each[i] in _SIDES and len(each) > 1:
+            return _SIDES[each[i]], each[:i] + each[i + 1 :]
+    return "", each
+
+
+def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """The names without the words that nearly all of them begin or end with."""
+    for end in (0, -1):
+        while len(names) > 2:
+            most = Counter(each[end] for each in names if len(each) > 1).most_common(1)
+            if not most or most[0][1] < _SHARED * len(names) or most[0][0] in _SIDES:
+                break
+            kept = slice(1, None) if end == 0 else slice(None, -1)
+            names = [each[kept] if len(each) > 1 and each[end] == most[0][0] else each for each in names]
+    return names
+
+
+def _action_unit(each: tuple[str, ...]) -> Action | None:
+    """The action unit of ``AU12``, ``L12`` or ``12``, whatever side it names."""
+    numbers = [word for word in each if word.isdigit()]
+    others = {word for word in each if not word.isdigit()} - {"au", "facs", *_SIDES}
+    if len(numbers) != 1 or others:
+        return None
+    return next((a for a in _actions().values() if int(numbers[0]) in _units().get(a.name, ())), None)
+
+
+def _coded(each: tuple[str, ...]) -> Action | None:
+    """Visemes by their phonemes, moods and identity series by their words."""
+    codes = _table("codes")
+    plain = [word for word in each if not word.isdigit()]
+    if not plain:
+        return None
+    phonemes, parts = codes["visemes"]["phonemes"], codes["emotions"]["parts"]
+    if plain[0] in codes["visemes"]["prefixes"] or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
+        return _actions()["viseme"] if plain != ["mouth"] else None
+    if plain[-1] in codes["emotions"]["words"] and (len(plain) == 1 or (len(plain) == 2 and plain[0] in parts)):
+        return _actions()[parts[plain[0]] if len(plain) == 2 else "emotion"]
+    if plain[0] in codes["identities"]["prefixes"] and len(plain) < len(each):
+        return _actions()["identity"]
+    return None
+
+
+@cache
+def _table(name: str) -> dict[str, Any]:
+    return tomllib.loads((files(__package__) / f"{name}.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def _actions() -> Mapping[str, Action]:
+    rows = {name: row for name, row in _table("actions").items() if not name.startswith("_")}
+    return {name: Action(name, **{key: row[key] for key in row if key != "au"}) for name, row in rows.items()}
+
+
+@cache
+def _units() -> Mapping[str, tuple[int, ...]]:
+    return {name: tuple(row.get("au", ())) for name, row in _table("actions").items() if not name.startswith("_")}
+
+
+@cache
+def _phrases() -> tuple[_Phrase, ...]:
+    return tuple(_phrase(row) for row in _table("phrases")["phrase"])
+
+
+@cache
+def _vocabulary() -> frozenset[str]:
+    return frozenset(word for phrase in _phrases() for every in phrase.every for word in every)
+
+
+def _phrase(row: Mapping[str, Any]) -> _Phrase:
+    sets = tuple(frozenset(_alternatives(each)) for each in row["words"])
+    return _Phrase(row["action"], sets, frozenset(row.get("without", ())), bool(row.get("directed", False)))
+
+
+def _alternatives(text: str) -> Iterable[str]:
+    return text.split()
