@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import importlib
 
 import bpy
 
@@ -31,10 +32,15 @@ def add_controls(stage, objects):
     return built
 
 
-def expose_usd():
-    """Put the USD that this Blender brings along where Python finds it: as a module, bpy does not by itself."""
+def has_usd():
+    """Whether Python can import the USD that this Blender brings along; some builds leave its Python modules out."""
     if hasattr(bpy.utils, "expose_bundled_modules"):
-        bpy.utils.expose_bundled_modules()
+        bpy.utils.expose_bundled_modules()  # bpy as a module does not do so by itself
+    try:
+        importlib.import_module("pxr.Usd")
+    except ImportError:
+        return False
+    return True
 
 
 def objects_by_name(stage):
@@ -101,9 +107,11 @@ if hasattr(bpy.types, "USDHook"):
 
 
 def register():
-    """Listen to imports, where this Blender tells of them."""
-    if hasattr(bpy.types, "USDHook"):
-        expose_usd()
+    """Listen to imports, where this Blender tells of them and Python has USD.
+
+    Without USD's Python modules Blender cannot hand a hook its stage: it aborts in any import.
+    """
+    if hasattr(bpy.types, "USDHook") and has_usd():
         bpy.utils.register_class(RigControlsHook)
         # Blender 4.5 deadlocks at exit in a class that it still knows while Python goes away.
         atexit.register(unregister)

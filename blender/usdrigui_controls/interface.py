@@ -7,7 +7,7 @@ import bpy
 from . import shown
 from .character import Character, holders, unbind
 from .gizmos import Hand
-from .importing import add_controls, expose_usd, objects_by_name
+from .importing import add_controls, has_usd, objects_by_name
 from .layout import LayoutError
 
 
@@ -188,11 +188,10 @@ class RigPanel(bpy.types.Panel):
 
 def open_stage(path):
     """A USD stage.  Raises LayoutError without USD, or for a file that is none."""
-    try:
-        expose_usd()
-        from pxr import Tf, Usd
-    except ImportError as error:
-        raise LayoutError("this Blender comes without USD's Python modules") from error
+    if not has_usd():
+        raise LayoutError("this Blender comes without USD's Python modules")
+    from pxr import Tf, Usd
+
     try:
         return Usd.Stage.Open(path)
     except Tf.ErrorException as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +22,20 @@ NO_BPY = pytest.param("", marks=pytest.mark.skip("USDRIGUI_BPY names no interpre
 def bpy_python(request):
     """An interpreter with bpy; never the one of the tests: two USDs in one process disturb each other."""
     return request.param
+
+
+@pytest.fixture
+def usd_python(bpy_python):
+    """The same; skips those whose bpy brings no Python modules of USD."""
+    if not _has_usd(bpy_python):
+        pytest.skip("this bpy comes without USD's Python modules")
+    return bpy_python
+
+
+@cache
+def _has_usd(python):
+    program = "import bpy; getattr(bpy.utils, 'expose_bundled_modules', int)(); import pxr.Usd"
+    return subprocess.run([python, "-c", program], capture_output=True, timeout=120, check=False).returncode == 0
 
 
 @pytest.fixture(scope="session")

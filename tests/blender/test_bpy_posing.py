@@ -69,30 +69,30 @@ KINDS = {
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_points_handles_and_tracks_of_small_characters(run_inside, bpy_python, tmp_path, kind):
+def test_points_handles_and_tracks_of_small_characters(run_inside, usd_python, tmp_path, kind):
     layer, rig, layout = characters.skinned(tmp_path, kind, **KINDS[kind])
-    worst = checked(run_inside, bpy_python, layer, tmp_path / f"{kind}.usda", rig, layout)
+    worst = checked(run_inside, usd_python, layer, tmp_path / f"{kind}.usda", rig, layout)
     assert all(each < CLOSE for name, each in worst.items() if name != "values"), worst
     assert worst["values"] < 1e-4
 
 
-def test_points_of_the_sample(run_inside, bpy_python, tmp_path):
+def test_points_of_the_sample(run_inside, usd_python, tmp_path):
     source = tmp_path / "char.usda"
     for name in ("char.usda", "char_geometry.usda"):
         (tmp_path / name).write_bytes((SAMPLE.parent / name).read_bytes())
     layer, rig, layout = characters.written(source)
-    worst = checked(run_inside, bpy_python, layer, source, rig, layout)
+    worst = checked(run_inside, usd_python, layer, source, rig, layout)
     assert all(each < CLOSE for name, each in worst.items() if name != "values"), worst
     print(worst)
 
 
 @pytest.mark.real
 @pytest.mark.parametrize("name", ["ict_face57.usdc"])
-def test_points_of_real_rigs(run_inside, bpy_python, tmp_path, name):
+def test_points_of_real_rigs(run_inside, usd_python, tmp_path, name):
     if not (ASSETS / name).is_file():
         pytest.skip(f"needs ../shared/assets/{name}")
     source = tmp_path / name
     source.write_bytes((ASSETS / name).read_bytes())
     layer, rig, layout = characters.written(source)
-    worst = checked(run_inside, bpy_python, layer, source, rig, layout)
+    worst = checked(run_inside, usd_python, layer, source, rig, layout)
     assert all(each < CLOSE for key, each in worst.items() if key != "values"), worst

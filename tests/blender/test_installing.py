@@ -17,10 +17,18 @@ def archive(tmp_path):
     return str(tmp_path / "usdrigui_controls.zip")
 
 
-def test_install_import_key_save_and_load(run_inside, bpy_python, archive, tmp_path):
+def test_an_import_ends_well_with_and_without_usd_in_python(run_inside, bpy_python, tmp_path):
+    layer, _, _ = characters.sample(tmp_path)
+    found = run_inside([bpy_python], "enabled_import", layer=str(layer))
+    assert found["objects"] > 5
+    assert found["layouts"] == found["usd"]
+    assert ("without USD" in str(found["refused"])) != found["usd"]
+
+
+def test_install_import_key_save_and_load(run_inside, usd_python, archive, tmp_path):
     layer, _, source = characters.sample(tmp_path)
     home = {"BLENDER_USER_RESOURCES": str(tmp_path / "home")}
-    found = run_inside([bpy_python], "installed", home, archive=archive, layer=str(layer), source=str(source))
+    found = run_inside([usd_python], "installed", home, archive=archive, layer=str(layer), source=str(source))
     assert found["keyed"] == pytest.approx(np.array([[0.25, 2.5], [0.75, 7.5]]), abs=1e-4)
     assert found["rest"] < 1e-4
     assert found["loaded"] == 11

@@ -20,7 +20,7 @@ bpy.utils.expose_bundled_modules()
 """
 
 
-def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, bpy_python, tmp_path):
+def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd_python, tmp_path):
     layer, rig, source = characters.sample(tmp_path)
     expected = anchors(layer, rig, FRAMES)
     where = {
@@ -28,7 +28,7 @@ def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, bpy
         for element in shown_at_first(layer)
         if not element.anchor.beside
     }
-    found = run_inside([bpy_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where)
+    found = run_inside([usd_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where)
     place = characters.to_world(source, rig)
     close = CLOSE * characters.diagonal([place(mesh.points) for mesh in rig.meshes])
     assert found["frames"].tolist() == [1, 48]
@@ -76,9 +76,9 @@ def root_points(stage, rig, element, points, frames):
     return np.array(at)
 
 
-def test_storm_draws_guides_on_demand_and_they_move(run_inside, bpy_python, tmp_path):
+def test_storm_draws_guides_on_demand_and_they_move(run_inside, usd_python, tmp_path):
     layer, _, _ = characters.sample(tmp_path)
-    run_inside([bpy_python], "storm", {"MESA_NO_ERROR": "1"}, layer=str(layer), eye=[0.0, -1.0, 60.0], frames=[1, 24])
+    run_inside([usd_python], "storm", {"MESA_NO_ERROR": "1"}, layer=str(layer), eye=[0.0, -1.0, 60.0], frames=[1, 24])
     shown = {
         name: np.asarray(Image.open(tmp_path / f"{name}.png").convert("RGB")).astype(int)
         for name in ("plain1", "guides1", "plain24", "guides24")
@@ -91,10 +91,10 @@ def test_storm_draws_guides_on_demand_and_they_move(run_inside, bpy_python, tmp_
     assert (coloured["guides1"] != coloured["guides24"]).sum() > 100, "the guides move with it"
 
 
-def test_the_usd_inside_bpy_reads_our_layers_with_and_without_the_schema(bpy_python, tmp_path, monkeypatch):
+def test_the_usd_inside_bpy_reads_our_layers_with_and_without_the_schema(usd_python, tmp_path, monkeypatch):
     samples = usd_versions.write_samples(tmp_path)
     monkeypatch.setattr(usd_versions, "READER", EXPOSED + usd_versions.READER)
     for name, (root, expected) in samples.items():
         for plugin in (False, True):
-            said = usd_versions.complaint(bpy_python, tmp_path / name, root, expected, plugin)
+            said = usd_versions.complaint(usd_python, tmp_path / name, root, expected, plugin)
             assert said == "", (name, plugin)

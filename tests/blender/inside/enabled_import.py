@@ -1,0 +1,20 @@
+"""Import a layer with the extension switched on; and load its layout by the menu, which needs USD in Python."""
+
+import bpy
+import numpy as np
+from scene import imported, job
+
+task = job()
+holders = imported(task["layer"])
+from usdrigui_controls.importing import has_usd  # noqa: E402
+
+try:
+    bpy.ops.usdrigui.load_layout(filepath=task["layer"])
+    refused = ""
+except RuntimeError as error:
+    refused = str(error)
+np.savez(task["result"], objects=len(bpy.data.objects), layouts=len(holders), usd=has_usd(), refused=refused)
+
+import usdrigui_controls  # noqa: E402
+
+usdrigui_controls.unregister()
