@@ -37,7 +37,7 @@ from usdrigui.pipeline import Posed, posed
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
-from usdrigui.usd.child import read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.view.picture import contact_sheet, render
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample_assets" / "char.usda"

@@ -118,7 +118,7 @@ def _wanted(name: str, words: list[str]) -> bool:
 
 def _rig_problem(asset: Path, *, fold: bool, finer: bool) -> LayoutProblem:
     from usdrigui.pipeline import posed
-    from usdrigui.usd.child import read_rigs_isolated
+    from usdrigui.usd.reader_process import read_rigs_isolated
 
     settings = load({"symmetry": {"fold": fold}})
     rig = read_rigs_isolated(asset, settings).rigs[0]

@@ -11,7 +11,7 @@ from usdrigui.examples import Examples
 from usdrigui.layout.elements import layout as elements_of
 from usdrigui.settings import load
 from usdrigui.solve import solve
-from usdrigui.usd.child import read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated
 
 ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
 SETTINGS = load({"solve": {"gap": 1e-2, "threads": 1}})

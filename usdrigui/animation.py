@@ -17,7 +17,7 @@ from usdrigui.layout.groups import share_a_place
 from usdrigui.layout.terms import Context
 from usdrigui.model import Candidates, Performance, Rig, Symmetry
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_performances_isolated
+from usdrigui.usd.reader_process import read_performances_isolated
 
 _ACTIVE = 0.05
 """Activity from which a control is said to be active in a frame."""

@@ -19,7 +19,7 @@ from usdrigui.layout.trajectory import trajectories as find_trajectories
 from usdrigui.layout.transfer import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
-from usdrigui.usd.child import LayoutsResult, asset_below, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import LayoutsResult, asset_below, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)

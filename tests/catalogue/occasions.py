@@ -30,7 +30,7 @@ from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue
 from usdrigui.layout import trajectory
 from usdrigui.settings import Settings, SolveSettings
-from usdrigui.usd import child, layer, rig, safe_write, schema, skeleton, source
+from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
 
 Found = tuple[int, list[dict[str, Any]]]
 Occasion = Callable[[Path, Any], Found]
@@ -78,7 +78,7 @@ def _impostor(script: str, *arguments: object) -> Occasion:
     """A reading process of another kind."""
 
     def occasion(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, child.sys, script)
+        _impersonated(folder, patch, reader_process.sys, script)
         return process(folder, "", *arguments)
 
     return occasion

@@ -17,7 +17,7 @@ import pytest
 from zygote import Zygote
 
 from usdrigui.errors import CODES, Exit
-from usdrigui.usd import child
+from usdrigui.usd import reader_process
 
 GOLDEN = Path(__file__).parent / "golden"
 WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
@@ -32,7 +32,7 @@ def zygote():
     if sys.platform != "linux":
         yield None
         return
-    forking = Zygote(child._environment())
+    forking = Zygote(reader_process._environment())
     yield forking
     forking.close()
 
@@ -50,7 +50,7 @@ def test_no_golden_report_is_left_over():
 @pytest.mark.parametrize("code", occasions.OCCASIONS)
 def test_its_golden_report(code, tmp_path, monkeypatch, zygote):
     if zygote is not None and code not in FRESH:
-        monkeypatch.setattr(child, "_started", zygote.start)
+        monkeypatch.setattr(reader_process, "_started", zygote.start)
     exit_code, issues = occasions.OCCASIONS[code](tmp_path, monkeypatch)
     monkeypatch.undo()
     report = {"exit": exit_code, "issues": [_anonymous(each, tmp_path) for each in issues if each["code"] == code]}

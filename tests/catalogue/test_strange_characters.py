@@ -10,7 +10,7 @@ import traps
 from pxr import Sdf
 from zygote import Zygote
 
-from usdrigui.usd import child
+from usdrigui.usd import reader_process
 from usdrigui.usd.read_layout import read_layout
 
 
@@ -19,7 +19,7 @@ def zygote():
     if sys.platform != "linux":
         yield None
         return
-    forking = Zygote(child._environment())
+    forking = Zygote(reader_process._environment())
     yield forking
     forking.close()
 
@@ -27,7 +27,7 @@ def zygote():
 @pytest.mark.parametrize("name", traps.TRAPS)
 def test_a_trap(name, tmp_path, monkeypatch, zygote, capfd):
     if zygote is not None:
-        monkeypatch.setattr(child, "_started", zygote.start)
+        monkeypatch.setattr(reader_process, "_started", zygote.start)
     _, expected_exit, expected = traps.TRAPS[name]
     exit_code, issues = occasions.command("process", traps.trapped(tmp_path, name))
     assert exit_code == expected_exit, issues

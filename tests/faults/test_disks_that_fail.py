@@ -19,7 +19,7 @@ from skel_stages import head
 from usdrigui.cli import main
 from usdrigui.pipeline import laying_out
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.source import hashed
 
 ROOT = sys.platform == "linux" and os.geteuid() == 0

@@ -27,7 +27,7 @@ from zygote import Zygote
 
 from usdrigui.cli import main
 from usdrigui.errors import CODES, Exit
-from usdrigui.usd import child
+from usdrigui.usd import reader_process
 
 SECONDS = 10.0
 """Limit on reading one file."""
@@ -149,7 +149,7 @@ def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path 
     """Run many; returns the figures."""
     ends: collections.Counter[str] = collections.Counter()
     faulty, slowest = [], 0.0
-    fresh, zygote = child._started, Zygote(child._environment())
+    fresh, zygote = reader_process._started, Zygote(reader_process._environment())
     with tempfile.TemporaryDirectory(dir=_MEMORY, prefix="fuzz-") as place:
         grounds = Path(place) / "run"
         grounds.mkdir()
@@ -158,7 +158,7 @@ def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path 
         for number in numbers:
             content = mutations.mutant(form, stock, number, seed)
             current.write_bytes(content)  # Should this very process die of it.
-            child._started = fresh if number % spawn_every == 0 else zygote.start  # type: ignore[assignment]
+            reader_process._started = fresh if number % spawn_every == 0 else zygote.start  # type: ignore[assignment]
             end = run(content, form, grounds)
             ends[f"{end.exit_code} {end.code}".strip()] += 1
             slowest = max(slowest, end.seconds)

@@ -21,7 +21,7 @@ _SET_CHILD_SUBREAPER = 36
 
 
 class Reader:
-    """What `usdrigui.usd.child` needs to know of a process."""
+    """What `usdrigui.usd.reader_process` needs to know of a process."""
 
     def __init__(self, pid: int, stderr: IO[bytes]) -> None:
         self.pid = pid
@@ -30,7 +30,7 @@ class Reader:
 
 
 class Zygote:
-    """Stands in for `usdrigui.usd.child._started`."""
+    """Stands in for `usdrigui.usd.reader_process._started`."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, 1)
@@ -55,9 +55,9 @@ class Zygote:
 
 
 def _serve(asker: int) -> None:
-    from usdrigui.usd import inside
+    from usdrigui.usd import reader_main
 
-    inside._load()
+    reader_main._load()
     ours = socket.socket(fileno=os.dup(0))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     while True:
@@ -74,7 +74,7 @@ def _serve(asker: int) -> None:
 
 
 def _become_reader(ours: socket.socket, descriptors: Any, asker: int) -> None:
-    from usdrigui.usd import inside
+    from usdrigui.usd import reader_main
 
     os.setsid()
     for number, each in enumerate(descriptors):
@@ -85,7 +85,7 @@ def _become_reader(ours: socket.socket, descriptors: Any, asker: int) -> None:
     ours.send(struct.pack("<i", os.getpid()))
     ours.close()
     sys.stdin = os.fdopen(0, "r")
-    inside.main()
+    reader_main.main()
 
 
 if __name__ == "__main__":

@@ -23,9 +23,9 @@ from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.settings import OutputSettings, load
 from usdrigui.usd import glyphs
-from usdrigui.usd.child import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.rig import read_rigs
 from usdrigui.view import overlay, shading
 from usdrigui.view.scene import pack

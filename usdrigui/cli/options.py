@@ -151,7 +151,7 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
     of its own name.  An asset may be given as well, by itself or with its layout inside: a file `char.toml` beside
     `char.usda` is somebody else's.
     """
-    from usdrigui.usd.child import read_layouts_isolated
+    from usdrigui.usd.reader_process import read_layouts_isolated
 
     try:
         found = read_layouts_isolated(layer, limits)

@@ -12,7 +12,7 @@ from usdrigui.layout import groups as groups_stage
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Posed, posed
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated
 
 
 def inspect(

@@ -25,7 +25,7 @@ from usdrigui.pipeline.writing import write_layer
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
-from usdrigui.usd.child import ReadResult, read_rigs_isolated
+from usdrigui.usd.reader_process import ReadResult, read_rigs_isolated
 from usdrigui.usd.source import SourceFile
 
 

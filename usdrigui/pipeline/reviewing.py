@@ -13,7 +13,7 @@ from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import posed
 from usdrigui.settings import Settings
-from usdrigui.usd.child import asset_below, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import asset_below, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)

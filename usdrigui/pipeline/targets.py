@@ -7,7 +7,7 @@ from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_layer_isolated
+from usdrigui.usd.reader_process import read_layer_isolated
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
 _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")

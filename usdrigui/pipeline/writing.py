@@ -12,7 +12,7 @@ from usdrigui.layout import additions as additions_stage
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
 from usdrigui.settings import Settings
-from usdrigui.usd.child import LayoutsResult, ReadResult
+from usdrigui.usd.reader_process import LayoutsResult, ReadResult
 from usdrigui.usd.source import check_unchanged
 
 

@@ -19,7 +19,6 @@ from pxr import Sdf
 from usdrigui.model import Element, Layout, Rig
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Carriage, PointShape
-from usdrigui.usd.child import StandingPrim
 from usdrigui.usd.control_api import author_limits
 from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_shape
@@ -33,6 +32,7 @@ from usdrigui.usd.layer import (
     relative_asset_path,
     solution,
 )
+from usdrigui.usd.reader_process import StandingPrim
 from usdrigui.usd.safe_write import commit
 
 

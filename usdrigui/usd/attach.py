@@ -19,10 +19,10 @@ from pxr import Sdf, Tf
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
-from usdrigui.usd.child import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
+from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.safe_write import commit
-from usdrigui.usd.source import SourceFile, admit, check_unchanged
+from usdrigui.usd.source import SourceFile, check_source, check_unchanged
 from usdrigui.usd.stage import open_layer
 
 Outcome = Literal["written", "unchanged"]
@@ -96,7 +96,7 @@ def _admitted(asset: Path, settings: Settings) -> SourceFile:
         raise refuse("ATTACH_PACKAGE", str(asset), "is a package, whose layers cannot be edited")
     if asset.is_symlink():
         raise refuse("ATTACH_LINK", str(asset), f"is a link to {os.path.realpath(asset)}")
-    return admit(asset, settings.read.size_limit)
+    return check_source(asset, settings.read.size_limit)
 
 
 def _check_bare(asset: Path, layer: Path, settings: Settings) -> None:

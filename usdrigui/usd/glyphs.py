@@ -19,7 +19,7 @@ from usdrigui.model import Floats, Glyph, Indices
 from usdrigui.settings import Settings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
 from usdrigui.usd.mesh import left_handed
-from usdrigui.usd.source import admit
+from usdrigui.usd.source import check_source
 from usdrigui.usd.stage import open_stage
 
 _MOST_POINTS = 1000
@@ -72,7 +72,7 @@ def _address(key: str, text: str) -> tuple[str, str]:
 
 def _opened(key: str, path: Path, settings: Settings) -> Usd.Stage:
     try:
-        admit(path, settings.read.size_limit)
+        check_source(path, settings.read.size_limit)
         return open_stage(path)
     except RigUIError as error:
         if error.issue.code != "FILE_NOT_FOUND":

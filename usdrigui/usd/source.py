@@ -29,7 +29,7 @@ class SourceFile:
     """Hex digest."""
 
 
-def admit(path: Path, size_limit: int) -> SourceFile:
+def check_source(path: Path, size_limit: int) -> SourceFile:
     """Look at a file before USD does, and remember its content.
 
     `size_limit` in MiB.  Raises RigUIError FILE_NOT_FOUND, FILE_NAME (not UTF-8), SOURCE_NOT_A_FILE (a

@@ -8,8 +8,8 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from usdrigui.usd import schema
 from usdrigui.usd.arrays import vector_count
-from usdrigui.usd.child import StandingPrim
 from usdrigui.usd.read_layout import layout_scopes, value_of
+from usdrigui.usd.reader_process import StandingPrim
 from usdrigui.usd.shapes import shape_tokens
 
 

@@ -1,7 +1,7 @@
-"""The child's side of `usdrigui.usd.child`: ``python -m usdrigui.usd.inside``.
+"""The reader's side of `usdrigui.usd.reader_process`: ``python -m usdrigui.usd.reader_main``.
 
 Takes one request on standard input and writes one answer to standard output, both in the format of
-`usdrigui.usd.wire`.  While foreign data is being parsed, the process can write no file, open no
+`usdrigui.usd.serialization`.  While foreign data is being parsed, the process can write no file, open no
 connection from Python, and is bound to end: by its alarm, or with its parent.
 """
 
@@ -19,8 +19,8 @@ from typing import Any, NoReturn
 from usdrigui.errors import Exit, Issue, RigUIError, issue, refuse
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
-from usdrigui.usd import wire
-from usdrigui.usd.child import Answer, FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request
+from usdrigui.usd import serialization
+from usdrigui.usd.reader_process import FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request, Response
 from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0
@@ -33,29 +33,29 @@ def main() -> NoReturn:
     """Answer one request and leave without the interpreter's farewell, which may crash on what was read."""
     outbox = os.fdopen(os.dup(1), "wb", buffering=0)
     os.dup2(2, 1)
-    request = wire.decode(sys.stdin.buffer.read(), Request)
+    request = serialization.decode(sys.stdin.buffer.read(), Request)
     _bind_to(request.parent)
     _load()
     bound(request.limits)
-    answered = answer(request)
+    response = respond(request)
     _allow_output(request.limits)
-    deliver(answered, outbox.fileno())
+    write_response(response, outbox.fileno())
     os._exit(0)
 
 
-def answer(request: Request) -> Answer:
+def respond(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     path, peak = Path(request.path), _peak()
     try:
         if request.task == "layouts":
-            return Answer(layouts=_layouts(path))
+            return Response(layouts=_layouts(path))
         if request.task == "clips":
-            return Answer(performances=_performances(path))
+            return Response(performances=_performances(path))
         if request.task == "faults":
-            return Answer(faults=_faults(path))
+            return Response(faults=_faults(path))
         if request.task == "layer":
-            return Answer(layer=_layer(path))
-        return Answer(rigs=_rigs(path, request.settings))
+            return Response(layer=_layer(path))
+        return Response(rigs=_rigs(path, request.settings))
     except RigUIError as error:
         return _refusal(_starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error)
     except MemoryError:
@@ -64,9 +64,9 @@ def answer(request: Request) -> Answer:
         return _refusal(_unexpected(error, request.path))
 
 
-def deliver(answered: Answer, descriptor: int) -> None:
-    """Write the whole answer."""
-    for chunk in wire.encode(answered):
+def write_response(response: Response, descriptor: int) -> None:
+    """Write the whole response."""
+    for chunk in serialization.encode(response):
         rest = chunk
         while rest:
             rest = rest[os.write(descriptor, rest) :]
@@ -259,10 +259,10 @@ def _as_json(value: Any) -> Any:
 # --- failures ----------------------------------------------------------------------------------------
 
 
-def _refusal(error: RigUIError) -> Answer:
+def _refusal(error: RigUIError) -> Response:
     found = error.issue
     clean = replace(found, path=_text(found.path), message=_text(found.message))
-    return Answer(refusal=clean, exit_code=int(error.exit_code))
+    return Response(refusal=clean, exit_code=int(error.exit_code))
 
 
 def _text(value: object) -> str:
@@ -278,7 +278,7 @@ def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
     """Whether what USD says of the asset is really about the limit: it catches failed allocations itself."""
     if found.code not in ("FILE_NOT_USD", "LAYER_MISSING", "USD_ERROR"):
         return False
-    return any(cry in found.message for cry in _OUT_OF_MEMORY) or grown > 0.7 * (limits.memory << 20)
+    return any(message in found.message for message in _OUT_OF_MEMORY) or grown > 0.7 * (limits.memory << 20)
 
 
 def _unexpected(error: Exception, path: str) -> RigUIError:
@@ -335,7 +335,7 @@ def _lower(kind: int, soft: int, hard: int | None = None) -> None:
 
 
 def _allow_output(limits: Limits) -> None:
-    """The answer may be written now; nothing foreign runs any more."""
+    """The response may be written now; nothing foreign runs any more."""
     if sys.platform != "win32":
         import resource
 

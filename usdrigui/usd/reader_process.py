@@ -1,8 +1,8 @@
 """Reading USD that nobody has vouched for, in a process of its own.
 
 A file of a few kilobytes can make USD crash, take gigabytes or never return, and nothing inside the same
-process can prevent that.  So the asset is parsed by a child with limits on time and memory, which answers
-with plain records; whatever becomes of it is an issue code here.  `usdrigui.usd.inside` is the child's side.
+process can prevent that.  So the asset is parsed by a reader with limits on time and memory, which answers
+with plain records; whatever becomes of it is an issue code here.  `usdrigui.usd.reader_main` is the reader's side.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from typing import IO, Any, Literal, TypeVar
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.model import Floats, Layout, Performance, Record, Rig
 from usdrigui.settings import Settings
-from usdrigui.usd import wire
-from usdrigui.usd.source import SourceFile, admit, check_unchanged
+from usdrigui.usd import serialization
+from usdrigui.usd.source import SourceFile, check_source, check_unchanged
 
 Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
 _Part = TypeVar("_Part")
 
 _KEPT_TEXT = 1 << 16
-"""Bytes kept of what the child prints: USD can complain without end."""
+"""Bytes kept of what the reader prints: USD can complain without end."""
 _LAYERS_TOLD = 3
 """Layers in one message."""
 _OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Memory allocation", b"Cannot allocate memory")
@@ -133,19 +133,19 @@ class LayerResult(Record):
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What the child is asked; JSON on its standard input."""
+    """What the reader is asked; JSON on its standard input."""
 
     task: Task
     path: str
     settings: Settings
     limits: Limits
     parent: int
-    """Process id: the child ends with its parent."""
+    """Process id: the reader ends with its parent."""
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
-    """What the child answers: one of the results, or a refusal with its exit code."""
+class Response:
+    """What the reader answers: one of the results, or a refusal with its exit code."""
 
     rigs: ReadResult | None = None
     layouts: LayoutsResult | None = None
@@ -164,9 +164,9 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     SOURCE_READER_LOST, SOURCE_CHANGED.
     """
     limits = limits or Limits.of(settings)
-    before = admit(path, limits.size)
+    before = check_source(path, limits.size)
     try:
-        result = _understood(_answer("rigs", path, settings, limits).rigs, path)
+        result = _understood(_response("rigs", path, settings, limits).rigs, path)
     except RigUIError:
         check_unchanged([before])  # A file that is being written says nothing about the asset.
         raise
@@ -176,7 +176,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
 
 
 def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
-    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a child; raises as `read_rigs_isolated`."""
+    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as `read_rigs_isolated`."""
     return _understood(_asked("layouts", path, settings, limits).layouts, path)
 
 
@@ -193,22 +193,22 @@ def asset_below(found: LayoutsResult, layer: Path) -> str:
 
 
 def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:
-    """As `usdrigui.usd.clips.read_performances`, in a child; raises as `read_rigs_isolated`."""
+    """As `usdrigui.usd.clips.read_performances`, in a reader; raises as `read_rigs_isolated`."""
     return _understood(_asked("clips", path, settings, limits).performances or None, path)
 
 
 def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> FaultsResult:
-    """As `usdrigui.usd.faults.stage_faults`, in a child; raises as `read_rigs_isolated` where nothing can be read."""
+    """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where nothing can be read."""
     return _understood(_asked("faults", path, settings, limits).faults, path)
 
 
 def read_layer_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayerResult:
-    """A layer by itself, in a child; what it composes need not be there.  Raises as `read_rigs_isolated`."""
+    """A layer by itself, in a reader; what it composes need not be there.  Raises as `read_rigs_isolated`."""
     return _understood(_asked("layer", path, settings, limits).layer, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:
-    """The part of an answer that was asked for, which a sound answer has."""
+    """The part of a response that was asked for, which a sound response has."""
     if part is None:
         raise _garbled(path)
     return part
@@ -218,25 +218,25 @@ def _garbled(path: Path) -> RigUIError:
     return refuse("SOURCE_CRASHES_USD", str(path), "what USD made of it cannot be understood")
 
 
-def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Answer:
-    """The child's answer about a file that it may be shown."""
+def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Response:
+    """The reader's response about a file that it may be shown."""
     limits = limits or Limits.of(settings)
-    admit(path, limits.size)
-    return _answer(task, path, settings, limits)
+    check_source(path, limits.size)
+    return _response(task, path, settings, limits)
 
 
-def _answer(task: Task, path: Path, settings: Settings, limits: Limits) -> Answer:
+def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Response:
     request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100 (keeps links)
-    with _private_file() as letter, _private_file() as mailbox:
-        letter.writelines(wire.encode(request))
-        letter.seek(0)
-        end = _run(letter, mailbox, path, limits.seconds)
-        answer = _opened(mailbox)
-    if answer is None:
+    with _private_file() as request_file, _private_file() as response_file:
+        request_file.writelines(serialization.encode(request))
+        request_file.seek(0)
+        end = _run(request_file, response_file, path, limits.seconds)
+        response = _opened(response_file)
+    if response is None:
         raise _death(end, path, limits)
-    if answer.refusal is not None:
-        raise RigUIError(answer.refusal, Exit(answer.exit_code))
-    return answer
+    if response.refusal is not None:
+        raise RigUIError(response.refusal, Exit(response.exit_code))
+    return response
 
 
 # --- the process -------------------------------------------------------------------------------------
@@ -244,7 +244,7 @@ def _answer(task: Task, path: Path, settings: Settings, limits: Limits) -> Answe
 
 @dataclass(frozen=True, slots=True)
 class _End:
-    """How the child ended."""
+    """How the reader ended."""
 
     code: int
     """Exit code, or minus the signal."""
@@ -256,14 +256,14 @@ class _End:
     """The last of what it printed."""
 
 
-def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _End:
-    """Start the child, wait for its end, and be sure that it is gone whatever happens here."""
+def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float) -> _End:
+    """Start the reader, wait for its end, and be sure that it is gone whatever happens here."""
     deadline = time.monotonic() + seconds
     process, late = None, False
     try:
         with _signals_later():
             try:
-                process = _started(letter, mailbox)
+                process = _started(request_file, response_file)
             except (OSError, TypeError) as error:
                 raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
             printed = _Printed(process)
@@ -278,7 +278,7 @@ def _run(letter: IO[bytes], mailbox: IO[bytes], path: Path, seconds: float) -> _
 
 @contextlib.contextmanager
 def _signals_later() -> Iterator[None]:
-    """A signal between the start of the child and its being watched would leave it behind: it comes after."""
+    """A signal between the start of the reader and its being watched would leave it behind: it comes after."""
     came: list[int] = []
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -294,12 +294,12 @@ def _signals_later() -> Iterator[None]:
         signal.raise_signal(late)
 
 
-def _started(letter: IO[bytes], mailbox: IO[bytes]) -> subprocess.Popen[bytes]:
-    """The child, leader of a process group of its own, so that all that it may start can be killed with it."""
+def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Popen[bytes]:
+    """The reader, leader of a process group of its own, so that all that it may start can be killed with it."""
     return subprocess.Popen(
-        [sys.executable, "-P", "-m", "usdrigui.usd.inside"],
-        stdin=letter,
-        stdout=mailbox,
+        [sys.executable, "-P", "-m", "usdrigui.usd.reader_main"],
+        stdin=request_file,
+        stdout=response_file,
         stderr=subprocess.PIPE,
         env=_environment(),
         start_new_session=True,
@@ -307,7 +307,7 @@ def _started(letter: IO[bytes], mailbox: IO[bytes]) -> subprocess.Popen[bytes]:
 
 
 def _environment() -> dict[str, str]:
-    """The child's environment: ours, our module path, and few threads, whose stacks would count as memory.
+    """The reader's environment: ours, our module path, and few threads, whose stacks would count as memory.
 
     With positional reads a crate file that shrinks under us is an error instead of a bus error.
     """
@@ -365,13 +365,13 @@ def _reaped(process: subprocess.Popen[bytes]) -> tuple[int, int]:
 
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    # Until it loads its own program a child counts as its parent, so a smaller figure says nothing.
+    # Until it loads its own program a reader counts as its parent, so a smaller figure says nothing.
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     per_mib = 1 << 20 if sys.platform == "darwin" else 1 << 10
     return process.returncode, usage.ru_maxrss // per_mib if usage.ru_maxrss > own else 0
 
 
-# --- the answer --------------------------------------------------------------------------------------
+# --- the response --------------------------------------------------------------------------------------
 
 
 def _private_file() -> IO[bytes]:
@@ -381,18 +381,18 @@ def _private_file() -> IO[bytes]:
     return tempfile.TemporaryFile()
 
 
-def _opened(mailbox: IO[bytes]) -> Answer | None:
-    """The child's answer, or none if it is not whole; its arrays stay in the mailbox's pages."""
-    if not os.fstat(mailbox.fileno()).st_size:
+def _opened(response_file: IO[bytes]) -> Response | None:
+    """The reader's response, or none if it is not whole; its arrays stay in the file's pages."""
+    if not os.fstat(response_file.fileno()).st_size:
         return None
     try:
-        return wire.decode(mmap.mmap(mailbox.fileno(), 0, access=mmap.ACCESS_READ), Answer)
-    except wire.WireError:
+        return serialization.decode(mmap.mmap(response_file.fileno(), 0, access=mmap.ACCESS_READ), Response)
+    except serialization.SerializationError:
         return None
 
 
 def _death(end: _End, path: Path, limits: Limits) -> RigUIError:
-    """What it means that the child ended without an answer."""
+    """What it means that the reader ended without a response."""
     if end.late or end.code == -signal.SIGALRM:
         return refuse("SOURCE_TIME_LIMIT", str(path), f"was not read within {limits.seconds:g} s")
     if _is_memory(end, limits):
@@ -408,4 +408,4 @@ def _death(end: _End, path: Path, limits: Limits) -> RigUIError:
 
 
 def _is_memory(end: _End, limits: Limits) -> bool:
-    return any(cry in end.text for cry in _OUT_OF_MEMORY) or end.peak > 0.8 * limits.memory
+    return any(message in end.text for message in _OUT_OF_MEMORY) or end.peak > 0.8 * limits.memory

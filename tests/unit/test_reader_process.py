@@ -20,8 +20,8 @@ from skel_stages import character, head
 
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.settings import Settings, load
-from usdrigui.usd import child, inside, wire
-from usdrigui.usd.child import Limits, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd import reader_main, reader_process, serialization
+from usdrigui.usd.reader_process import Limits, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.rig import read_rigs
 from usdrigui.usd.source import check_unchanged
 
@@ -51,7 +51,7 @@ def readers():
             state = (entry / "stat").read_text().rpartition(")")[2].split()[0]
         except OSError:
             continue
-        if b"usdrigui.usd.inside" in command and state != "Z":
+        if b"usdrigui.usd.reader_main" in command and state != "Z":
             found.add(int(entry.name))
     return found
 
@@ -92,13 +92,19 @@ def eventually(question, seconds=20.0):
     raise AssertionError("did not come to pass")
 
 
+def encoded(record):
+    return b"".join(serialization.encode(record))
+
+
 # --- the same as without -----------------------------------------------------------------------------
 
 
 def test_a_rig_is_the_same_to_the_bit(tmp_path):
     path = character(tmp_path / "char.usda")
     here, there = read_rigs(path, Settings()), read_rigs_isolated(path, Settings()).rigs
-    assert [b"".join(wire.encode(rig)) for rig in here] == [b"".join(wire.encode(rig)) for rig in there]
+    assert [b"".join(serialization.encode(rig)) for rig in here] == [
+        b"".join(serialization.encode(rig)) for rig in there
+    ]
 
 
 def test_the_settings_reach_the_reader(tmp_path):
@@ -159,7 +165,9 @@ def test_a_layout_comes_back_too(tmp_path):
     layer = tmp_path / "char.rigui.usda"
     found = read_layouts_isolated(layer, Settings())
     here = read_layout(layer)
-    assert [b"".join(wire.encode(each)) for each in found.layouts] == [b"".join(wire.encode(each)) for each in here]
+    assert [b"".join(serialization.encode(each)) for each in found.layouts] == [
+        b"".join(serialization.encode(each)) for each in here
+    ]
     assert Path(found.source) == path
 
 
@@ -192,7 +200,7 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     impostor = tmp_path / "python"
     impostor.write_text(f"#!/bin/sh\n{script}\n")
     impostor.chmod(0o755)
-    monkeypatch.setattr(child.sys, "executable", str(impostor))
+    monkeypatch.setattr(reader_process.sys, "executable", str(impostor))
     error = refused(head(tmp_path / "char.usda"), Limits(seconds=0.5))
     assert (error.issue.code, error.exit_code) == (code, leaves)
     assert capfd.readouterr() == ("", "")
@@ -200,7 +208,7 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
 
 @pytest.mark.parametrize("executable", ["/no/such/python", "/", None])
 def test_a_child_that_cannot_be_started(executable, tmp_path, monkeypatch):
-    monkeypatch.setattr(child.sys, "executable", executable)
+    monkeypatch.setattr(reader_process.sys, "executable", executable)
     assert refused(head(tmp_path / "char.usda")).issue.code == "SOURCE_READER_LOST"
 
 
@@ -208,7 +216,7 @@ def test_grandchildren_die_with_the_child(tmp_path, monkeypatch):
     impostor = tmp_path / "python"
     impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
     impostor.chmod(0o755)
-    monkeypatch.setattr(child.sys, "executable", str(impostor))
+    monkeypatch.setattr(reader_process.sys, "executable", str(impostor))
     assert refused(head(tmp_path / "char.usda"), Limits(seconds=0.5)).issue.code == "SOURCE_TIME_LIMIT"
     assert gone(int((tmp_path / "grandchild").read_text()))
 
@@ -261,10 +269,10 @@ def _is_bound(process):
 
 def test_the_child_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
-    request = child.Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
+    request = reader_process.Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
     done = subprocess.run(
-        [sys.executable, "-m", "usdrigui.usd.inside"],
-        input=b"".join(wire.encode(request)),
+        [sys.executable, "-m", "usdrigui.usd.reader_main"],
+        input=b"".join(serialization.encode(request)),
         stdout=subprocess.DEVNULL,
         timeout=30,
         check=False,
@@ -277,7 +285,8 @@ def test_the_child_has_an_alarm_of_its_own(tmp_path):
 
 def in_bounds(code, tmp_path):
     """Run code in a process that is bound as the reader is; what it prints."""
-    program = f"from usdrigui.usd import inside\nfrom usdrigui.usd.child import Limits\ninside.bound(Limits())\n{code}"
+    imports = "from usdrigui.usd import reader_main\nfrom usdrigui.usd.reader_process import Limits"
+    program = f"{imports}\nreader_main.bound(Limits())\n{code}"
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
     return done.stdout + done.stderr
 
@@ -320,8 +329,8 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
         raise IndexError("of ours")
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = child.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
-    found = inside.answer(request)
+    request = reader_process.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
+    found = reader_main.respond(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
     assert "IndexError: of ours" in found.refusal.message
@@ -339,8 +348,8 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
         raise error
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = child.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
-    assert inside.answer(request).refusal.code == code
+    request = reader_process.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
+    assert reader_main.respond(request).refusal.code == code
 
 
 # --- what is let in ----------------------------------------------------------------------------------
@@ -447,8 +456,8 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
         return rigs
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
-    request = child.Request("rigs", str(layered), Settings(), Limits(), os.getpid())
-    found = inside.answer(request)
+    request = reader_process.Request("rigs", str(layered), Settings(), Limits(), os.getpid())
+    found = reader_main.respond(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.refusal.path) == ("SOURCE_CHANGED", os.path.realpath(below))
 
@@ -461,7 +470,10 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         return read_rigs(path, settings)
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
-    assert inside.answer(child.Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
+    assert (
+        reader_main.respond(reader_process.Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs
+        is not None
+    )
 
 
 @pytest.mark.parametrize("referenced", [False, True])

@@ -30,7 +30,7 @@ _ALIGNMENT = 64
 _T = TypeVar("_T")
 
 
-class WireError(Exception):
+class SerializationError(Exception):
     """A stream is not what it should be: cut off, damaged, or of another record."""
 
 
@@ -58,22 +58,22 @@ def encode(record: Any) -> Iterator[memoryview]:
 def decode(stream: Any, kind: type[_T]) -> _T:
     """The record of class `kind` in `stream`, any read-only buffer; its arrays are views of it.
 
-    Raises WireError for everything that `encode` of such a record would not have written.
+    Raises SerializationError for everything that `encode` of such a record would not have written.
     """
     view = memoryview(stream)
     try:
         magic, length, total, checksum = _PREAMBLE.unpack_from(view)
         if magic != MAGIC or total != len(view) or length > total - _PREAMBLE.size:
-            raise WireError("the stream is cut off or is none")
+            raise SerializationError("the stream is cut off or is none")
         header = bytes(view[_PREAMBLE.size : _PREAMBLE.size + length])
         if zlib.crc32(header) != checksum:
-            raise WireError("the header is damaged")
+            raise SerializationError("the header is damaged")
         content = json.loads(header)
         body = view[_PREAMBLE.size + length :]
         arrays = [np.frombuffer(body, *_span(entry, len(body))).reshape(entry[1]) for entry in content["arrays"]]
         return typing.cast(_T, _record(kind, content["record"], arrays))
     except (struct.error, ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
-        raise WireError(f"{type(error).__name__}: {error}") from error
+        raise SerializationError(f"{type(error).__name__}: {error}") from error
 
 
 def _padded(size: int) -> int:
@@ -100,12 +100,12 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     code, shape, offset = entry
     dtype = np.dtype(code)
     if dtype.hasobject or any(not isinstance(size, int) or size < 0 for size in shape):
-        raise WireError("an array is of a kind that is never written")
+        raise SerializationError("an array is of a kind that is never written")
     count = 1
     for size in shape:
         count *= size
     if not 0 <= offset <= offset + count * dtype.itemsize <= available:
-        raise WireError("an array ends beyond the stream")
+        raise SerializationError("an array ends beyond the stream")
     return dtype, count, offset if count else 0
 
 
@@ -115,7 +115,7 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
 def _record(kind: Any, value: Any, arrays: list[Any]) -> Any:
     hints = _hints(kind)
     if not isinstance(value, dict) or value.keys() != hints.keys():
-        raise WireError(f"the fields of {kind.__name__} differ")
+        raise SerializationError(f"the fields of {kind.__name__} differ")
     return kind(**{name: _incoming(hint, value[name], arrays) for name, hint in hints.items()})
 
 
@@ -170,5 +170,5 @@ def _tuple(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
 
 def _checked(right: bool, value: Any) -> Any:
     if not right:
-        raise WireError(f"{str(value)[:80]!r} is not what the record holds there")
+        raise SerializationError(f"{str(value)[:80]!r} is not what the record holds there")
     return value

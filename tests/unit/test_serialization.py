@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from usdrigui.errors import Issue
 from usdrigui.model import Floats, Indices, Record, Rig
 from usdrigui.settings import Settings, load
-from usdrigui.usd.wire import WireError, decode, encode
+from usdrigui.usd.serialization import SerializationError, decode, encode
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,7 @@ def test_damaged_bytes_are_an_error_or_differ_in_numbers_only(tree, data):
     stream[place] ^= data.draw(st.integers(1, 255))
     try:
         found = decode(bytes(stream), Tree)
-    except WireError:
+    except SerializationError:
         return
     assert [leaf.name for leaf in found.leaves] == [leaf.name for leaf in tree.leaves]
     assert found.order.shape == tree.order.shape
@@ -97,19 +97,19 @@ def test_damaged_bytes_are_an_error_or_differ_in_numbers_only(tree, data):
 
 @given(st.binary(max_size=300))
 def test_arbitrary_bytes_are_an_error(stream):
-    with pytest.raises(WireError):
+    with pytest.raises(SerializationError):
         decode(stream, Tree)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.5, 0.9, 0.999])
 def test_a_cut_off_stream_is_an_error(share):
     stream = sent(makers.face())
-    with pytest.raises(WireError):
+    with pytest.raises(SerializationError):
         decode(stream[: int(share * len(stream))], Rig)
 
 
 def test_a_record_of_another_kind_is_an_error():
-    with pytest.raises(WireError):
+    with pytest.raises(SerializationError):
         decode(sent(Issue("BUG", "error", "", "", "")), Rig)
 
 
@@ -119,13 +119,13 @@ def test_a_record_of_another_kind_is_an_error():
 )
 def test_a_field_of_another_type_is_an_error(change, value):
     broken = replace(Leaf("n", np.zeros(2), "a"), **{change: value})
-    with pytest.raises(WireError):
+    with pytest.raises(SerializationError):
         decode(sent(broken), Leaf)
 
 
 def test_object_arrays_are_never_made():
     stream = sent(Leaf("n", np.zeros(1), "a"))
-    with pytest.raises(WireError):
+    with pytest.raises(SerializationError):
         decode(stream.replace(b'"<f8"', b'"|O8"'), Leaf)
 
 
