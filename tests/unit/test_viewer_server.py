@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import http.client
+import re
+import socket
 import threading
 
 import pytest
@@ -63,9 +65,26 @@ def test_another_host_name_is_refused(server):
     assert answer(server, server.path, host=f"evil.example:{server.server_port}") == (404, b"")
 
 
-def test_head_has_no_body_and_post_is_not_served(server):
+def test_head_has_no_body(server):
     assert answer(server, server.path, "HEAD") == (200, b"")
-    assert answer(server, server.path, "POST")[0] == 501
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT", "DELETE", "OPTIONS", "BREW"])
+def test_other_methods_are_told_which_there_are(server, method):
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
+    connection.request(method, server.path, body=b"x" * 500_000)
+    response = connection.getresponse()
+    assert (response.status, response.headers["Allow"]) == (405, "GET, HEAD")
+    assert response.read() == b"405 Method Not Allowed\n"
+    connection.close()
+
+
+@pytest.mark.parametrize("line", [b"GET / HTTP/1.1 more", b"GET / HTTP/7", b"GET /" + b"x" * 70_000 + b" HTTP/1.1"])
+def test_what_is_no_request_gets_one_line(server, line):
+    with socket.create_connection(("127.0.0.1", server.server_port), timeout=5) as sent:
+        sent.sendall(line + b"\r\n\r\n")
+        content = sent.makefile("rb").read().rpartition(b"\r\n\r\n")[2]
+    assert re.fullmatch(rb"[45]\d\d [\w -]+\n", content)
 
 
 def test_serve_announces_and_stops():

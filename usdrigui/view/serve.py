@@ -6,8 +6,11 @@ import secrets
 import threading
 import webbrowser
 from collections.abc import Callable
+from contextlib import suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+_MOST_DRAINED = 1 << 20
 
 
 def serve(
@@ -19,8 +22,8 @@ def serve(
     """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
 
     The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random port and a random token
-    of 256 bits; every other path, method or host name gets 404 and no content.  `announce` is told the
-    address before the browser opens.
+    of 256 bits; every other path or host name gets 404, every other method than GET and HEAD gets 405.
+    `announce` is told the address before the browser opens.
     """
     with page_server(html) as server:
         threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
@@ -58,6 +61,8 @@ class _Handler(BaseHTTPRequestHandler):
     server: PageServer
     server_version = "usdrigui"
     sys_version = ""
+    timeout = 10
+    """Seconds that a client may keep the server waiting."""
 
     def do_GET(self) -> None:
         self._answer(with_body=True)
@@ -69,10 +74,28 @@ class _Handler(BaseHTTPRequestHandler):
         """The page for its exact path and host (so that no other site's name can be pointed here), else 404."""
         known = secrets.compare_digest(self.path.encode(), self.server.path.encode())
         found = known and self.headers.get("Host") == self.server.host
-        content = self.server.page if found else b""
-        self.send_response(HTTPStatus.OK if found else HTTPStatus.NOT_FOUND)
-        self.send_header("Content-Type", "text/html; charset=utf-8")
+        status = HTTPStatus.OK if found else HTTPStatus.NOT_FOUND
+        self._send(status, self.server.page if found else b"", "text/html", with_body)
+
+    def send_error(self, code: int, *_words: str | None) -> None:
+        """One line instead of the base class's page; a method without a function here is told what there is."""
+        status = HTTPStatus.METHOD_NOT_ALLOWED if code == HTTPStatus.NOT_IMPLEMENTED else HTTPStatus(code)
+        self._drain()
+        self._send(status, f"{status.value} {status.phrase}\n".encode(), "text/plain", self.command != "HEAD")
+
+    def _drain(self) -> None:
+        """Read what a request brings, within bounds: closing before that would reset the connection."""
+        length = self.headers.get("Content-Length", "") if hasattr(self, "headers") else ""
+        if length.isdecimal():
+            with suppress(OSError):
+                self.rfile.read(min(int(length), _MOST_DRAINED))
+
+    def _send(self, status: HTTPStatus, content: bytes, kind: str, with_body: bool) -> None:
+        self.send_response(status)
+        self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
+        if status == HTTPStatus.METHOD_NOT_ALLOWED:
+            self.send_header("Allow", "GET, HEAD")
         self.send_header("Cache-Control", "no-store")
         self.send_header("Referrer-Policy", "no-referrer")
         self.send_header("X-Content-Type-Options", "nosniff")
