@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import random
@@ -16,8 +17,8 @@ from pathlib import Path
 import pytest
 
 from usdrigui.errors import Exit, RigUIError, refuse
-from usdrigui.usd import safe_write
-from usdrigui.usd.safe_write import commit
+from usdrigui.usd import temporaries
+from usdrigui.usd.safe_write import Transaction, commit
 
 OLD = b"the old layer\n" * 1000
 NEW = b"the new layer\n" * 2000
@@ -81,7 +82,7 @@ def test_the_temporary_is_synced_before_the_rename_and_the_folder_after(target, 
         (errno.EACCES, "FILE_PERMISSION"),
     ],
 )
-@pytest.mark.parametrize("step", ["open", "write", "second write", "fsync", "close", "replace"])
+@pytest.mark.parametrize("step", ["open", "write", "second write", "fsync", "replace"])
 def test_a_failure_at_any_step_leaves_the_old_file(target, monkeypatch, step, number, code):
     def fail(*_arguments, **_named):
         raise OSError(number, os.strerror(number))
@@ -98,14 +99,6 @@ def test_a_failure_at_any_step_leaves_the_old_file(target, monkeypatch, step, nu
         monkeypatch.setattr(os, "write", some)
     elif step == "replace":
         monkeypatch.setattr(Path, "replace", fail)
-    elif step == "close":
-        close = os.close
-
-        def failing_close(descriptor):
-            close(descriptor)
-            fail()
-
-        monkeypatch.setattr(os, "close", failing_close)
     else:
         real = getattr(os, step)
 
@@ -275,22 +268,164 @@ def test_a_folder_without_permission(tmp_path):
     assert caught.value.issue.code == "FILE_PERMISSION"
 
 
-def test_temporaries_of_dead_runs_are_swept_and_of_live_ones_kept(target):
-    dead = subprocess.Popen([sys.executable, "-c", ""])
-    dead.wait()
-    names = {
-        "dead": safe_write._temporary_name(target, dead.pid),
-        "alive": safe_write._temporary_name(target, os.getppid()),
-        "of another target": safe_write._temporary_name(target.with_name("other.usda"), dead.pid),
-    }
-    names["elsewhere"] = names["dead"].replace(safe_write._machine(), "00000000")
-    names["elsewhere, long ago"] = names["dead"].replace(safe_write._machine(), "00000001")
-    for name in names.values():
-        target.with_name(name).write_bytes(b"half")
-    os.utime(target.with_name(names["elsewhere, long ago"]), (0, 0))
+def test_temporaries_are_swept_unless_their_lock_is_held(target):
+    """Who made them does not matter: two machines of one name, or two containers, share a folder."""
+    left, dropped = temporaries.create(target.parent, ".usda")
+    held, descriptor = temporaries.create(target.parent, ".usda")
+    os.close(dropped)
+    foreign = target.with_name(".char.rigui-tmp.usda")
+    foreign.write_bytes(b"not one of ours")
     commit(NEW, target)
-    left = {each.name for each in target.parent.iterdir()}
-    assert left == {target.name, names["alive"], names["of another target"], names["elsewhere"]}
+    assert {each.name for each in target.parent.iterdir()} == {target.name, held.name, foreign.name}
+    os.close(descriptor)
+    commit(OLD, target)
+    assert {each.name for each in target.parent.iterdir()} == {target.name, foreign.name}
+    assert not left.exists()
+
+
+def test_a_temporary_is_claimed_for_as_long_as_it_is_checked(target):
+    """Another writer comes at the worst moment: between the write and the rename."""
+
+    def meanwhile(path: Path) -> bool:
+        commit(OLD + OLD, target)
+        return path.read_bytes() == NEW
+
+    assert commit(NEW, target, verify=meanwhile) == "written"
+    assert target.read_bytes() == NEW
+    assert only_file(target)
+
+
+def test_a_temporary_that_is_swept_before_it_is_claimed_is_made_again(target, monkeypatch):
+    claim, seen = temporaries.claim, []
+
+    def late(descriptor, path):
+        seen.append(path)
+        if len(seen) == 1:
+            temporaries.sweep(path.parent)
+        return claim(descriptor, path)
+
+    monkeypatch.setattr(temporaries, "claim", late)
+    assert commit(NEW, target) == "written"
+    assert len(seen) == 2
+    assert target.read_bytes() == NEW
+    assert only_file(target)
+
+
+@pytest.mark.parametrize("stem", ["x" * 250, "ü" * 125])
+def test_names_as_long_as_the_file_system_allows(tmp_path, stem):
+    target = tmp_path / f"{stem}.usda"
+    assert commit(NEW, target) == "written"
+    assert only_file(target)
+
+
+# --- several files -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("failing", [0, 1, 2, "stage", "block", None])
+def test_files_of_one_run_are_replaced_together_or_not_at_all(tmp_path, monkeypatch, failing):
+    """The second is new, the others are there already; `failing` is the rename that fails."""
+    names = ["char.rigui.usda", "report.json", "preview.png"]
+    targets = [tmp_path / name for name in names]
+    for each in targets[::2]:
+        each.write_bytes(OLD)
+    before = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    replace, order = Path.replace, []
+
+    def seen(path, other):
+        if other.name in names and len(order) < 3:
+            order.append(other.name)
+            if len(order) - 1 == failing:
+                raise OSError(errno.EIO, "input or output error")
+        return replace(path, other)
+
+    monkeypatch.setattr(Path, "replace", seen)
+    with contextlib.ExitStack() as stack:
+        if failing is not None:
+            stack.enter_context(pytest.raises((RigUIError, ZeroDivisionError)))
+        with Transaction(()) as files:
+            for each in targets:
+                check = (lambda _: False) if failing == "stage" and each == targets[2] else None
+                assert files.stage(NEW, each, verify=check) == "written"
+            if failing == "block":
+                raise ZeroDivisionError
+            files.commit()
+    after = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    assert after == (before if failing is not None else dict.fromkeys(names, NEW))
+    assert failing is not None or order == names[::-1], "the layer comes last"
+
+
+def test_a_kill_between_two_renames_leaves_the_layer_with_its_report_or_the_layer_of_before(tmp_path):
+    script = f"""
+import os, signal
+from pathlib import Path
+from usdrigui.usd.safe_write import Transaction
+folder = Path({str(tmp_path)!r})
+replace = Path.replace
+def killed(path, other):
+    replace(path, other)
+    os.kill(os.getpid(), signal.SIGKILL)
+Path.replace = killed
+with Transaction(()) as files:
+    files.stage(b"new layer", folder / "char.rigui.usda")
+    files.stage(b"new report", folder / "report.json")
+    files.commit()
+"""
+    (tmp_path / "char.rigui.usda").write_bytes(OLD)
+    (tmp_path / "report.json").write_bytes(OLD)
+    assert subprocess.run([sys.executable, "-c", script], check=False).returncode == -signal.SIGKILL
+    assert (tmp_path / "char.rigui.usda").read_bytes() == OLD
+    assert (tmp_path / "report.json").read_bytes() == b"new report"
+    commit(NEW, tmp_path / "report.json")
+    assert {each.name for each in tmp_path.iterdir()} == {"char.rigui.usda", "report.json"}
+
+
+def _named(folder, kind):
+    """Another name of ``char.usda``."""
+    asset, other = folder / "char.usda", folder / "report.json"
+    if kind == "itself":
+        return asset
+    if kind == "folder":
+        (folder / "alias").symlink_to(folder)
+        return folder / "alias" / asset.name
+    if kind == "link of link":
+        (folder / "middle").symlink_to(asset)
+    other.hardlink_to(asset) if kind == "hard link" else other.symlink_to("middle" if "of" in kind else asset.name)
+    return other
+
+
+@pytest.mark.parametrize("kind", ["itself", "link", "link of link", "hard link", "folder"])
+def test_what_a_run_has_read_is_never_replaced_by_whatever_name(tmp_path, kind):
+    asset = tmp_path / "char.usda"
+    asset.write_bytes(OLD)
+    target = _named(tmp_path, kind)
+    with pytest.raises(RigUIError, match=f"FILE_TARGET.*{asset}"):
+        commit(NEW, target, read=[tmp_path / "gone.toml", asset])
+    assert asset.read_bytes() == OLD
+    assert commit(NEW, tmp_path / "new.json", read=[asset]) == "written"
+
+
+@pytest.mark.skipif(not hasattr(os, "setxattr"), reason="there are no extended attributes")
+def test_access_lists_and_other_attributes_are_kept(target):
+    folder_list = bytes.fromhex("0200000001000700ffffffff04000700ffffffff20000500ffffffff")
+    access = bytes.fromhex("0200000001000600ffffffff02000600e803000004000400ffffffff10000600ffffffff20000000ffffffff")
+    try:
+        os.setxattr(target, "user.task", b"rig")
+        os.setxattr(target, "system.posix_acl_access", access)
+        os.setxattr(target.parent, "system.posix_acl_default", folder_list)
+    except OSError:
+        pytest.skip("this file system has no access lists")
+    before = target.stat().st_mode
+    commit(NEW, target)
+    assert os.getxattr(target, "user.task") == b"rig"
+    assert os.getxattr(target, "system.posix_acl_access") == access
+    assert target.stat().st_mode == before
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root gives files away")
+def test_the_owner_is_kept_where_that_is_allowed(target):
+    os.chown(target, 1234, 1235)
+    commit(NEW, target)
+    assert (target.stat().st_uid, target.stat().st_gid) == (1234, 1235)
 
 
 def test_killed_runs_leave_the_old_or_the_new_file(target):

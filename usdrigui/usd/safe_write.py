@@ -1,28 +1,28 @@
-"""Writing a file so that at every moment the old or the new one is there, complete.
+"""Writing files so that at every moment the old or the new one is there, complete.
 
 A temporary file in the target's folder is written, synced, read back and checked, and then renamed over
 the target; the rename is atomic on every file system worth the name, and the folder is synced after it.
 Whatever fails, the old file stays byte for byte and no temporary stays behind; those of runs that were
-killed are swept by the next run.
+killed are swept by the next run (`usdrigui.usd.temporaries`).
 """
 
 from __future__ import annotations
 
 import contextlib
 import errno
-import hashlib
 import os
-import platform
-import re
 import stat
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Literal, Self
 
 from usdrigui.errors import RigUIError, refuse
+from usdrigui.usd import temporaries
 
-_DAY = 24 * 3600.0
+State = Literal["written", "unchanged"]
+Verify = Callable[[Path], bool]
+
 _CODES = {
     errno.ENOSPC: "FILE_FULL",
     errno.EDQUOT: "FILE_FULL",
@@ -39,32 +39,108 @@ _CODES = {
 
 
 def commit(
-    content: str | bytes, target: Path, *, verify: Callable[[Path], bool] | None = None
-) -> Literal["written", "unchanged"]:
-    """Make `target` hold `content` (text as UTF-8), or leave everything as it was.
+    content: str | bytes, target: Path, *, verify: Verify | None = None, read: Iterable[Path | str] = ()
+) -> State:
+    """Make `target` hold `content`, or leave everything as it was: a `Transaction` of one file."""
+    with Transaction(read) as files:
+        state = files.stage(content, target, verify=verify)
+        files.commit()
+    return state
 
-    `verify` is asked about the temporary file before it takes the target's place, after its bytes have
-    been compared; the file has the target's suffix.  A target that is a symbolic link is followed: the
-    file that it leads to is replaced, the link stays.  An existing file keeps its permission bits.
 
-    Raises RigUIError with one of the FILE_ codes.
+class Transaction:
+    """The files of one run: all are written and checked beside their targets before the first takes its place.
+
+    `read` are the files that the run has read, none of which is ever replaced.  Leaving the block without `commit`
+    leaves every target as it was.
     """
-    wanted = content.encode() if isinstance(content, str) else content
+
+    def __init__(self, read: Iterable[Path | str]) -> None:
+        self._read = tuple(read)
+        self._staged: list[_Staged] = []
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        for each in self._staged:
+            each.discard()
+
+    def stage(self, content: str | bytes, target: Path, *, verify: Verify | None = None) -> State:
+        """Prepare `target` to hold `content` (text as UTF-8); ``unchanged`` if it does already.
+
+        `verify` is asked about the temporary file, which has the target's suffix, after its bytes have been compared.
+        A target that is a symbolic link is followed: the file that it leads to is replaced, the link stays.  An
+        existing file keeps its permission bits, and owner and access list where the process may give them.
+
+        Raises RigUIError with one of the FILE_ codes.
+        """
+        wanted = content.encode() if isinstance(content, str) else content
+        try:
+            check_not_read(target, self._read)
+            place = _resolved(target)
+            temporaries.sweep(place.parent)
+            if _holds(place, wanted):
+                return "unchanged"
+            self._staged.append(_written(place, wanted, target, verify))
+        except OSError as error:
+            raise file_error(target, error) from error
+        return "written"
+
+    def commit(self) -> None:
+        """Let the files take their places, the first staged last, so that a kill leaves it with what it describes.
+
+        Raises RigUIError with one of the FILE_ codes; then the files that had theirs already have given them back.
+        """
+        with contextlib.ExitStack() as placed:
+            for each in reversed(self._staged):
+                placed.enter_context(_placed(each, undo=len(self._staged) > 1))
+        for folder in dict.fromkeys(each.place.parent for each in self._staged):
+            _sync_folder(folder)
+
+
+@dataclass(frozen=True, slots=True)
+class _Staged:
+    """A file that is written and checked, beside the one that it is to replace."""
+
+    path: Path
+    descriptor: int
+    """Holds the lock of `path`."""
+    place: Path
+    """What is replaced, behind all links."""
+    target: Path
+    """As it was asked for."""
+
+    def discard(self) -> None:
+        """Remove the file, unless it has taken its place."""
+        with contextlib.suppress(OSError):
+            self.path.unlink()
+        with contextlib.suppress(OSError):
+            os.close(self.descriptor)
+
+
+def check_not_read(target: Path, read: Iterable[Path | str]) -> None:
+    """Refuse an output that is, by whatever name or link, a file that the run reads; raises FILE_TARGET."""
+    for each in read:
+        if same_file(target, each):
+            raise refuse("FILE_TARGET", str(target), f"is {each}, which this run reads and never replaces")
+
+
+def same_file(first: Path | str, second: Path | str) -> bool:
+    """Whether two names lead to one file, through links, hard links and other cases too; neither need exist."""
     try:
-        place = _resolved(target)
-        _sweep(place)
-        if _holds(place, wanted):
-            return "unchanged"
-        _replace(place, wanted, target, verify)
-    except OSError as error:
-        raise file_error(target, error) from error
-    return "written"
+        return os.path.samefile(first, second)  # noqa: PTH121 (names may be text)
+    except (OSError, ValueError):
+        return os.path.realpath(first) == os.path.realpath(second)
 
 
 def file_error(target: Path, error: OSError) -> RigUIError:
     """The refusal that an operating-system error on the way to `target` calls for."""
     reason = error.strerror or type(error).__name__
     return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
+
+
+# --- one file ----------------------------------------------------------------------------------------
 
 
 def _resolved(target: Path) -> Path:
@@ -83,19 +159,96 @@ def _holds(place: Path, wanted: bytes) -> bool:
     return place.is_file() and place.stat().st_size == len(wanted) and place.read_bytes() == wanted
 
 
-def _replace(place: Path, wanted: bytes, target: Path, verify: Callable[[Path], bool] | None) -> None:
+def _written(place: Path, wanted: bytes, target: Path, verify: Verify | None) -> _Staged:
+    """The new file, complete and checked, under the name of a temporary."""
     mode = _mode(place)
-    temporary = place.with_name(_temporary_name(place, os.getpid()))
+    staged = _Staged(*temporaries.create(place.parent, place.suffix), place, target)
     try:
-        _write(temporary, wanted, mode)
-        if temporary.read_bytes() != wanted or (verify is not None and not _accepted(verify, temporary)):
-            raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
-        temporary.replace(place)
+        _write(staged.descriptor, wanted)
+        keep_attributes(staged.descriptor, place, mode)
+        os.fsync(staged.descriptor)
+        check_written(staged.path, wanted, target, verify)
+    except BaseException:
+        staged.discard()
+        raise
+    return staged
+
+
+def check_written(path: Path, wanted: bytes, target: Path, verify: Verify | None) -> None:
+    """Refuse a new file that does not hold what it should, or that its checker does not accept; FILE_VERIFY."""
+    if path.read_bytes() != wanted or (verify is not None and not _accepted(verify, path)):
+        raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
+
+
+@contextlib.contextmanager
+def _placed(staged: _Staged, *, undo: bool) -> Iterator[None]:
+    """The file in its target's place; with `undo` the old one, or none, is there again if the block fails."""
+    existed = staged.place.exists()
+    old = _second_name(staged.place) if undo and existed else None
+    try:
+        try:
+            staged.path.replace(staged.place)
+        except OSError as error:
+            raise file_error(staged.target, error) from error
+        yield
     except BaseException:
         with contextlib.suppress(OSError):
-            temporary.unlink()
+            if old is not None:
+                old.replace(staged.place)
+            elif undo and not existed:
+                staged.place.unlink()
         raise
-    _sync_folder(place.parent)
+    finally:
+        if old is not None:
+            old.unlink(missing_ok=True)
+
+
+def _second_name(place: Path) -> Path | None:
+    """Another name of a file, under which it outlives its replacement; none where the file system has but one."""
+    second = place.with_name(f".{os.urandom(8).hex()}.rigui-tmp")
+    try:
+        os.link(place, second)
+    except OSError:
+        return None
+    return second
+
+
+def keep_attributes(descriptor: int, place: Path, mode: int) -> list[str]:
+    """Give a new file the owner, group, extended attributes (access lists among them) and mode of the one at `place`.
+
+    Returns the names of what it could not be given.  What `security.` attributes say is for the system to decide.
+    """
+    lost = []
+    if place.exists() and hasattr(os, "fchown"):
+        old, new = place.stat(), os.fstat(descriptor)
+        for name, owner in (("owner", (old.st_uid, -1)), ("group", (-1, old.st_gid))):
+            if (new.st_uid if name == "owner" else new.st_gid) not in owner:
+                lost += _failed(name, os.fchown, descriptor, *owner)
+    if place.exists() and hasattr(os, "listxattr"):
+        theirs, ours = _attributes(place), _attributes(descriptor)
+        for name in theirs.keys() | ours.keys():
+            if name in theirs and theirs[name] != ours.get(name):
+                lost += _failed(name, os.setxattr, descriptor, name, theirs[name])
+            elif name not in theirs:
+                lost += _failed(name, os.removexattr, descriptor, name)
+    if hasattr(os, "fchmod"):
+        os.fchmod(descriptor, mode)
+    return sorted(lost)
+
+
+def _attributes(file: Path | int) -> dict[str, bytes]:
+    try:
+        return {each: os.getxattr(file, each) for each in os.listxattr(file) if not each.startswith("security.")}
+    except OSError:  # a file system without any
+        return {}
+
+
+def _failed(name: str, call: Callable[..., None], *arguments: object) -> list[str]:
+    try:
+        call(*arguments)
+    except OSError:
+        return [name]
+    return []
 
 
 def _mode(place: Path) -> int:
@@ -116,20 +269,13 @@ def _is_read_only(place: Path) -> bool:
     return hasattr(os, "statvfs") and bool(os.statvfs(place).f_flag & os.ST_RDONLY)
 
 
-def _write(path: Path, content: bytes, mode: int) -> None:
-    descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_CLOEXEC", 0), 0o600)
-    try:
-        view = memoryview(content)
-        while view:
-            view = view[os.write(descriptor, view) :]
-        if hasattr(os, "fchmod"):
-            os.fchmod(descriptor, mode)
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+def _write(descriptor: int, content: bytes) -> None:
+    view = memoryview(content)
+    while view:
+        view = view[os.write(descriptor, view) :]
 
 
-def _accepted(verify: Callable[[Path], bool], path: Path) -> bool:
+def _accepted(verify: Verify, path: Path) -> bool:
     """The checker's answer; a checker that raises something of its own does not accept."""
     try:
         return verify(path)
@@ -147,41 +293,3 @@ def _sync_folder(folder: Path) -> None:
             os.fsync(descriptor)
         finally:
             os.close(descriptor)
-
-
-# --- temporaries -------------------------------------------------------------------------------------
-
-
-def _temporary_name(place: Path, process: int) -> str:
-    """Hidden, with the target's suffix, and telling which process of which machine made it."""
-    return f".{place.stem}.{_machine()}.{process}.{os.urandom(6).hex()}.rigui-tmp{place.suffix}"
-
-
-def _machine() -> str:
-    return hashlib.blake2b(platform.node().encode(), digest_size=4).hexdigest()
-
-
-def _sweep(place: Path) -> None:
-    """Remove the temporaries that dead runs left for this target.
-
-    Whether a process of another machine lives cannot be asked, so its temporaries are left for a day.
-    """
-    stem, suffix = re.escape(place.stem), re.escape(place.suffix)
-    own = re.compile(rf"\.{stem}\.([0-9a-f]{{8}})\.(\d+)\.[0-9a-f]{{12}}\.rigui-tmp{suffix}")
-    for each in sorted(place.parent.iterdir()):
-        match = own.fullmatch(each.name)
-        if match:
-            with contextlib.suppress(OSError):
-                here = match[1] == _machine()
-                if not (_alive(int(match[2])) if here else time.time() - each.stat().st_mtime < _DAY):
-                    each.unlink()
-
-
-def _alive(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    except (OSError, OverflowError):
-        return True
-    return True
