@@ -34,6 +34,8 @@ _EXPLAINED = 0.85
 """Share of a motion's energy that a mixture of others must explain."""
 _PARTS = 1.8
 """Effective number of parts from which a mixture is one, and not one control with some noise."""
+_NAMED = 0.1
+"""Share of the weight of the strongest part from which a part of a mixture is named."""
 _LOCAL_COSINE = 0.6
 _LOCAL_AMOUNT = 0.25
 """A control contains another when, where that one acts, it goes the same way by this share of it."""
@@ -93,7 +95,7 @@ class _Shares:
         return ""
 
     def mixture(self, index: int, rest: list[int]) -> str:
-        parts = [i for i in rest if self.size[i] <= self.size[index] and self.cosine[index, i] > 0.05]
+        parts = self._parts(index, rest)
         if not parts:
             return ""
         table, target = self.cosine[np.ix_(parts, parts)], self.cosine[parts, index]
@@ -104,8 +106,17 @@ class _Shares:
         effective = float(np.square(weights).sum() ** 2 / max(float((weights**4).sum()), 1e-300))
         if explained < _EXPLAINED or effective < _PARTS:
             return ""
-        strongest = [self.names[parts[i]] for i in np.argsort(-weights, kind="stable")[:3] if weights[i] > 0.1]
+        named = weights > _NAMED * weights.max()
+        strongest = [self.names[parts[i]] for i in np.argsort(-weights, kind="stable")[:3] if named[i]]
         return f"does what {_listed(strongest)} do together"
+
+    def _parts(self, index: int, rest: list[int]) -> list[int]:
+        """What a control may be a mixture of: smaller controls that do some of the same, none of them the control once
+        more, and none that repeats an earlier one.  Copies would share a weight and count as many parts."""
+        alike = self.cosine[index, rest]
+        some = np.asarray(rest)[(self.size[rest] <= self.size[index]) & (alike > 0.05) & (alike <= _PARALLEL)]
+        repeats = np.tril(self.cosine[np.ix_(some, some)] > _PARALLEL, -1).any(axis=1)
+        return [int(i) for i in some[~repeats]]
 
     def spread(self, index: int, rest: list[int]) -> str:
         inside = [i for i in rest if self.contains[index, i] and self.size[i] < self.size[index]]

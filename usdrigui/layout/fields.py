@@ -28,14 +28,14 @@ class Fields(Record):
     def products(self, others: Singles | None = None) -> Floats:
         """(motions, motions) weighted inner products of `others` (default: the vectors) with the vectors."""
         # Most controls leave most places alone: sparse products are several times faster than dense ones.
-        first = self._sparse if others is None else csr_array(others.reshape(len(others), -1))
+        first = self._sparse if others is None else csr_array(_rows(others))
         weighted = self._sparse.multiply(np.repeat(self.weights, 3)[None, :]).tocsr()
         return np.asarray((first @ weighted.T).toarray(), dtype=np.float64)
 
     @cached_property
     def _sparse(self) -> csr_array:
         """(motions, 3 m) the vectors, row by row."""
-        return csr_array(self.vectors.reshape(len(self.vectors), -1))
+        return csr_array(_rows(self.vectors))
 
     def sizes(self) -> Floats:
         """(motions,) weighted squared norms of the vectors."""
@@ -69,6 +69,11 @@ def reversed_controls(trajectories: Trajectories) -> tuple[int, ...]:
     return tuple(
         i for i, motion in enumerate(trajectories.motions) if motion.offsets[0].any() and motion.offsets[-1].any()
     )
+
+
+def _rows(vectors: Singles) -> Singles:
+    """(motions, 3 m) of (motions, m, 3), of no places too."""
+    return vectors.reshape(len(vectors), 3 * vectors.shape[1])
 
 
 def _most_moved(moved: Floats, most: int) -> Indices:

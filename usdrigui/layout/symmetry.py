@@ -13,8 +13,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.layout.facing import front
+from usdrigui.layout.fields import motion_fields
 from usdrigui.layout.trajectory import total_motion
-from usdrigui.layout.twins import find_twins
+from usdrigui.layout.twins import agreements, find_twins, pairable
 from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.surface import mesh_triangles, point_areas
@@ -30,6 +31,10 @@ _DIRECTIONS = 16
 _LEVELS = (0.3, 0.5, 0.7)
 """Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
 _FINALISTS = 6
+_EQUAL = 0.01
+"""In tolerances: planes whose misfits differ by less fit equally well."""
+_SAME = 1e-3
+"""Planes that mirror every point to places nearer than this share of the region's extent are one."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
 _TIE = 1e-3
@@ -98,15 +103,51 @@ def _find_plane(rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plan
     tree = cKDTree(every)
     sample = _thinned(region, weights)
     rough = sample[:: max(1, len(sample) // _ROUGH)]
+    slack = _EQUAL * tolerance
     starts = [_refined(plane, tree, rough, 2) for plane in _starts(every, region, weights, rig.up)]
-    starts.sort(key=lambda plane: _misfit(plane, tree, rough))
-    best = min(
-        (_refined(plane, tree, rough, 12) for plane in starts[:_FINALISTS]),
-        key=lambda plane: _misfit(plane, tree, sample),
+    best, equal = _ranked(starts, tree, rough, slack)
+    finalists = [_refined(plane, tree, rough, 12) for plane in best[: max(_FINALISTS, equal)]]
+    best, equal = _ranked(finalists, tree, sample, slack)
+    found = [_polished(_refined(plane, tree, sample, 60), tree, sample, tolerance) for plane in best[:equal]]
+    found = _distinct([plane for plane in found if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE], sample)
+    return found[0] if len(found) == 1 else _by_motions(found, rig, trajectories, tolerance)
+
+
+def _ranked(planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float) -> tuple[list[_Plane], int]:
+    """The distinct planes, the best first, and how many of them fit as well as the best."""
+    misfits = [_misfit(plane, tree, sample) for plane in planes]
+    order = sorted(range(len(planes)), key=lambda i: (round(misfits[i] / slack, 3), i))
+    distinct = _distinct([planes[i] for i in order], sample)
+    least = min(misfits) + slack
+    return distinct, sum(_misfit(plane, tree, sample) <= least for plane in distinct)
+
+
+def _distinct(planes: list[_Plane], sample: Floats) -> list[_Plane]:
+    """The first of all planes that are one: those that mirror the sample to the same places."""
+    kept: list[_Plane] = []
+    images: list[Floats] = []
+    near = _SAME * float(np.ptp(sample, axis=0).max())
+    for plane in planes:
+        image = plane.reflect(sample)
+        if all(np.abs(image - other).max() > near for other in images):
+            kept.append(plane)
+            images.append(image)
+    return kept
+
+
+def _by_motions(planes: list[_Plane], rig: Rig, trajectories: Trajectories, tolerance: float) -> _Plane | None:
+    """Of planes that the surface fits equally well (a face as symmetric upside down as left to right), the one whose
+    mirror maps the controls' motions to each other best; of those alike in this, the one most along the up axis."""
+    fields = motion_fields(
+        trajectories, point_areas(trajectories.base, mesh_triangles(rig.meshes), trajectories.places)
     )
-    plane = _refined(best, tree, sample, 60)
-    plane = _polished(plane, tree, sample, tolerance)
-    return plane if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE else None
+
+    def preference(plane: _Plane) -> tuple[float, float]:
+        partner, _ = _partners(plane, trajectories, tolerance)
+        agreed = pairable(agreements(fields, partner, plane.normal), trajectories).max(axis=1)
+        return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(abs(float(plane.normal @ rig.up)), 3)
+
+    return min(planes, key=preference, default=None)
 
 
 def _moving_region(rig: Rig, trajectories: Trajectories) -> tuple[Floats, Floats]:

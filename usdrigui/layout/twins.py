@@ -67,6 +67,14 @@ def agreements(fields: Fields, partner: Indices, normal: Floats) -> Floats:
     return np.asarray(ratio, dtype=np.float64)
 
 
+def pairable(raw: Floats, trajectories: Trajectories) -> Floats:
+    """`agreements` with the sign dropped between controls that swing to both sides: such a one is symmetric when its
+    mirror image is its own reverse, and so are two."""
+    swings = np.zeros(len(raw), dtype=bool)
+    swings[list(reversed_controls(trajectories))] = True
+    return np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
+
+
 def _mirrored(fields: Fields, partner: Indices, normal: Floats) -> tuple[Singles, Fields]:
     """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among them."""
     row = np.full(len(partner), -1, dtype=np.int64)
@@ -109,10 +117,7 @@ def _matched(
     rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric), the best agreement first."""
-    # A control that swings to both sides is symmetric when its mirror image is its own reverse, and so are two.
-    swings = np.zeros(len(raw), dtype=bool)
-    swings[list(reversed_controls(trajectories))] = True
-    raw = np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
+    raw = pairable(raw, trajectories)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     ranked = []
     for i in free:

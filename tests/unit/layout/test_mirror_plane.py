@@ -1,5 +1,7 @@
 """The mirror plane, partner points and twins, on faces whose symmetry is known by construction."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
@@ -40,6 +42,22 @@ def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
     assert abs(plane_distance(np.asarray(offset, dtype=float), symmetry)) < 1e-6 * scale
     assert (symmetry.partner >= 0).all()
     assert symmetry.distance.max() < 1e-5 * scale
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_controls_decide_where_the_face_is_as_symmetric_upside_down(seed):
+    # The mask itself has both planes to the last bit, and which one rounding favours differs by turn and processor.
+    turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    face = makers.moved(makers.face(17, 21), turn)
+    for up in (turn[:, 1], turn[:, 0]):
+        assert abs(symmetry_of(replace(face, up=up)).normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("up", [0, 1])
+def test_the_up_axis_decides_where_the_controls_leave_it_open(up):
+    points, quads = makers.mask(17, 21)
+    alike = makers.rig(points, quads, {"pout": makers.bump(points, (0, 0), (0, 0, 1), 0.6)}, up=np.eye(3)[up])
+    assert abs(symmetry_of(alike).normal[1 - up]) == pytest.approx(1.0, abs=1e-9)
 
 
 def test_hair_on_one_side_does_not_tilt_the_plane():

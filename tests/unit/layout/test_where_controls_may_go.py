@@ -225,6 +225,24 @@ def test_repetitions_mixtures_and_spreads_are_composites():
     assert not chosen(rig, controls={"both": {"place": "face"}})("both").composite
 
 
+@pytest.mark.parametrize("noise", [0.0, 1e-3])
+def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
+    random = np.random.default_rng(1)
+    raised = makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), 0.3)
+    copies = {f"copy_{i:02d}": raised + noise * raised * random.normal(size=raised.shape) for i in range(12)}
+    found = chosen(rig_with(**copies))
+    said = [found(name) for name in copies]
+    assert sum(not each.composite for each in said) == 1
+    assert all(each.reason.startswith("does the same as copy_") for each in said if each.composite)
+
+
+def test_a_part_that_stands_twice_is_one_part():
+    lesser, whole = (makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), radius) for radius in (0.28, 0.3))
+    aside = np.linalg.norm(whole, axis=1)[:, None] * [0.25, 0.0, 0.0]
+    found = chosen(rig_with(raise_a=lesser, raise_b=lesser, swerving=whole + aside))
+    assert not found("swerving").composite
+
+
 def test_flattened_in_betweens_are_steps_of_their_control():
     off_the_line = 0.5 * SHAPES["pucker"] + 0.3 * np.linalg.norm(SHAPES["pucker"], axis=1)[:, None] * [0.0, 1.0, 0.0]
     found = chosen(rig_with(pucker_50=off_the_line, other=off_the_line * 1.1))
