@@ -76,8 +76,9 @@ def _area(carriage: Carriage, grip: Grip, element: Element) -> tuple[Drawn, ...]
         positions.append(grid[1])
         faces.append(grid[2] + count)
         count += len(grid[0])
-    spanned = np.concatenate(positions)
-    return (_still(carriage, grip, "area", names, np.concatenate(values), spanned, np.concatenate(faces)),)
+    first, corners = _welded(np.concatenate(values), np.concatenate(faces))
+    spanned = np.concatenate(positions)[first]
+    return (_still(carriage, grip, "area", names, np.concatenate(values)[first], spanned, corners),)
 
 
 def _still(
@@ -148,6 +149,18 @@ def _grid(element: Element, a: int, b: int, base: Floats) -> tuple[Floats, Float
     # The second track lies counter-clockwise of the first, so this order faces along the normal.
     quads = np.stack([index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]], axis=-1).reshape(-1, 4)
     return values, positions, quads
+
+
+def _welded(values: Floats, faces: Indices) -> tuple[Indices, Indices]:
+    """First of all points with the same values (q, members), in their order, and the faces with these alone.
+
+    Neighbouring areas share the points of the track between them.
+    """
+    _, first, same = np.unique(values, axis=0, return_index=True, return_inverse=True)
+    order = np.argsort(first)
+    rank = np.empty_like(order)
+    rank[order] = np.arange(len(order))
+    return first[order], rank[same.ravel()][faces]
 
 
 def _thinned(count: int) -> Indices:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from pxr import Sdf, Vt
+from pxr import Sdf, UsdGeom, Vt
 
 from usdrigui.model import Element, Floats, Indices, Rig, Side
 from usdrigui.usd import author, schema
@@ -42,10 +42,10 @@ def author_part(
     is_curve = part.role == "track" or (part.glyph is not None and part.glyph.form == "curve")
     api = schema.HANDLE if part.role == "handle" else schema.TRACK
     prim = author.prim(xform, name, "BasisCurves" if is_curve else "Mesh", (api, "SkelBindingAPI"))
-    width = _TRACK_WIDTH * handle_width if is_curve else 0.0
-    _author_points(prim, part, width)
+    author.put(prim, "points", "point3f[]", part.points)
     if is_curve:
-        _author_curves(prim, [len(part.points)] if part.glyph is None else part.glyph.counts, width)
+        counts = [len(part.points)] if part.glyph is None else part.glyph.counts
+        _author_curves(prim, counts, _TRACK_WIDTH * handle_width)
     else:
         _author_faces(prim, part)
     author.put(prim, "primvars:displayColor", "color3f[]", [_COLOURS[element.side]], interpolation="constant")
@@ -57,16 +57,11 @@ def author_part(
         _author_track_api(prim, part, element, instances)
 
 
-def _author_points(prim: Sdf.PrimSpec, part: Drawn, width: float) -> None:
-    author.put(prim, "points", "point3f[]", part.points)
-    low, high = part.points.min(axis=0) - 0.5 * width, part.points.max(axis=0) + 0.5 * width
-    author.put(prim, "extent", "float3[]", [low, high])
-
-
 def _author_curves(prim: Sdf.PrimSpec, counts: Sequence[int] | Indices, width: float) -> None:
     author.put(prim, "type", "token", "linear", uniform=True)
     author.put(prim, "curveVertexCounts", "int[]", counts)
     author.put(prim, "widths", "float[]", [width], interpolation="constant")
+    _author_extent(prim, UsdGeom.Curves.ComputeExtent(_written(prim, "points"), _written(prim, "widths")))
 
 
 def _author_faces(prim: Sdf.PrimSpec, part: Drawn) -> None:
@@ -75,11 +70,22 @@ def _author_faces(prim: Sdf.PrimSpec, part: Drawn) -> None:
         counts, indices = part.glyph.counts, part.glyph.indices
     author.put(prim, "faceVertexCounts", "int[]", counts)
     author.put(prim, "faceVertexIndices", "int[]", indices)
-    author.put(prim, "subdivisionScheme", "token", "none", uniform=True)
+    # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to author normals.
+    author.put(prim, "subdivisionScheme", "token", "bilinear", uniform=True)
+    _author_extent(prim, UsdGeom.PointBased.ComputeExtent(_written(prim, "points")))
     if part.role == "area" or part.glyph is not None:
         author.put(prim, "doubleSided", "bool", True, uniform=True)
     if part.role == "area":
         author.put(prim, "primvars:displayOpacity", "float[]", [_AREA_OPACITY], interpolation="constant")
+
+
+def _author_extent(prim: Sdf.PrimSpec, extent: Vt.Vec3fArray) -> None:
+    """The extent to the last bit as USD computes it of what is written, in single precision."""
+    Sdf.AttributeSpec(prim, "extent", Sdf.ValueTypeNames.Float3Array, Sdf.VariabilityVarying).default = extent
+
+
+def _written(prim: Sdf.PrimSpec, name: str) -> Any:
+    return prim.attributes[name].default
 
 
 def _author_handle_api(prim: Sdf.PrimSpec, part: Drawn, element: Element) -> None:

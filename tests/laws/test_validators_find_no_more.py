@@ -1,0 +1,60 @@
+"""USD's and NVIDIA's validators find no more on a layout than on the character below it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import laid_out
+import pytest
+import real_rigs
+from pxr import Usd
+
+from usdrigui import pipeline
+from usdrigui.settings import Settings
+
+SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
+SMALL = ("facecap_blender", "godette", "mh_poseunits", "openusd_blendshapes")
+"""Rigs that NVIDIA's validator sees through in seconds."""
+RIGS = [
+    SAMPLE,
+    *(
+        pytest.param(path.resolve(), marks=pytest.mark.real)
+        for path in sorted(real_rigs.ASSETS.glob("*.usd[ac]"))
+        if path.stem in SMALL
+    ),
+]
+SETTINGS = replace(Settings(), solve=replace(Settings().solve, work_limit=real_rigs.WORK))
+
+
+def of_usd(path):
+    """Name and message of what USD's validators find."""
+    return Counter(laid_out.validation_errors(Usd.Stage.Open(str(path))))
+
+
+def of_nvidia(path):
+    """Rule, place and message of what NVIDIA's validator finds."""
+    validator = pytest.importorskip("omni.asset_validator", reason="usd-validation-nvidia is not installed")
+    issues = validator.ValidationEngine().validate(str(path)).issues()
+    return Counter((each.rule.__name__, f"{_place(each.at)} {each.message}") for each in issues)
+
+
+def _place(at):
+    """Prim of a finding; the file's name is another in a layout and its source."""
+    return getattr(at, "path", None) or getattr(getattr(at, "prim_id", None), "path", "")
+
+
+@pytest.fixture(scope="module", params=RIGS, ids=lambda path: path.stem)
+def layout(request, tmp_path_factory):
+    """A character and its layout in a crate: text draws a finding for every array of more than 64 numbers."""
+    source = request.param
+    target = tmp_path_factory.mktemp(source.stem) / "layout.usdc"
+    pipeline.process(source, SETTINGS, output=target)
+    return source, target
+
+
+@pytest.mark.parametrize("find", [of_usd, of_nvidia])
+def test_a_layout_adds_no_finding(layout, find):
+    source, target = layout
+    assert find(target) - find(source) == {}
