@@ -113,8 +113,9 @@ class _Shares:
     def _parts(self, index: int, rest: list[int]) -> list[int]:
         """What a control may be a mixture of: smaller controls that do some of the same, none of them the control once
         more, and none that repeats an earlier one.  Copies would share a weight and count as many parts."""
-        alike = self.cosine[index, rest]
-        some = np.asarray(rest)[(self.size[rest] <= self.size[index]) & (alike > 0.05) & (alike <= _PARALLEL)]
+        others = np.array(rest, dtype=np.int64)
+        alike = self.cosine[index, others]
+        some = others[(self.size[others] <= self.size[index]) & (alike > 0.05) & (alike <= _PARALLEL)]
         repeats = np.tril(self.cosine[np.ix_(some, some)] > _PARALLEL, -1).any(axis=1)
         return [int(i) for i in some[~repeats]]
 

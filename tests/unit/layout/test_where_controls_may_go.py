@@ -236,6 +236,11 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
     assert all(each.reason.startswith("does the same as copy_") for each in said if each.composite)
 
 
+def test_a_control_alone_is_no_composite():
+    found = chosen(makers.rig(POINTS, QUADS, {"pucker": SHAPES["pucker"]}))("pucker")
+    assert (found.composite, found.reason) == (False, "")
+
+
 def test_a_part_that_stands_twice_is_one_part():
     lesser, whole = (makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), radius) for radius in (0.28, 0.3))
     aside = np.linalg.norm(whole, axis=1)[:, None] * [0.25, 0.0, 0.0]
