@@ -1,11 +1,14 @@
-"""Rotations of 3-space for row vectors (``p @ R``): vectors, matrices and quaternions.  numpy only."""
+"""Rotations of 3-space for row vectors (``p @ R``): vectors, matrices and quaternions.
+
+numpy only, and nothing of the package: this very file is part of the Blender extension.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.model import Floats
+Floats = NDArray[np.float64]
 
 
 def rotations(vectors: ArrayLike) -> Floats:

@@ -31,7 +31,9 @@ class Drawing:
     base: np.ndarray
     """(members,) values in the base pose."""
     ranges: np.ndarray
-    """(members, 2) least and largest values."""
+    """(members, 3) minimum, default and maximum."""
+    axes: tuple
+    """Positions of the members of each axis: one, or the two ends of a signed axis."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,8 @@ def drawing_of(element, controls):
         follows=element.follows,
         enlarged=any(abs(member.gain - 1.0) > 1e-6 for member in element.members),
         base=np.array([control.base for control in mine]),
-        ranges=np.array([(control.minimum, control.maximum) for control in mine]),
+        ranges=np.array([(control.minimum, control.default, control.maximum) for control in mine]),
+        axes=element.axes or tuple((i,) for i in range(len(mine))),
     )
 
 

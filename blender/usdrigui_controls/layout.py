@@ -7,7 +7,7 @@ row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, dataclass, fields
+from dataclasses import MISSING, asdict, dataclass, fields
 from typing import Any, NamedTuple
 
 Matrix = tuple[tuple[float, float, float, float], ...]
@@ -105,6 +105,9 @@ class Element:
     """For a coarse element, the names of those that are shown in its place when it is opened."""
     family: str
     reason: str
+    axes: tuple[tuple[int, ...], ...] = ()
+    """Positions of the members of each axis: one control, or the negative and the positive end of a signed axis.
+    Files saved before this was kept have none: there each member is an axis."""
 
 
 @dataclass(frozen=True)
@@ -204,6 +207,7 @@ def _record(kind: Any, values: dict[str, Any]) -> Any:
             if field.name in nested
             else _frozen(values[field.name])
             for field in fields(kind)
+            if field.name in values or field.default is MISSING
         }
     )
 

@@ -154,7 +154,17 @@ def _element(prim, instances):
         inner=tuple(_name(prim.GetStage().GetPrimAtPath(path)) for path in _targets(prim, "rigUI:element:members")),
         family=str(_get(prim, "rigUI:element:family", "")),
         reason=str(_get(prim, "rigUI:element:reason", "")),
+        axes=_axes(prim, len(instances)),
     )
+
+
+def _axes(prim, count):
+    """Positions of each axis: opposed pairs, negative end first, and all others alone."""
+    opposed = [(int(a), int(b)) for a, b in _get(prim, "rigUI:element:opposed", ())]
+    ends = [end for pair in opposed for end in pair]
+    if len(set(ends)) < len(ends) or not set(ends) <= set(range(count)):
+        raise LayoutError(f"{prim.GetPath()} opposes {opposed} of {count} controls")
+    return tuple(sorted([*opposed, *((i,) for i in range(count) if i not in ends)], key=min))
 
 
 def _name(prim):

@@ -1,7 +1,7 @@
 """From drags in the plane of the screen to control values; numpy only, nothing of Blender.
 
-Pixels have x to the right and y down.  The fitting itself is usdrigui's own, copied into `maths` when the
-extension is built.
+Pixels have x to the right and y down.  The rule of drags is usdrigui's own file, put into `maths` when the extension
+is built.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .maths.drag import drag, held_at
+from .maths.drag import begin_drag, drag_to, values_at
 
 FINE = 0.1
 """How much slower the handle is than the pointer in a fine drag."""
@@ -78,22 +78,19 @@ class Grab:
     """One drag of one element, from press to release."""
 
     def __init__(self, screen, drawing, placed, values, pointer):
-        self.drawing = drawing
-        self.tracks = [screen.project(track) for track in placed.tracks]
-        self.values = np.array(values, dtype=np.float64)
-        inside = np.clip(self.values, [at[0] for at in drawing.values], [at[-1] for at in drawing.values])
-        self.hand = held_at(self.tracks, drawing.values, drawing.base, inside)
+        tracks = [screen.project(track) for track in placed.tracks]
+        self.drag = begin_drag(tracks, drawing.values, drawing.axes, drawing.ranges, drawing.base, values)
+        self.at = self.drag.start
         self.pointer = np.array(pointer, dtype=np.float64)
+        self.moved = np.zeros(2)
 
     def to(self, pointer, fine=False):
         """(m,) member values when the pointer has moved to ``pointer`` (2,); within the controls' ranges."""
-        moved = np.array(pointer, dtype=np.float64) - self.pointer
-        self.pointer = self.pointer + moved
-        self.hand = self.hand + (FINE if fine else 1.0) * moved
-        found = drag(self.tracks, self.drawing.values, self.drawing.base, self.values, self.hand)
-        low, high = self.drawing.ranges.T
-        self.values = np.clip(found, low, high)
-        return self.values
+        step = np.array(pointer, dtype=np.float64) - self.pointer
+        self.pointer = self.pointer + step
+        self.moved = self.moved + (FINE if fine else 1.0) * step
+        self.at = drag_to(self.drag, self.at, self.moved)
+        return values_at(self.drag, self.at)
 
 
 def with_partners(changed, partners, ranges):

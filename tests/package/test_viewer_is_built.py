@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
 
+import drag_vectors
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -46,6 +48,14 @@ def test_the_bundled_three_is_the_pinned_one():
     locked = json.loads((VIEWER / "package-lock.json").read_text())["packages"]["node_modules/three"]["version"]
     assert pinned == locked
     assert f'"{pinned.split(".")[1]}"' in BUILT.read_text(encoding="utf-8")
+
+
+def test_the_scripts_own_tests_pass():
+    if shutil.which("npm") is None:
+        pytest.skip("npm is not there")
+    done = subprocess.run(["npm", "test"], cwd=VIEWER, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+    assert int(re.search(r"pass (\d+)", done.stdout)[1]) >= len(drag_vectors.vectors())
 
 
 def test_a_build_gives_the_same_bytes():

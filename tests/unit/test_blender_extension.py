@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 import importlib
+import json
 import re
 import subprocess
 import sys
 import zipfile
+from dataclasses import fields, replace
+from pathlib import Path
 
+import drag_vectors
 import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Sdf, Usd
+from pxr import Sdf, Usd, Vt
 
 import usdrigui
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
-from usdrigui.pose import drag as ours
 from usdrigui.pose.evaluate import elements_at, prepare
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
+from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.rig import read_rigs
 
-ROOMS = ("layout", "reading", "screen", "following", "joints", "maths.drag")
+ROOMS = ("layout", "reading", "screen", "following", "joints")
+VECTORS = drag_vectors.vectors()
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +49,7 @@ def laid(tmp_path_factory):
     source = skinned_stages.character(tmp_path_factory.mktemp("char") / "char.usda", moved=True, meshes=2)
     (rig,) = read_rigs(source, Settings())
     layout = laid_out.layout_of(rig, beside=("chin",), groups=[("brow_L", "smile_L"), ("chin",), ("jaw:open",)])
+    layout = replace(layout, elements=(replace(layout.elements[0], opposed=((1, 0),)), *layout.elements[1:]))
     target = source.with_name("char.rigui.usda")
     write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))
     return rig, layout, target
@@ -58,7 +64,7 @@ def test_the_archive_is_the_same_every_time_and_whole(tmp_path):
     assert (tmp_path / "one.zip").read_bytes() == (tmp_path / "two.zip").read_bytes()
     names = zipfile.ZipFile(tmp_path / "one.zip").namelist()
     inside = {name.removeprefix("usdrigui_controls/") for name in names}
-    assert {"__init__.py", "blender_manifest.toml", "maths/drag.py", "maths/fit.py", "maths/rotation.py"} <= inside
+    assert {"__init__.py", "blender_manifest.toml"} <= inside
 
 
 def test_it_brings_nothing_of_ours_and_says_one_version():
@@ -70,6 +76,12 @@ def test_it_brings_nothing_of_ours_and_says_one_version():
     version = re.search(r'^version = "([\d.]+)"', manifest, re.MULTILINE)[1]
     assert f'"version": ({", ".join(version.split("."))})' in start
     assert version == usdrigui.__version__
+
+
+@pytest.mark.parametrize("name", ["pose/drag.py", "rotation.py"])
+def test_the_rules_it_shares_are_our_own_files(name):
+    shared = blender_extension.extension_files()[f"maths/{Path(name).name}"]
+    assert shared == (Path(usdrigui.__file__).parent / name).read_bytes()
 
 
 def test_without_its_sources_there_is_no_archive(tmp_path, monkeypatch):
@@ -95,16 +107,52 @@ def test_importing_it_needs_neither_blender_nor_usdrigui(tmp_path):
 # --- mathematics --------------------------------------------------------------------------------------
 
 
-def test_the_copied_drag_is_ours(extension):
-    rng = np.random.default_rng(3)
-    for _ in range(60):
-        count = int(rng.integers(1, 5))
-        tracks = [rng.normal(200, 80, (int(rng.integers(2, 7)), 2)) for _ in range(count)]
-        values = [np.sort(rng.uniform(-1, 1, len(track))) for track in tracks]
-        base = np.array([rng.choice(each) for each in values])
-        pointer = rng.normal(200, 100, 2)
-        mine = ours.drag(tracks, values, base, base, pointer)
-        assert np.array_equal(extension["maths.drag"].drag(tracks, values, base, base, pointer), mine)
+@pytest.mark.parametrize("name", VECTORS)
+def test_drags_on_the_vectors_that_all_clients_run(extension, name):
+    vector, pixels = VECTORS[name], pixel_screen(extension)
+    element, controls = records(extension, vector)
+    drawing = extension["following"].drawing_of(element, controls)
+    tracks = tuple(np.array(member.track) for member in element.members)
+    where = extension["following"].Placed(tracks, (), np.zeros(3), np.zeros(3), 1.0)
+    for path in vector["drags"]:
+        grab = extension["screen"].Grab(pixels, drawing, where, path["start"], (5.0, 7.0))
+        for step in path["steps"]:
+            drag_vectors.check(vector, step, grab.to(np.add((5.0, 7.0), step["to"])).tolist())
+
+
+def pixel_screen(extension):
+    """A view in which world x and y are pixels."""
+    matrix = np.array([[1.0, 0, 0, -1], [0, -1, 0, 1], [0, 0, 1, 0], [0, 0, 0, 1]])
+    return extension["screen"].Screen(matrix, 2.0, 2.0, np.array([0.0, 0.0, 1.0]), False)
+
+
+def records(extension, vector):
+    """The extension's own records of an element and its controls, as they are after JSON."""
+    layout = extension["layout"]
+    ranges = zip(*(vector[name] for name in ("minimum", "default", "maximum", "base")), strict=True)
+    controls = tuple(
+        layout.Control(str(i), "", "blendShape", *each, keys=(), shapes=(), joints=()) for i, each in enumerate(ranges)
+    )
+    tracks = [tuple((x, y, 0.0) for x, y in track) for track in vector["tracks"]]
+    members = tuple(
+        layout.Member(str(i), tuple(values), track, 1.0)
+        for i, (values, track) in enumerate(zip(vector["values"], tracks, strict=True))
+    )
+    given = {each.name: {"str": "", "int": 0, "bool": False}.get(each.type, ()) for each in fields(layout.Element)}
+    axes = tuple(map(tuple, vector["axes"]))
+    element = layout.Element(
+        **{**given, "members": members, "position": (0.0,) * 3, "normal": (0.0,) * 3, "axes": axes}
+    )
+    found = layout.from_json(layout.to_json(layout.Layout("/Char", 1.0, controls, (element,), (), ())))
+    return found.elements[0], {control.name: control for control in found.controls}
+
+
+def test_a_file_saved_before_axes_were_kept_still_opens(extension):
+    element, _ = records(extension, VECTORS["slider"])
+    layout = extension["layout"]
+    old = json.loads(layout.to_json(layout.Layout("/Char", 1.0, (), (element,), (), ())))
+    del old["elements"][0]["axes"]
+    assert layout.from_json(json.dumps(old)).elements[0].axes == ()
 
 
 def front(extension, width=400.0, height=300.0):
@@ -154,7 +202,8 @@ def slider(extension, low=0.0, high=1.0):
         follows=True,
         enlarged=False,
         base=np.array([low]),
-        ranges=np.array([[low, high]]),
+        ranges=np.array([[low, low, high]]),
+        axes=((0,),),
     )
 
 
@@ -204,6 +253,7 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
     assert found.handle_width == pytest.approx(layout.handle_width)
     assert [each.name for each in found.elements] == [each.name for each in layout.elements]
     for mine, theirs in zip(found.elements, layout.elements, strict=True):
+        assert mine.axes == theirs.axes
         assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.beside)
         for one, other in zip(mine.members, theirs.members, strict=True):
             assert one.control == other.control
@@ -224,6 +274,18 @@ def test_what_cannot_be_understood_is_refused(extension, laid, name, value, mess
     scope.CreateAttribute(name, kind).Set(value)
     with pytest.raises(extension["layout"].LayoutError, match=message):
         extension["reading"].read_layouts(stage)
+
+
+@pytest.mark.parametrize("opposed", [[(0, 1), (1, 0)], [(0, 0)], [(0, 2)]])
+def test_both_readers_refuse_axes_that_share_an_end_or_have_none(extension, laid, opposed):
+    stage = Usd.Stage.Open(str(laid[2]))
+    stage.SetEditTarget(stage.GetSessionLayer())
+    prim = next(each for each in stage.Traverse() if each.GetAttribute("rigUI:element:opposed").HasAuthoredValue())
+    prim.GetAttribute("rigUI:element:opposed").Set(Vt.Vec2iArray(opposed))
+    with pytest.raises(extension["layout"].LayoutError, match="opposes"):
+        extension["reading"].read_layouts(stage)
+    with pytest.raises(RigUIError, match="LAYOUT_INVALID"):
+        read_layout(stage)
 
 
 def test_text_that_is_no_layout_is_refused(extension):

@@ -60,6 +60,12 @@ def test_areas_lie_between_neighbours_at_most_half_a_turn_apart(degrees, pairs):
     assert set(drawn._neighbours(element(around(*degrees)))) == pairs
 
 
+def test_the_two_ends_of_an_axis_span_no_area_however_bent_it_is():
+    stick = replace(element(around(0, 174, 85, 267)), opposed=((0, 1), (2, 3)))
+    assert set(drawn._neighbours(stick)) == {(0, 2), (2, 1), (1, 3), (3, 0)}
+    assert drawn._neighbours(replace(element(around(0, 174)), kind="patch", opposed=((1, 0),))) == []
+
+
 @pytest.mark.parametrize("degrees", [(0, 90), (90, 0), (0, 90, 180, 270)])
 def test_areas_face_along_the_normal_and_know_their_values(degrees):
     rig = makers.face(9, 11)

@@ -279,6 +279,14 @@ def test_patches_and_fans_span_fields_and_axes_do_not(rig):
     assert [each.form for each in marks] == ["patch", "patch", "slider"]
 
 
+def test_the_two_ends_of_an_axis_span_no_field_however_bent_it_is(rig):
+    layout = laid_out.layout_of(rig, groups=[("jawLeft", "jawRight")])
+    at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    stick = replace(layout.elements[0], opposed=((0, 1),))
+    assert overlay.mark(stick, at, camera, np.full((300, 300), -np.inf), 0.06).fields == ()
+
+
 def test_a_field_is_the_parallelogram_of_its_members(rig):
     layout = laid_out.layout_of(rig, groups=[("jawLeft", "chin")])
     at = crossed(elements_at(prepare(rig, layout), layout.base_values)[0], [(0.0, 0.1), (0.0, 0.1)])

@@ -1,7 +1,7 @@
 """The Blender extension as one file to install.
 
-Its sources lie in ``blender/usdrigui_controls``; the mathematics of drags and rotations are usdrigui's own
-modules, copied in here with their imports made relative, so that there is one source of each.
+Its sources lie in ``blender/usdrigui_controls``; the rules of drags and rotations are usdrigui's own files, which need
+numpy only and go in as they are.
 """
 
 from __future__ import annotations
@@ -17,11 +17,7 @@ from usdrigui.pipeline import write_file
 
 NAME = "usdrigui_controls"
 """Folder in the archive, and the extension's id."""
-_COPIED = ("pose/drag.py", "pose/fit.py", "rotation.py")
-_IMPORTS = (
-    ("from usdrigui.model import", "from .arrays import"),
-    ("from usdrigui.pose.fit import", "from .fit import"),
-)
+_SHARED = ("pose/drag.py", "rotation.py")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
@@ -34,8 +30,8 @@ def extension_files() -> Mapping[str, bytes]:
         if path.suffix in (".py", ".toml")
     }
     package = Path(usdrigui.__file__).parent
-    for name in _COPIED:
-        found[f"maths/{Path(name).name}"] = _localised((package / name).read_text(encoding="utf-8")).encode()
+    for name in _SHARED:
+        found[f"maths/{Path(name).name}"] = (package / name).read_bytes()
     return found
 
 
@@ -58,11 +54,3 @@ def _sources() -> Path:
         if (folder / "blender_manifest.toml").is_file():
             return folder
     raise refuse("EXTENSION_MISSING", str(package / "blender"), "the Blender extension is not there")
-
-
-def _localised(text: str) -> str:
-    for before, after in _IMPORTS:
-        text = text.replace(before, after)
-    if "usdrigui." in "".join(line for line in text.splitlines() if "import" in line):
-        raise refuse("BUG", NAME, "a copied module imports what the extension does not have")
-    return text

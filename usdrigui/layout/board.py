@@ -174,11 +174,9 @@ def _directions(group: Group, frame: Floats) -> list[Floats]:
     """Directions in which the members' tracks run on the board: axes to the right, then up, their opposites
     to the other side; the members of a fan spread over the half circle."""
     count = len(group.controls)
-    ends = {end: pair for pair in group.opposed for end in pair}
-    axes = sorted({ends.get(i, (i,)) for i in range(count)}, key=min)
     found: list[Floats] = [frame[0]] * count
-    for number, axis in enumerate(axes):
-        angle = np.pi * number / max(len(axes), 2)
+    for number, axis in enumerate(group.axes):
+        angle = np.pi * number / max(len(group.axes), 2)
         direction = np.cos(angle) * frame[0] + np.sin(angle) * frame[1]
         found[axis[-1]] = direction
         if len(axis) == 2:

@@ -76,13 +76,12 @@ def _elements_of(group: Group, names: list[str], by_controls: dict[frozenset[str
 
 
 def _has_axes(group: Group) -> bool:
-    return len(group.controls) - len(group.opposed) > 1 and not group.beside
+    return len(group.axes) > 1 and not group.beside
 
 
 def _parts(context: Context, group: Group) -> Iterator[Group]:
     """One group per axis."""
-    ends = {end: pair for pair in group.opposed for end in pair}
-    for axis in sorted({ends.get(i, (i,)) for i in range(len(group.controls))}, key=min):
+    for axis in group.axes:
         images = tuple(tuple(copy[i] for i in axis) for copy in group.images)
         yield Group(
             name="_".join(context.rig.controls[group.controls[i]].name for i in axis),

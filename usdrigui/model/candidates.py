@@ -76,3 +76,14 @@ class Group:
     """True for a slider of its own of controls that another, coarse, group holds too."""
     states: frozenset[int] = frozenset({0})
     """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""
+
+    @property
+    def axes(self) -> tuple[tuple[int, ...], ...]:
+        """Positions in `controls` of each axis: one control, or the negative and the positive end of a signed axis."""
+        return axes_of(len(self.controls), self.opposed)
+
+
+def axes_of(count: int, opposed: tuple[tuple[int, int], ...]) -> tuple[tuple[int, ...], ...]:
+    """The axes of `count` controls: each pair of `opposed` is one, every other control one of its own."""
+    ends = {end: pair for pair in opposed for end in pair}
+    return tuple(sorted({ends.get(i, (i,)) for i in range(count)}, key=min))

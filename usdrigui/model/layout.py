@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from usdrigui.model.assignment import Status
-from usdrigui.model.candidates import ElementKind
+from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.record import Floats, Record
 from usdrigui.model.rig import Glyph, LeftOff
 
@@ -68,6 +68,11 @@ class Element(Record):
     """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
     inner: tuple[str, ...] = ()
     """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
+
+    @property
+    def axes(self) -> tuple[tuple[int, ...], ...]:
+        """Positions of the members of each axis: one control, or the negative and the positive end of a signed axis."""
+        return axes_of(len(self.members), self.opposed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,209 +1,335 @@
 """Control values from the drag of a handle in the plane of the screen.
 
-Everything is two-dimensional, in pixels: a client projects an element's tracks as they are at the pose
-of the moment (`evaluate.elements_at`) and says where the pointer wants the handle to be.
+Everything is two-dimensional, in pixels, x to the right and y down: a client projects an element's tracks as
+they are at the pose of the moment (`evaluate.elements_at`) and says how far the pointer has moved.
 
-* A slider takes the point of its track nearest to the pointer that can be reached downhill from the
-  value it has (continuity: a curved track does not jump from one branch to another), unless another
-  branch is nearer by far.
-* Patch, fan, joystick and two-way slider are one rule.  The handle stands at rest + sum of the members'
-  moves; only members next to each other by angle may be away from their base values together (paper
-  section 4.2).  Each such pair less than 180 degrees apart, and each member alone, is fitted to the
-  pointer within its range; the nearest answer wins, and the pair in use wins a tie.
-* A track that is seen from its end has no length on screen: it is given one, `LEAST` pixels, along what is
-  left of its direction, or else upward.
+* An element has axes (`Element.axes`): one control, or two opposed controls that are the negative and the
+  positive end of one signed axis.  The *coordinate* of a single control goes from 0 at its minimum to 1 at its
+  maximum; that of an opposed pair from -1 through 0 to 1, and only one of its ends is away from its default.
+* The handle stands at its place in the base pose plus the sum of its axes' moves, each a polyline.
+* One or two axes: every two pieces of their polylines span a parallelogram.  The handle goes to the point
+  nearest to where the pointer wants it, downhill from the parallelogram in which it is: a curved track does
+  not jump from one branch to another, unless the other is nearer by far.
+* Three and more axes (a fan): only two *arms*, next to each other by angle and less than 180 degrees apart, are
+  away from the base pose together (paper section 4.2).  The nearest such pair wins, the one in use a tie.
+* A slider seen from its end has no length on the screen: it is given one, `LEAST` pixels, along what is left
+  of its direction, or else upward.  Of several axes, one seen from its end keeps its value.
 
-numpy only; no state but the values themselves, so that a drag can be replayed.
+numpy only, and nothing of the package: this very file is part of the Blender extension.  viewer/src/drag.js is
+the same in JavaScript; tests/drag_vectors.json holds both to the same answers.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.model import Floats
-from usdrigui.pose.fit import fit, lines
+Floats = NDArray[np.float64]
 
 LEAST = 24.0
-"""Pixels that a track is given for dragging when it is shorter than a quarter of this on screen."""
-_STAY = 1e-6
-"""Regularisation of pair fits: share of the squared length of the tracks per whole range."""
+"""Pixels that a track is given for dragging when it is shorter than a quarter of this on the screen."""
 _FARTHER = 2.0
-"""A slider leaves its branch for another that is this many times nearer to the pointer."""
+"""A handle leaves its branch of a curved track for another that is this many times nearer to the pointer..."""
+_STRAY = 4.0
+"""...and this many pixels besides."""
+_STAY = 0.02
+"""Pixels that a whole range costs: decides between axes that lie on one line.  Where a range moves the handle by
+L pixels, it falls short of the pointer by the share _STAY^2 / (L^2 + _STAY^2): never by more than _STAY / 2."""
 _TIE = 1.02
+_SAME = 1e-9
+"""Coordinates nearer to each other than this are one."""
 
 
-def drag(
+@dataclass(frozen=True)
+class End:
+    """One control on its axis: its value goes from `off` to `far` while the coordinate goes from 0 to `sign`."""
+
+    member: int
+    sign: float
+    off: float
+    far: float
+    base: float
+    """The value in the base pose, which is met to the last bit."""
+
+    def value(self, coordinate: float) -> float:
+        """The control's value; `off` on the other side of 0."""
+        share = min(max(self.sign * coordinate, 0.0), 1.0)
+        found = (1.0 - share) * self.off + share * self.far
+        return self.base if abs(found - self.base) <= 1e-12 * abs(self.far - self.off) else found
+
+    def share(self, value: float) -> float:
+        """How far from `off` towards `far` a value is, within 0 and 1."""
+        return min(max((value - self.off) / (self.far - self.off), 0.0), 1.0) if self.far != self.off else 0.0
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One axis on the screen."""
+
+    ends: tuple[End, ...]
+    at: Floats
+    """(k,) ascending coordinates; one of them is `base`."""
+    points: Floats
+    """(k, 2) pixels from the handle's place in the base pose."""
+    base: float
+    """Coordinate in the base pose."""
+
+    def point(self, coordinate: float) -> Floats:
+        """(2,) where the axis alone takes the handle."""
+        return _on(self.points, self.at, coordinate)
+
+    def arms(self) -> Iterator[Axis]:
+        """The parts on either side of the base pose."""
+        middle = int(np.argmin(np.abs(self.at - self.base)))
+        for part in (slice(0, middle + 1), slice(middle, None)):
+            if len(self.at[part]) > 1:
+                yield replace(self, at=self.at[part], points=self.points[part])
+
+
+@dataclass(frozen=True)
+class Drag:
+    """A handle taken hold of."""
+
+    axes: tuple[Axis, ...]
+    free: tuple[int, ...]
+    """The axes that follow the pointer."""
+    start: Floats
+    """(axes,) coordinates when it was taken."""
+    values: Floats
+    """(members,) control values when it was taken."""
+
+
+def begin_drag(
     tracks: Sequence[ArrayLike],
     values: Sequence[ArrayLike],
+    axes: Sequence[Sequence[int]],
+    ranges: ArrayLike,
     base: ArrayLike,
     current: ArrayLike,
-    pointer: ArrayLike,
-) -> Floats:
-    """(m,) new values of an element's m members.
+) -> Drag:
+    """Take hold of an element of m members.
 
-    ``tracks[i]`` (k_i, 2) are pixels, x to the right and y down, at the control values ``values[i]``
-    (k_i,), ascending; ``base`` (m,) are the members' values in the base pose, ``current`` (m,) those of
-    the moment, ``pointer`` (2,) is where `held_at` should be: the pointer, plus what `held_at` was away
-    from it when it took hold.  The result lies within each track's values.  Raises ValueError for records that
-    do not fit together or are not finite.
+    ``tracks[i]`` (k_i, 2) are pixels at the control values ``values[i]`` (k_i,), ascending; ``axes`` are positions
+    of members: one, or the negative and the positive end.  ``ranges`` (m, 3) are minimum, default and maximum of
+    each control, ``base`` (m,) and ``current`` (m,) its values in the base pose and now.  Raises ValueError for
+    records that do not fit together or are not finite.
     """
-    lines_, at = _checked(tracks, values)
-    rest, now, goal = (np.array(each, dtype=np.float64) for each in (base, current, pointer))
-    if rest.shape != (len(lines_),) or now.shape != rest.shape or goal.shape != (2,):
-        raise ValueError("base and current need one value per member, and a pointer two coordinates")
-    if not (np.isfinite(rest).all() and np.isfinite(now).all() and np.isfinite(goal).all()):
-        raise ValueError("values and pointer must be finite")
-    lines_ = [_lengthened(line, mine, float(own)) for line, mine, own in zip(lines_, at, rest, strict=True)]
-    if len(lines_) == 1:
-        return np.array([slide(lines_[0], at[0], float(now[0]), goal)])
-    return _several(lines_, at, rest, now, goal)
+    lines, knots = _checked(tracks, values)
+    limits, home, now = (np.array(each, dtype=np.float64) for each in (ranges, base, current))
+    if limits.shape != (len(lines), 3) or home.shape != (len(lines),) or now.shape != home.shape:
+        raise ValueError("a member needs one value in the base pose and now, and three that say its range")
+    if sorted(i for members in axes for i in members) != list(range(len(lines))):
+        raise ValueError("every member belongs to one axis")
+    if not (np.isfinite(limits).all() and np.isfinite(home).all() and np.isfinite(now).all()):
+        raise ValueError("values must be finite")
+    drawn, free = _long_enough([_axis(_ends(members, limits, home), lines, knots) for members in axes])
+    start = [sum(end.sign * end.share(float(now[end.member])) for end in axis.ends) for axis in drawn]
+    return Drag(drawn, free, np.array(start), now)
 
 
-def held_at(tracks: Sequence[ArrayLike], values: Sequence[ArrayLike], base: ArrayLike, current: ArrayLike) -> Floats:
-    """(2,) the place on the drawn tracks, in pixels, that stands for the ``current`` values (m,).
+def drag_to(drag: Drag, at: ArrayLike, moved: ArrayLike) -> Floats:
+    """(axes,) coordinates for a handle that is to be ``moved`` (2,) pixels from where it was at the start.
 
-    It is the handle's centre where the tracks are drawn in true size, and goes further where they are
-    enlarged (`Member.gain`).
+    ``at`` (axes,) are the coordinates of the moment: those of the last move, `Drag.start` for the first.
     """
-    lines_, at = _checked(tracks, values)
-    rest, now = np.array(base, dtype=np.float64), np.array(current, dtype=np.float64)
-    if rest.shape != (len(lines_),) or now.shape != rest.shape:
-        raise ValueError("base and current need one value per member")
-    lines_ = [_lengthened(line, mine, float(own)) for line, mine, own in zip(lines_, at, rest, strict=True)]
-    return _handle(lines_, at, rest, now)
-
-
-def slide(track: Floats, values: Floats, current: float, pointer: Floats) -> float:
-    """Value of a slider whose handle follows ``pointer`` (2,) along ``track`` (k, 2), coming from `current`."""
-    best, away = _along_pieces(track, pointer)
-    piece = int(np.clip(np.searchsorted(values, current, side="right") - 1, 0, len(values) - 2))
-    mine = _downhill(away, piece)
-    nearest = int(np.argmin(away))
-    if away[mine] > _FARTHER * away[nearest] + 1.0:
-        mine = nearest
-    return float(values[mine] + best[mine] * (values[mine + 1] - values[mine]))
-
-
-def pairs(tracks: Sequence[Floats], values: Sequence[Floats], base: Floats) -> list[tuple[int, ...]]:
-    """Members that may be away from their base values together: each alone, and neighbours by angle.
-
-    Angles are those of each track's farthest end from its place at the base value; pairs 180 degrees
-    apart or more, and pairs on one line, are left out.
-    """
-    arms = [_arm(line, mine, float(own)) for line, mine, own in zip(tracks, values, base, strict=True)]
-    angle = np.array([np.arctan2(arm[1], arm[0]) for arm in arms])
-    found: list[tuple[int, ...]] = [(i,) for i in range(len(arms))]
-    order = np.argsort(angle, kind="stable").tolist()
-    for i, j in zip(order, order[1:] + order[:1], strict=True):
-        span = float((angle[j] - angle[i]) % (2.0 * np.pi))
-        pair = (min(i, j), max(i, j))
-        if 0.02 < span < np.pi - 0.02 and pair not in found:
-            found.append(pair)
+    last, goal = np.array(at, dtype=np.float64), np.array(moved, dtype=np.float64)
+    if last.shape != (len(drag.axes),) or goal.shape != (2,) or not np.isfinite(goal).all():
+        raise ValueError("a drag takes a coordinate per axis and a finite way (2,)")
+    free = list(drag.free)
+    goal = goal + sum((drag.axes[i].point(drag.start[i]) for i in free), np.zeros(2))
+    found = drag.start.copy()
+    if len(free) > 2:
+        found[free] = _on_fan([drag.axes[i] for i in free], drag.start[free], last[free], goal)
+    elif free:
+        pair = [*(drag.axes[i] for i in free), _NONE][:2]
+        start, now = (np.append(each[free], 0.0)[:2] for each in (drag.start, last))
+        found[free] = _nearest(pair[0], pair[1], start, now, goal)[0][: len(free)]
     return found
 
 
-# --- several members ---------------------------------------------------------------------------------
+def values_at(drag: Drag, at: ArrayLike) -> Floats:
+    """(members,) control values at coordinates (axes,)."""
+    found, coordinates = drag.values.copy(), np.asarray(at, dtype=np.float64)
+    for i in drag.free:
+        for end in drag.axes[i].ends:
+            found[end.member] = end.value(float(coordinates[i]))
+    return found
 
 
-def _several(tracks: list[Floats], values: list[Floats], base: Floats, current: Floats, goal: Floats) -> Floats:
-    in_use = tuple(np.flatnonzero(np.abs(current - base) > 1e-9).tolist())
-    best, least = current, np.inf
-    for members in sorted(
-        pairs(tracks, values, base), key=lambda each: (not set(in_use) <= set(each), len(each), each)
-    ):
-        found = base.copy()
-        found[list(members)] = _fitted(tracks, values, base, current, goal, members)
-        away = float(np.linalg.norm(_handle(tracks, values, base, found) - goal))
+# --- axes --------------------------------------------------------------------------------------------
+
+
+def _ends(members: Sequence[int], ranges: Floats, home: Floats) -> tuple[End, ...]:
+    found = []
+    for sign, member in zip((1.0,) if len(members) == 1 else (-1.0, 1.0), members, strict=True):
+        minimum, default, maximum = (float(each) for each in ranges[member])
+        far = maximum if maximum - default >= default - minimum else minimum
+        off, far = (minimum, maximum) if len(members) == 1 else (default, far)
+        found.append(End(member, sign, off, far, float(home[member])))
+    return tuple(found)
+
+
+def _axis(ends: tuple[End, ...], tracks: list[Floats], values: list[Floats]) -> Axis:
+    base = sum(end.sign * end.share(end.base) for end in ends)
+    at = np.array([base])
+    for end in ends:
+        shares = [end.share(float(value)) for value in values[end.member]]
+        at = np.concatenate([at, end.sign * np.array([0.0, *shares, 1.0])])
+    at = np.sort(at)
+    at = at[np.append(np.diff(at) > _SAME, True)]
+    points = np.zeros((len(at), 2))
+    for end in ends:
+        track, knots = tracks[end.member], values[end.member]
+        points += [_on(track, knots, end.value(float(each))) for each in at]
+        points -= _on(track, knots, end.base)
+    return Axis(ends, at, points, base)
+
+
+def _long_enough(axes: list[Axis]) -> tuple[tuple[Axis, ...], tuple[int, ...]]:
+    """The axes, stretched where all are too short on the screen to be followed, and which of them follow."""
+    lengths = np.array([np.linalg.norm(np.diff(axis.points, axis=0), axis=1).sum() for axis in axes])
+    longest = float(lengths.max())
+    if longest >= 0.25 * LEAST:
+        return tuple(axes), tuple(np.flatnonzero(lengths >= 0.25 * LEAST).tolist())
+    if len(axes) == 1:
+        return (_straightened(axes[0]),), (0,)
+    if longest < 1.0:
+        return tuple(axes), ()
+    longer = tuple(replace(axis, points=axis.points * (LEAST / longest)) for axis in axes)
+    return longer, tuple(np.flatnonzero(lengths >= 0.25 * longest).tolist())
+
+
+def _straightened(axis: Axis) -> Axis:
+    """A straight line of `LEAST` pixels instead."""
+    across = axis.points[-1] - axis.points[0]
+    length = float(np.linalg.norm(across))
+    direction = across / length if length >= 1.0 else np.array([0.0, -1.0])
+    share = (axis.at - axis.base) / (axis.at[-1] - axis.at[0])
+    return replace(axis, points=LEAST * share[:, None] * direction)
+
+
+# --- the nearest point -------------------------------------------------------------------------------
+
+
+_NONE = Axis((), np.array([0.0, 1.0]), np.zeros((2, 2)), 0.0)
+"""An axis that goes nowhere, beside one that is alone."""
+
+
+def _nearest(u: Axis, v: Axis, start: Floats, last: Floats, goal: Floats) -> tuple[Floats, float]:
+    """(2,) coordinates on two axes of the point nearest to the goal, and its distance from it."""
+    away, at = _cells(u, v, start, goal)
+    mine = _downhill(away, _piece(u.at, float(last[0])), _piece(v.at, float(last[1])))
+    nearest = np.unravel_index(int(np.argmin(away)), away.shape)
+    if away[mine] > _FARTHER * away[nearest] + _STRAY:
+        mine = (int(nearest[0]), int(nearest[1]))
+    return at[mine], float(away[mine])
+
+
+def _cells(u: Axis, v: Axis, start: Floats, goal: Floats) -> tuple[Floats, Floats]:
+    """Distance (k - 1, l - 1) and coordinates (k - 1, l - 1, 2) of the nearest point of every parallelogram.
+
+    Minimises |r + x a + y b|^2 over 0 <= x, y <= 1 in pixels and, times `_STAY`, in coordinates from the start:
+    strictly convex, so its minimum is the one without bounds, or else lies on one of the four sides.
+    """
+    a, b = _steps(u, 0)[:, None], _steps(v, 1)[None]
+    r = np.empty((a.shape[0], b.shape[1], 4))
+    r[..., :2] = u.points[:-1, None] + v.points[None, :-1] - goal
+    r[..., 2], r[..., 3] = _STAY * (u.at[:-1, None] - start[0]), _STAY * (v.at[None, :-1] - start[1])
+    aa, bb, ab, ra, rb = ((p * q).sum(axis=-1) for p, q in ((a, a), (b, b), (a, b), (r, a), (r, b)))
+    aa, bb = np.broadcast_to(aa, ab.shape), np.broadcast_to(bb, ab.shape)
+    area = np.maximum(aa * bb - ab**2, 1e-300)
+    zero, one = np.zeros_like(ab), np.ones_like(ab)
+    x = np.clip([(ab * rb - bb * ra) / area, -ra / aa, -(ra + ab) / aa, zero, one], 0.0, 1.0)
+    y = np.clip([(ab * ra - aa * rb) / area, zero, one, -rb / bb, -(rb + ab) / bb], 0.0, 1.0)
+    away = np.linalg.norm(r + x[..., None] * a + y[..., None] * b, axis=-1)
+    best = np.argmin(away, axis=0)[None]
+    x, y, away = (np.take_along_axis(each, best, axis=0)[0] for each in (x, y, away))
+    at = np.stack([_between(u.at[:-1, None], u.at[1:, None], x), _between(v.at[None, :-1], v.at[None, 1:], y)], axis=-1)
+    return away, at
+
+
+def _steps(axis: Axis, place: int) -> Floats:
+    """(k - 1, 4) pieces: pixels, and coordinates times `_STAY`."""
+    found = np.zeros((len(axis.at) - 1, 4))
+    found[:, :2], found[:, 2 + place] = np.diff(axis.points, axis=0), _STAY * np.diff(axis.at)
+    return found
+
+
+def _between(low: Floats, high: Floats, share: Floats) -> Floats:
+    return (1.0 - share) * low + share * high
+
+
+def _downhill(away: Floats, i: int, j: int) -> tuple[int, int]:
+    """The cell at which walking from neighbour to nearer neighbour ends."""
+    while True:
+        rows, columns = slice(max(i - 1, 0), i + 2), slice(max(j - 1, 0), j + 2)
+        around = away[rows, columns]
+        row, column = np.unravel_index(int(np.argmin(around)), around.shape)
+        if around[row, column] >= away[i, j]:
+            return i, j
+        i, j = rows.start + int(row), columns.start + int(column)
+
+
+def _on_fan(axes: list[Axis], start: Floats, last: Floats, goal: Floats) -> Floats:
+    """(axes,) coordinates: the nearest of all pairs of neighbouring arms, all other axes in the base pose."""
+    home = np.array([axis.base for axis in axes])
+    in_use = {(i, bool(last[i] > home[i])) for i in range(len(axes)) if abs(last[i] - home[i]) > _SAME}
+    best, least = last, np.inf
+    for pair in sorted(_pairs(axes), key=lambda each: not in_use <= {(i, arm.at[-1] > home[i]) for i, arm in each}):
+        chosen = [i for i, _ in pair]
+        rest = sum((axes[i].point(home[i]) for i in range(len(axes)) if i not in chosen), np.zeros(2))
+        now = np.array([np.clip(last[i], arm.at[0], arm.at[-1]) for i, arm in pair])
+        found, away = _nearest(pair[0][1], pair[1][1], start[chosen], now, goal - rest)
         if away * _TIE + 1e-6 < least:
-            best, least = found, away
+            best, least = home.copy(), away
+            best[chosen] = found
     return best
 
 
-def _fitted(
-    tracks: list[Floats], values: list[Floats], base: Floats, current: Floats, goal: Floats, members: tuple[int, ...]
-) -> Floats:
-    """(len(members),) values that bring the handle nearest to the goal, all other members at base."""
-    chosen = list(members)
-    home = base[chosen]
-    low, high = np.array([values[i][0] for i in chosen]), np.array([values[i][-1] for i in chosen])
-    span = np.maximum(high - low, 1e-300)
-    paths = lines(
-        [values[i] for i in chosen], [tracks[i] for i in chosen], home, span, np.arange(len(chosen), dtype=np.int64)
-    )
-    size = max(float(np.ptp(tracks[i], axis=0).max()) for i in chosen)
-    wanted = goal - _handle(tracks, values, base, base)
-    start = (np.clip(current[chosen], low, high) - home) / span
-    cost = np.full(len(chosen), _STAY * size**2)
-    x = fit(paths, wanted, cost, (low - home) / span, (high - home) / span, start)
-    return np.asarray(np.clip(home + span * x, low, high))
+def _pairs(axes: list[Axis]) -> list[tuple[tuple[int, Axis], tuple[int, Axis]]]:
+    """Arms, each with its axis, that are next to each other by angle and less than 180 degrees apart."""
+    arms = [(i, arm) for i, axis in enumerate(axes) for arm in axis.arms()]
+    angle = np.array([_angle(arm, axes[i].point(axes[i].base)) for i, arm in arms])
+    order = np.argsort(angle, kind="stable").tolist()
+    found = []
+    for p, q in zip(order, order[1:] + order[:1], strict=True):
+        span = float((angle[q] - angle[p]) % (2.0 * np.pi))
+        if arms[p][0] != arms[q][0] and span < np.pi:
+            found.append((arms[p], arms[q]))
+    return found
 
 
-def _handle(tracks: list[Floats], values: list[Floats], base: Floats, at: Floats) -> Floats:
-    """(2,) the handle: the first member's base place plus every member's move from its own."""
-    homes = [_place(line, mine, float(own)) for line, mine, own in zip(tracks, values, base, strict=True)]
-    moves = [_place(line, mine, float(own)) for line, mine, own in zip(tracks, values, at, strict=True)]
-    return np.asarray(homes[0] + sum(move - home for move, home in zip(moves, homes, strict=True)))
+def _angle(arm: Axis, origin: Floats) -> float:
+    """Of the arm's farthest point."""
+    away = arm.points - origin
+    x, y = away[int(np.argmax(np.square(away).sum(axis=1)))]
+    return float(np.arctan2(y, x))
 
 
 # --- polylines ---------------------------------------------------------------------------------------
 
 
-def _along_pieces(track: Floats, pointer: Floats) -> tuple[Floats, Floats]:
-    """Nearest share (k - 1,) in [0, 1] on every piece, and its distance (k - 1,) from the pointer."""
-    step = np.diff(track, axis=0)
-    squared = np.square(step).sum(axis=1)
-    along = ((pointer - track[:-1]) * step).sum(axis=1)
-    share = np.clip(np.divide(along, squared, out=np.zeros_like(along), where=squared > 0.0), 0.0, 1.0)
-    return share, np.linalg.norm(track[:-1] + share[:, None] * step - pointer, axis=1)
+def _on(points: Floats, knots: Floats, value: float) -> Floats:
+    """(2,) the place on a polyline (k, 2) at a value; beyond its ends the last pieces go on."""
+    i = _piece(knots, value)
+    share = (value - knots[i]) / (knots[i + 1] - knots[i])
+    return np.asarray((1.0 - share) * points[i] + share * points[i + 1])
 
 
-def _downhill(away: Floats, piece: int) -> int:
-    """The piece at which walking from neighbour to nearer neighbour ends."""
-    while True:
-        around = [other for other in (piece - 1, piece + 1) if 0 <= other < len(away)]
-        nearer = min(around, key=lambda other: float(away[other]), default=piece)
-        if away[nearer] >= away[piece]:
-            return piece
-        piece = nearer
-
-
-def _place(track: Floats, values: Floats, value: float) -> Floats:
-    return np.array([float(np.interp(value, values, track[:, axis])) for axis in (0, 1)])
-
-
-def _arm(track: Floats, values: Floats, base: float) -> Floats:
-    """(2,) from the place at the base value to the track's farthest point."""
-    away = track - _place(track, values, base)
-    return np.asarray(away[int(np.argmax(np.square(away).sum(axis=1)))])
-
-
-def _lengthened(track: Floats, values: Floats, base: float) -> Floats:
-    """The track, or a straight one of `LEAST` pixels where it is too short on screen to be followed."""
-    if float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()) >= 0.25 * LEAST:
-        return track
-    arm = _arm(track, values, base)
-    length = float(np.linalg.norm(arm))
-    along = arm / length if length > 1e-3 else np.array([0.0, -1.0])
-    if length > 1e-3 and _place(track, values, float(values[-1])) @ along < _place(track, values, base) @ along:
-        along = -along
-    share = (values - base) / (values[-1] - values[0])
-    return np.asarray(_place(track, values, base) + LEAST * share[:, None] * along)
+def _piece(knots: Floats, value: float) -> int:
+    return int(np.clip(np.searchsorted(knots, value, side="right") - 1, 0, len(knots) - 2))
 
 
 def _checked(tracks: Sequence[ArrayLike], values: Sequence[ArrayLike]) -> tuple[list[Floats], list[Floats]]:
-    found = [np.array(each, dtype=np.float64) for each in tracks]
-    at = [np.array(each, dtype=np.float64) for each in values]
-    if not found or len(found) != len(at):
+    lines = [np.array(each, dtype=np.float64) for each in tracks]
+    knots = [np.array(each, dtype=np.float64) for each in values]
+    if not lines or len(lines) != len(knots):
         raise ValueError("an element needs at least one track, and values for each")
-    for line, mine in zip(found, at, strict=True):
-        if (
-            line.shape != (len(mine), 2)
-            or len(mine) < 2
-            or not np.isfinite(line).all()
-            or not (np.diff(mine) > 0).all()
-        ):
+    for line, at in zip(lines, knots, strict=True):
+        fits = line.shape == (len(at), 2) and len(at) > 1 and np.isfinite(line).all()
+        if not (fits and (np.diff(at) > 0.0).all()):
             raise ValueError("a track needs two or more finite places (k, 2) at ascending values (k,)")
-    return found, at
+    return lines, knots

@@ -111,7 +111,8 @@ def _still(
 
 
 def _neighbours(element: Element) -> list[tuple[int, int]]:
-    """Pairs of members whose tracks are next to each other around the normal, at most 180 degrees apart."""
+    """Pairs of members whose tracks are next to each other around the normal, at most 180 degrees apart; never the
+    two ends of one axis."""
     angle = _angles(element)
     order = np.argsort(angle, kind="stable")
     rounds = list(zip(order, np.roll(order, -1), strict=True))
@@ -120,7 +121,7 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
         between = (angle[b] - angle[a]) % (2.0 * np.pi)
         if len(order) == 2 and between > np.pi:
             a, b, between = b, a, 2.0 * np.pi - between
-        if _FLAT < between < np.pi - _FLAT:
+        if _FLAT < between < np.pi - _FLAT and not any(a in axis and b in axis for axis in element.axes):
             pairs.append((int(a), int(b)))
     return pairs
 

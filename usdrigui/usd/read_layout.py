@@ -395,7 +395,8 @@ def _element_name(prim: Usd.Prim) -> str:
 
 def _pairs(prim: Usd.Prim, values: Any, count: int) -> tuple[tuple[int, int], ...]:
     pairs = tuple((int(a), int(b)) for a, b in values)
-    if any(not (0 <= a < count and 0 <= b < count) or a == b for a, b in pairs):
+    ends = [end for pair in pairs for end in pair]
+    if len(set(ends)) < len(ends) or not set(ends) <= set(range(count)):
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:opposed", f"{pairs} for {count} controls")
     return pairs
 

@@ -78,7 +78,7 @@ def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, h
     tracks = tuple(_resampled(camera.project(track)) for track in posed.tracks)
     handle = camera.project(posed.handle)
     slack = 0.5 * handle_width
-    fields = _fields(posed, camera) if element.kind != "slider" else ()
+    fields = _fields(element, posed, camera) if element.kind != "slider" else ()
     return Mark(
         colour_of(element),
         form_of(element),
@@ -192,16 +192,17 @@ def _seen(at: Floats, depth: Floats, slack: float) -> Flags:
     return np.asarray(at[:, 2] >= depth[row, column] - slack)
 
 
-def _fields(posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
+def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
     """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle (paper section 4.2).
 
     A track that goes both ways from the rest is two arms: two such axes span all four quadrants.  Arms of one
-    track, pairs more than 180 degrees apart, and the two ends of one axis span nothing.
+    axis and pairs more than 180 degrees apart span nothing.
     """
-    halves = [(member, arm) for member, track in enumerate(posed.tracks) for arm in _arms(track - posed.rest)]
+    lines = [(number, posed.tracks[i] - posed.rest) for number, axis in enumerate(element.axes) for i in axis]
+    halves = [(axis, arm) for axis, line in lines for arm in _arms(line)]
     if not halves:
         return ()
-    members, arms = [member for member, _ in halves], [arm for _, arm in halves]
+    axes, arms = [axis for axis, _ in halves], [arm for _, arm in halves]
     tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
     east = np.cross(posed.normal, np.eye(3)[int(np.argmin(np.abs(posed.normal)))])
     angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
@@ -209,7 +210,7 @@ def _fields(posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
     found = []
     for i, j in zip(order, np.roll(order, -1), strict=True):
         span = (angle[j] - angle[i]) % (2.0 * np.pi)
-        if members[i] != members[j] and 1e-3 < span < np.pi - 1e-3:
+        if axes[i] != axes[j] and 1e-3 < span < np.pi - 1e-3:
             out = np.concatenate([arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]])
             found.append(camera.project(posed.rest + out)[:, :2])
     return tuple(found)

@@ -218,7 +218,7 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "label": element.label,
         "kind": element.kind,
         "members": [_member(element, controls, each) for each in element.members],
-        "opposed": [list(pair) for pair in element.opposed],
+        "axes": [list(axis) for axis in element.axes],
         "mesh": meshes[anchor.mesh],
         "point": anchor.point,
         "position": _list(anchor.position),

@@ -1,198 +1,213 @@
-// From a drag in the plane of the screen to the values of an element's controls.
+// From a drag in the plane of the screen to the values of an element's controls; usdrigui/pose/drag.py says the
+// rule, and tests/drag_vectors.json holds both to the same answers.
 //
-// Every axis of the element (one control, or two opposed ones) is a polyline on the screen with the
-// values of its controls at each corner.  One axis: the nearest point on the line, searched from where
-// the handle is so that a curved slider never jumps across its bend.  Two axes (patch, joystick): the
-// point of the patch nearest to the pointer.  More (fan): the best of the patches of adjacent axes.
+// An axis of the element is one control, with coordinates from 0 at its minimum to 1 at its maximum, or two
+// opposed ones, the ends -1 and 1 of one signed axis: of these one at most is away from its default.
 
-import { alongTrack } from './elements.js';
-
-const STRAY = 4; // pixels from the line within which a drag keeps to the branch that it is on
-const LEAST = 24; // pixels that a line is given when it is shorter than a quarter of this on the screen
+const LEAST = 24; // pixels that a track is given when it is shorter than a quarter of this on the screen
+const FARTHER = 2; // a handle leaves its branch for another that is this many times nearer to the pointer...
+const STRAY = 4; // ...and this many pixels besides
+const STAY = 0.02; // pixels that a whole range costs: decides between axes that lie on one line
+const TIE = 1.02;
+const SAME = 1e-9; // coordinates nearer to each other than this are one
 
 /**
- * A drag of one element, begun at the present pose.  `project` maps a root-space point to [x, y] in
- * pixels, `values` are all control values at the start.
+ * A drag of one element, begun at the present pose.  `project` maps a root-space point to [x, y] in pixels,
+ * `rest` and `values` are all control values in the base pose and at the start.
  */
 export function beginDrag(element, controls, rest, values, project) {
-  const origin = project(element.origin);
-  const axes = element.axes.map((members) => screenAxis(element, members, controls, rest, values, project, origin));
-  return { axes, origin, current: axes.map((axis) => axis.start) };
+  const tracks = element.tracks.map((track) => track.map((point) => project(point).slice(0, 2)));
+  const axes = longEnough(element.axes.map((members) => screenAxis(element, members, tracks, controls, rest)));
+  const start = axes.map(({ ends }) => coordinateOf(ends, (control) => values[control]));
+  return { axes, start, current: start };
 }
 
-/**
- * Control values, as a Map of control index to value, for a handle at `target` pixels relative to the
- * position that the handle had at the start.
- */
+/** Control values, as a Map of control to value, for a handle [dx, dy] pixels from where it was at the start. */
 export function dragTo(drag, dx, dy) {
-  const from = drag.axes.reduce((sum, axis) => plus(sum, pointAt(axis, axis.start)), [0, 0]);
-  const target = plus(from, [dx, dy]);
-  if (drag.axes.length === 1) drag.current = [nearest(drag.axes[0], target, drag.current[0])];
-  else if (drag.axes.length === 2) drag.current = onPatch(drag.axes, target, drag.current);
-  else drag.current = onFan(drag.axes, target, drag.current);
+  const follow = drag.axes.map((_, i) => i).filter((i) => drag.axes[i].follows);
+  const [axes, start, last] = [drag.axes, drag.start, drag.current].map((list) => follow.map((i) => list[i]));
+  const goal = axes.reduce((sum, axis, i) => plus(sum, pointAt(axis, start[i])), [dx, dy]);
+  const found = axes.length > 2 ? onFan(axes, start, last, goal) : onPair(axes, start, last, goal);
+  drag.current = [...drag.start];
+  follow.forEach((i, k) => (drag.current[i] = found[k]));
   const changed = new Map();
-  drag.axes.forEach((axis, i) => valuesAt(axis, drag.current[i]).forEach((value, k) => changed.set(axis.controls[k], value)));
+  axes.forEach(({ ends }, k) => ends.forEach((end) => changed.set(end.control, valueOf(end, found[k]))));
   return changed;
 }
 
-/** One axis as corners: position relative to the element's origin, and the values of its controls. */
-function screenAxis(element, members, controls, rest, values, project, origin) {
-  const indices = members.map((m) => element.members[m].control);
-  const corners = members.length === 1
-    ? singleCorners(element, members[0], controls)
-    : opposedCorners(element, members, controls, rest);
-  const points = corners.map(({ at }) => {
-    const [x, y] = project(at);
-    return [x - origin[0], y - origin[1]];
-  });
-  // Of several axes one that is seen end-on must not take what the others are dragged along.
-  const shown = element.axes.length > 1 ? points : stretched(points);
-  const axis = { controls: indices, points: shown, values: corners.map(({ set }) => set) };
-  axis.start = parameterOf(axis, indices.map((control) => values[control]));
-  return axis;
+// --- axes ------------------------------------------------------------------------------------------
+
+/** Corners of an axis: ascending coordinates `at`, and pixels from the handle's place in the base pose. */
+function screenAxis(element, members, tracks, controls, rest) {
+  const ends = members.map((m, k) => axisEnd(element.members[m].control, members.length > 1 ? 2 * k - 1 : 0, controls, rest));
+  const base = coordinateOf(ends, (control) => rest[control]);
+  const corners = ends.flatMap((end, k) => element.members[members[k]].values.map((value) => end.sign * shareOf(end, value)));
+  const sorted = [base, ...ends.flatMap(({ sign }) => [0, sign]), ...corners].sort((a, b) => a - b);
+  const at = sorted.filter((each, i) => i + 1 === sorted.length || sorted[i + 1] - each > SAME);
+  const onTrack = (k, value) => alongKnots(element.members[members[k]].values, tracks[members[k]], value);
+  const moved = (coordinate) => (sum, end, k) => plus(sum, minus(onTrack(k, valueOf(end, coordinate)), onTrack(k, end.base)));
+  return { ends, base, at, points: at.map((each) => ends.reduce(moved(each), [0, 0])), follows: true };
 }
 
-function singleCorners(element, m, controls) {
-  const { control, values } = element.members[m];
-  const { minimum, maximum } = controls[control];
-  const inside = values.filter((value) => value > minimum && value < maximum);
-  return [minimum, ...inside, maximum].map((value) => ({
-    at: alongTrack(values, element.tracks[m], value),
-    set: [value],
-  }));
+/** A control on its axis, from `off` at 0 to `far` at `sign`; alone (`side` 0) over its whole range. */
+function axisEnd(control, side, controls, rest) {
+  const { minimum, default: middle, maximum } = controls[control];
+  const base = rest[control];
+  if (side === 0) return { control, sign: 1, off: minimum, far: maximum, base };
+  return { control, sign: side, off: middle, far: maximum - middle >= middle - minimum ? maximum : minimum, base };
 }
 
-/** From the far end of the negative control through rest to the far end of the positive one. */
-function opposedCorners(element, [negative, positive], controls, rest) {
-  const restOf = [negative, positive].map((m) => rest[element.members[m].control]);
-  const half = (m) => singleCorners(element, m, controls).filter(({ set }) => set[0] > rest[element.members[m].control]);
-  return [
-    ...half(negative).reverse().map(({ at, set }) => ({ at, set: [set[0], restOf[1]] })),
-    { at: element.origin, set: restOf },
-    ...half(positive).map(({ at, set }) => ({ at, set: [restOf[0], set[0]] })),
+/** Value of an end: `off` on the other side of 0, and in the base pose that value to the last bit. */
+function valueOf({ sign, off, far, base }, coordinate) {
+  const share = clamp(sign * coordinate, 0, 1);
+  const found = (1 - share) * off + share * far;
+  return Math.abs(found - base) <= 1e-12 * Math.abs(far - off) ? base : found;
+}
+
+const shareOf = ({ off, far }, value) => (far === off ? 0 : clamp((value - off) / (far - off), 0, 1));
+
+const coordinateOf = (ends, value) => ends.reduce((sum, end) => sum + end.sign * shareOf(end, value(end.control)), 0);
+
+/** A slider seen from its end is given a length; of several axes, one seen from its end keeps its value. */
+function longEnough(axes) {
+  const lengths = axes.map(({ points }) => polylineLength(points));
+  const longest = Math.max(...lengths);
+  const follows = (i, length) => lengths[i] >= length / 4;
+  if (longest >= LEAST / 4) return axes.map((axis, i) => ({ ...axis, follows: follows(i, LEAST) }));
+  if (axes.length === 1) return [straightened(axes[0])];
+  if (longest < 1) return axes.map((axis) => ({ ...axis, follows: false }));
+  const longer = ([x, y]) => [(x * LEAST) / longest, (y * LEAST) / longest];
+  return axes.map((axis, i) => ({ ...axis, points: axis.points.map(longer), follows: follows(i, longest) }));
+}
+
+/** LEAST pixels along what is left of the direction, or else upward. */
+function straightened(axis) {
+  const across = minus(axis.points.at(-1), axis.points[0]);
+  const length = Math.hypot(...across);
+  const [x, y] = length >= 1 ? [across[0] / length, across[1] / length] : [0, -1];
+  const shares = axis.at.map((each) => (LEAST * (each - axis.base)) / (axis.at.at(-1) - axis.at[0]));
+  return { ...axis, points: shares.map((share) => [share * x, share * y]) };
+}
+
+// --- the nearest point -------------------------------------------------------------------------------
+
+const NONE = { ends: [], base: 0, at: [0, 1], points: [[0, 0], [0, 0]] }; // an axis that goes nowhere
+
+/** Coordinates of one or two axes. */
+function onPair(axes, start, last, goal) {
+  if (axes.length === 2) return nearest(axes, start, last, goal).at;
+  return nearest([...axes, NONE, NONE].slice(0, 2), [...start, 0, 0], [...last, 0, 0], goal).at.slice(0, axes.length);
+}
+
+/**
+ * The point of two axes nearest to the goal: downhill from the parallelogram that holds the handle, so that a
+ * curved track does not jump to another branch, unless that is nearer by far.
+ */
+function nearest([u, v], start, last, goal) {
+  const rows = u.at.slice(1).map((_, i) => v.at.slice(1).map((__, j) => inCell(u, v, i, j, start, goal)));
+  const every = rows.flat();
+  const best = every.reduce((least, each) => (each.away < least.away ? each : least));
+  let mine = rows[pieceOf(u.at, last[0])][pieceOf(v.at, last[1])];
+  for (let next = leastAround(rows, mine); next !== mine; next = leastAround(rows, mine)) mine = next;
+  return mine.away > FARTHER * best.away + STRAY ? best : mine;
+}
+
+function leastAround(rows, cell) {
+  const around = rows.slice(Math.max(0, cell.i - 1), cell.i + 2).flatMap((row) => row.slice(Math.max(0, cell.j - 1), cell.j + 2));
+  return around.reduce((least, each) => (each.away < least.away ? each : least), cell);
+}
+
+/** Nearest point of the parallelogram of two pieces: the free minimum, or else one on the four sides. */
+function inCell(u, v, i, j, start, goal) {
+  const a = [...minus(u.points[i + 1], u.points[i]), STAY * (u.at[i + 1] - u.at[i]), 0];
+  const b = [...minus(v.points[j + 1], v.points[j]), 0, STAY * (v.at[j + 1] - v.at[j])];
+  const off = minus(plus(u.points[i], v.points[j]), goal);
+  const r = [...off, STAY * (u.at[i] - start[0]), STAY * (v.at[j] - start[1])];
+  const [aa, bb, ab, ra, rb] = [dot(a, a), dot(b, b), dot(a, b), dot(r, a), dot(r, b)];
+  const area = Math.max(aa * bb - ab * ab, 1e-300);
+  const tried = [
+    [(ab * rb - bb * ra) / area, (ab * ra - aa * rb) / area],
+    [-ra / aa, 0],
+    [-(ra + ab) / aa, 1],
+    [0, -rb / bb],
+    [1, -(rb + ab) / bb],
   ];
+  let best = { away: Infinity };
+  for (const free of tried) {
+    const [x, y] = free.map((each) => clamp(each, 0, 1));
+    const away = Math.hypot(...r.map((each, k) => each + x * a[k] + y * b[k]));
+    if (away < best.away) best = { away, i, j, at: [between(u.at[i], u.at[i + 1], x), between(v.at[j], v.at[j + 1], y)] };
+  }
+  return best;
 }
 
-/** A line seen end-on cannot be dragged along: give it a length, upwards if it has no direction at all. */
-function stretched(points) {
-  const length = polylineLength(points);
-  if (length >= LEAST / 4) return points;
-  const [first, last] = [points[0], points.at(-1)];
-  const span = Math.hypot(last[0] - first[0], last[1] - first[1]);
-  if (span > 1) return points.map(([x, y]) => [(x * LEAST) / span, (y * LEAST) / span]);
-  return points.map((point, i) => [point[0], point[1] - (LEAST * i) / Math.max(1, points.length - 1)]);
+/** Of more axes: the nearest of the pairs of arms that are neighbours by angle; all other axes at rest. */
+function onFan(axes, start, last, goal) {
+  const inUse = (i, sign) => Math.abs(last[i] - axes[i].base) > SAME && last[i] > axes[i].base === sign;
+  const count = axes.filter((_, i) => inUse(i, true) || inUse(i, false)).length;
+  const held = (pair) => pair.filter(({ i, arm }) => inUse(i, arm.at.at(-1) > axes[i].base)).length === count;
+  const pairs = armPairs(axes);
+  let best = { away: Infinity, set: last };
+  for (const pair of [...pairs.filter(held), ...pairs.filter((each) => !held(each))]) {
+    const chosen = pair.map(({ i }) => i);
+    const others = axes.filter((_, i) => !chosen.includes(i));
+    const left = others.reduce((sum, axis) => minus(sum, pointAt(axis, axis.base)), goal);
+    const from = pair.map(({ i, arm }) => clamp(last[i], arm.at[0], arm.at.at(-1)));
+    const found = nearest(pair.map(({ arm }) => arm), chosen.map((i) => start[i]), from, left);
+    if (found.away * TIE + 1e-6 >= best.away) continue;
+    const set = axes.map((axis, i) => (chosen.includes(i) ? found.at[chosen.indexOf(i)] : axis.base));
+    best = { away: found.away, set };
+  }
+  return best.set;
+}
+
+/** Arms (the parts of an axis on either side of the base pose) next to each other, less than 180 degrees apart. */
+function armPairs(axes) {
+  const arms = axes.flatMap((axis, i) => armsOf(axis).map((arm) => ({ i, arm, angle: armAngle(arm, pointAt(axis, axis.base)) })));
+  const order = arms.sort((p, q) => p.angle - q.angle);
+  const pairs = order.map((arm, k) => [arm, order[(k + 1) % order.length]]);
+  return pairs.filter(([p, q]) => p.i !== q.i && (q.angle - p.angle + 2 * Math.PI) % (2 * Math.PI) < Math.PI);
+}
+
+function armsOf(axis) {
+  const away = axis.at.map((each) => Math.abs(each - axis.base));
+  const middle = away.indexOf(Math.min(...away));
+  const part = (from, to) => ({ at: axis.at.slice(from, to), points: axis.points.slice(from, to) });
+  return [part(0, middle + 1), part(middle)].filter(({ at }) => at.length > 1);
+}
+
+/** Angle of an arm's farthest point. */
+function armAngle(arm, origin) {
+  const away = arm.points.map((point) => minus(point, origin));
+  const far = away.reduce((most, each) => (dot(each, each) > dot(most, most) ? each : most));
+  return Math.atan2(far[1], far[0]);
+}
+
+// --- polylines ---------------------------------------------------------------------------------------
+
+const pointAt = (axis, coordinate) => alongKnots(axis.at, axis.points, coordinate);
+
+/** The place on a polyline at a value; beyond its ends the last pieces go on. */
+function alongKnots(knots, points, value) {
+  const i = pieceOf(knots, value);
+  const share = (value - knots[i]) / (knots[i + 1] - knots[i]);
+  return points[i].map((from, axis) => between(from, points[i + 1][axis], share));
+}
+
+function pieceOf(knots, value) {
+  let i = 0;
+  while (i < knots.length - 2 && value >= knots[i + 1]) i++;
+  return i;
 }
 
 function polylineLength(points) {
   let total = 0;
-  for (let i = 1; i < points.length; i++) total += Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+  for (let i = 1; i < points.length; i++) total += Math.hypot(...minus(points[i], points[i - 1]));
   return total;
-}
-
-// --- parameters: corner index plus share of the piece that follows -----------------------------------
-
-function pointAt(axis, t) {
-  const i = Math.min(Math.floor(t), axis.points.length - 2);
-  return axis.points[i].map((from, k) => from + (t - i) * (axis.points[i + 1][k] - from));
-}
-
-function valuesAt(axis, t) {
-  const i = Math.min(Math.floor(t), axis.values.length - 2);
-  return axis.values[i].map((from, k) => (t === i ? from : from + (t - i) * (axis.values[i + 1][k] - from)));
-}
-
-/** Parameter whose values are nearest to `wanted`. */
-function parameterOf(axis, wanted) {
-  let best = [Infinity, 0];
-  for (let i = 0; i + 1 < axis.values.length; i++) {
-    const [a, b] = [axis.values[i], axis.values[i + 1]];
-    const step = a.map((value, k) => b[k] - value);
-    const square = dot(step, step);
-    const share = square ? clamp(dot(wanted.map((value, k) => value - a[k]), step) / square, 0, 1) : 0;
-    const off = a.reduce((sum, value, k) => sum + (value + share * step[k] - wanted[k]) ** 2, 0);
-    if (off < best[0] - 1e-15) best = [off, i + share];
-  }
-  return best[1];
-}
-
-/** Nearest point of the polyline, walking downhill from parameter `start`; another branch where it is twice as near. */
-function nearest(axis, target, start) {
-  const last = axis.points.length - 2;
-  const on = (i) => {
-    const [a, b] = [axis.points[i], axis.points[i + 1]];
-    const step = [b[0] - a[0], b[1] - a[1]];
-    const square = dot(step, step);
-    const share = square ? clamp(dot([target[0] - a[0], target[1] - a[1]], step) / square, 0, 1) : 0;
-    return { t: i + share, off: Math.hypot(a[0] + share * step[0] - target[0], a[1] + share * step[1] - target[1]) };
-  };
-  let best = on(Math.min(Math.floor(start), last));
-  for (const direction of [1, -1]) {
-    for (let i = Math.min(Math.floor(start), last) + direction; i >= 0 && i <= last; i += direction) {
-      const next = on(i);
-      if (next.off > best.off + 1e-9) break;
-      best = next;
-    }
-  }
-  if (best.off < STRAY) return best.t;
-  // Another branch of a bend, or the other end of an opposed pair that goes the same way on the screen.
-  for (let i = 0; i <= last; i++) {
-    const other = on(i);
-    if (other.off < 0.5 * best.off) best = other;
-  }
-  return best.t;
-}
-
-/** Alternate between the two axes from several starts; straight axes settle at the bounded optimum. */
-function onPatch(axes, target, current) {
-  const [u, v] = axes;
-  const straight = solveStraight(axes, target, current);
-  let [s, t] = straight;
-  for (let round = 0; round < 60; round++) {
-    const before = [s, t];
-    s = nearest(u, minus(target, pointAt(v, t)), s);
-    t = nearest(v, minus(target, pointAt(u, s)), t);
-    if (Math.abs(s - before[0]) + Math.abs(t - before[1]) < 1e-7) break;
-  }
-  return [s, t];
-}
-
-/** Newton steps with both axes free, held inside their ends: exact where both pieces are straight. */
-function solveStraight([u, v], target, [s, t]) {
-  for (let round = 0; round < 12; round++) {
-    const i = Math.min(Math.floor(s), u.points.length - 2);
-    const j = Math.min(Math.floor(t), v.points.length - 2);
-    const a = minus(u.points[i + 1], u.points[i]);
-    const b = minus(v.points[j + 1], v.points[j]);
-    const off = minus(target, plus(pointAt(u, s), pointAt(v, t)));
-    const area = a[0] * b[1] - a[1] * b[0];
-    if (Math.abs(area) < 1e-6 || Math.hypot(...off) < 1e-9) break;
-    // At most into the neighbouring piece, whose direction the next round takes up.
-    s = clamp(s + (off[0] * b[1] - off[1] * b[0]) / area, Math.max(0, i - 0.5), Math.min(u.points.length - 1, i + 1.5));
-    t = clamp(t + (a[0] * off[1] - a[1] * off[0]) / area, Math.max(0, j - 0.5), Math.min(v.points.length - 1, j + 1.5));
-  }
-  return [s, t];
-}
-
-/** The best of the patches between axes that are neighbours by angle; all other axes go to rest. */
-function onFan(axes, target, current) {
-  const restAt = axes.map((axis) => nearest(axis, [0, 0], axis.start));
-  const order = axes
-    .map((axis, i) => ({ i, angle: Math.atan2(...[...axis.points.at(-1)].reverse()) }))
-    .sort((a, b) => a.angle - b.angle);
-  let best = { off: Infinity };
-  order.forEach(({ i, angle }, k) => {
-    const next = order[(k + 1) % order.length];
-    const span = (next.angle - angle + 2 * Math.PI) % (2 * Math.PI);
-    if (span > Math.PI + 1e-6 && order.length > 2) return;
-    const pair = [axes[i], axes[next.i]];
-    const [s, t] = onPatch(pair, target, [restAt[i], restAt[next.i]]);
-    const off = Math.hypot(...minus(target, plus(pointAt(pair[0], s), pointAt(pair[1], t))));
-    if (off < best.off - 1e-6) best = { off, set: restAt.map((at, n) => (n === i ? s : n === next.i ? t : at)) };
-  });
-  return best.set ?? current;
 }
 
 const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
 const plus = (a, b) => [a[0] + b[0], a[1] + b[1]];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1]];
+const between = (from, to, share) => (1 - share) * from + share * to;
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

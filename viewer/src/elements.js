@@ -27,7 +27,6 @@ export class Elements {
 
   /** Everything about an element that holds as long as its anchor does. */
   prepare(element) {
-    element.axes = axesOf(element);
     element.tracer = this.deformer.tracer(element.mesh, element.point);
     this.deformer.setBase(null, null);
     this.deformer.drive(this.rest);
@@ -158,16 +157,6 @@ function gainFor(path, length) {
   let total = 0;
   for (let k = 1; k < path.length; k++) total += Math.hypot(...path[k].map((value, axis) => value - path[k - 1][axis]));
   return total > 0 && total < length ? length / total : 1;
-}
-
-/** Positions of members that make one axis each: opposed pairs [negative, positive], or single ones. */
-function axesOf(element) {
-  const paired = new Set(element.opposed.flat());
-  const axes = element.opposed.map(([negative, positive]) => [negative, positive]);
-  element.members.forEach((_, m) => {
-    if (!paired.has(m)) axes.push([m]);
-  });
-  return axes.sort((a, b) => Math.min(...a) - Math.min(...b));
 }
 
 /** `anchor` plus the offset of a point from the base anchor, turned by the linear part of `carry`. */

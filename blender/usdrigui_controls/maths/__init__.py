@@ -1,1 +1,1 @@
-"""usdrigui's own mathematics of drags and rotations, copied here when the extension is built."""
+"""usdrigui's own mathematics of drags and rotations, put here when the extension is built."""
