@@ -9,6 +9,7 @@ import makers
 import numpy as np
 import pytest
 from browser_pages import Viewer
+from pxr import Usd
 from viewer_layouts import peak_layout
 
 from usdrigui.deform import deform
@@ -49,7 +50,7 @@ def shared(browser, page_path):
 def viewer(shared):
     """The module's page, put back as it was opened."""
     shared.page.mouse.move(1, 1)
-    shared.page.evaluate("usdrigui.app.open(0)")
+    shared.page.evaluate("usdrigui.app.startAfresh()")
     shared.until("usdrigui.app.view.controlsColumn?.width > 0")
     shared.settle()
     yield shared
@@ -169,6 +170,29 @@ def test_keys_override_the_animation_and_are_undone(viewer):
     assert viewer.page.locator(".ticks i").count() == 1
     viewer.page.keyboard.press("Control+z")
     assert viewer.page.locator(".ticks i").count() == 0
+
+
+def test_a_saved_layer_is_what_every_frame_shows(viewer, tmp_path):
+    """Two keys of one control over a clip that moves others: USD has of each frame what the page shows."""
+    for frame, value in ((5, 0.2), (15, 0.9)):
+        viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", frame)
+        viewer.set(chin=value)
+        viewer.page.evaluate("(control) => usdrigui.app.timeline.key([control])", [*viewer.values()].index("chin"))
+    shown = [at_frame(viewer, frame) for frame in range(1, 22)]
+    with viewer.page.expect_download() as download:
+        viewer.page.get_by_role("button", name="Save animation layer").click()
+    download.value.save_as(tmp_path / "animation.usda")
+    stage = Usd.Stage.Open(str(tmp_path / "animation.usda"))
+    weights = stage.GetAttributeAtPath("/Root/anim.blendShapeWeights")
+    for frame, values in enumerate(shown, 1):
+        assert weights.Get(frame) == pytest.approx([*values.values()], abs=1e-5), frame
+    assert [shown[frame - 1]["chin"] for frame in (1, 10, 21)] == pytest.approx([0.2, 0.55, 0.9])
+    assert shown[10]["pucker"] == pytest.approx(1.0)
+
+
+def at_frame(viewer, frame):
+    viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", frame)
+    return viewer.values()
 
 
 # --- poses, numbers, history -------------------------------------------------------------------------

@@ -41,6 +41,7 @@ from usdrigui.usd.skeleton import (
     read_channels,
     read_clip,
     read_joints,
+    read_still,
     weights_at,
 )
 from usdrigui.usd.stage import composition_issues, listening, open_stage, told
@@ -104,6 +105,9 @@ class _Scene:
     base_weights: Floats
     authored_weights: Floats
     clip: Clip | None
+    """Motion, which tells ranges."""
+    still: Clip | None
+    """Where nothing moves."""
     names: FrameNames
     found: Found
     bound_in_vain: tuple[Issue, ...]
@@ -140,7 +144,7 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         channels=scene.channels,
         base_weights=_rest_weights(scene, controls),
         controls=controls,
-        clip=scene.clip,
+        clip=scene.clip or scene.still,
         up=_up(root),
         metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
         left_off=lost,
@@ -173,11 +177,13 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     vain = bound_in_vain(root.GetStage(), (mesh.path for mesh in meshes), bound)
     found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
     channels = _with_unanimated(root, channels, found)
-    clip, heard = read_clip(armatures, joints, channels, root.GetStage().GetTimeCodesPerSecond())
+    rate = root.GetStage().GetTimeCodesPerSecond()
+    clip, heard = read_clip(armatures, joints, channels, rate)
+    still = read_still(armatures, joints, channels, rate) if clip is None else None
     found.issues.extend(heard)
     authored = weights_at(armatures, channels, None)
     base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
-    return _Scene(armatures, joints, channels, meshes, base, authored, clip, names, found, vain)
+    return _Scene(armatures, joints, channels, meshes, base, authored, clip, still, names, found, vain)
 
 
 def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:

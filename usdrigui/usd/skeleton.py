@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Gf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
 from usdrigui.usd.arrays import floats, quaternions, tokens, vector_count
 
@@ -167,17 +167,39 @@ def read_clip(
     if len(times) > most:
         issues = (issue("CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"),)
         times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
+    return _sampled(armatures, joints, channels, times, rate), issues
+
+
+def read_still(
+    armatures: tuple[Armature, ...], joints: tuple[Joint, ...], channels: tuple[Channel, ...], rate: float
+) -> Clip | None:
+    """The one frame that USD evaluates where nothing moves; None where it cannot be shown."""
+    time = min((time for armature in armatures for time in armature.times), default=0.0)
+    try:
+        return _sampled(armatures, joints, channels, [time], rate)
+    except RigUIError:
+        return None
+
+
+def _sampled(
+    armatures: tuple[Armature, ...],
+    joints: tuple[Joint, ...],
+    channels: tuple[Channel, ...],
+    times: list[float],
+    rate: float,
+) -> Clip:
+    """Weights and joints at each of `times`, which USD holds before the first and after the last."""
     rest = np.array([joint.rest for joint in joints]).reshape(-1, 4, 4)
     local = np.repeat(rest[None], len(times), axis=0)
     for armature in armatures:
         part = slice(armature.first, armature.first + len(armature.joint_names))
-        if armature.animation is not None and armature.animation.GetJointTransformTimeSamples():
+        if armature.animation is not None:
             for frame, time in enumerate(times):
                 local[frame, part] = locals_at(armature, time, rest[part])
     weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(len(times), -1)
     if not (np.isfinite(local).all() and np.isfinite(weights).all()):
         raise refuse("NOT_FINITE", armatures[0].record.animation, "the animation holds NaN or infinity")
-    return Clip(np.array(times, dtype=np.float64), weights, local, rate), issues
+    return Clip(np.array(times, dtype=np.float64), weights, local, rate)
 
 
 def weights_at(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None) -> Floats:

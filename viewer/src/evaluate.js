@@ -2,6 +2,7 @@
 // face and the controls beside it; time and errors as CSV.
 
 import { download, make } from './dom.js';
+import { History } from './history.js';
 
 export const INTERFACES = {
   list: 'Slider list',
@@ -129,7 +130,7 @@ export class Evaluation {
 
   start(participant) {
     const { session } = this.app;
-    this.before = { values: Float64Array.from(session.values), options: { ...session.options } };
+    this.before = { work: session.snapshot(), history: session.history, options: { ...session.options } };
     this.participant = participant;
     this.trials = trialsFor(participant, session);
     this.results = [];
@@ -143,10 +144,9 @@ export class Evaluation {
       return;
     }
     const { session } = this.app;
-    session.history.done = [];
-    session.history.undone = [];
+    session.history = new History();
     session.select([]);
-    session.show(session.rest, null, null);
+    session.clear();
     this.neutral = Float32Array.from(session.deformer.points);
     this.targetPoints = Float32Array.from(session.deformer.pose(trial.target));
     session.reshape();

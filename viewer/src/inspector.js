@@ -1,9 +1,10 @@
 // The panel on the right: what is selected, what acts at a clicked point, how things are shown, poses and
 // layout in and out.
 
+import { poseLayer, workFromLayer } from './animation_layer.js';
 import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
 import { COLOURS, familyName } from './overlay.js';
-import { framesFromUsda, poseFromJson, poseToJson, poseToUsda } from './pose_io.js';
+import { poseFromJson, poseToJson } from './pose_io.js';
 import { sideName } from './view.js';
 
 const MOST_RANKED = 12;
@@ -261,8 +262,9 @@ export class Inspector {
       act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
       act('Save JSON', 'Download the pose', () => download('pose.json', poseToJson(session), 'application/json')),
       act('Save pose layer', 'Download the pose as a USD layer', () => {
-        const now = { time: this.timeline.frame, values: Float64Array.from(session.values) };
-        download('pose.usda', poseToUsda(session, [now], this.timeline.rate), 'text/plain');
+        const { text, unwritten } = poseLayer(session);
+        if (text) download('pose.usda', text, 'text/plain');
+        if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
       }),
       act('Load…', 'A pose or layer saved before', async () => {
         const file = await askForFile('.json,.usda,.usd');
@@ -280,14 +282,14 @@ export class Inspector {
     }
   }
 
-  /** Take over a pose (JSON) or keyed frames (usda). */
+  /** Take over a pose (JSON) or the keys or the pose of a layer (usda). */
   load(text) {
-    const { session, timeline, say } = this;
+    const { session, say } = this;
     try {
       if (text.startsWith('#usda')) {
-        const frames = framesFromUsda(text, session);
-        if (frames.length > 1) timeline.load(frames);
-        else session.edit('Load pose', () => session.set([...frames[0].values.entries()]));
+        const { keys, standing } = workFromLayer(text, session);
+        if (keys.size) session.load('Load keys', keys, standing);
+        else session.edit('Load pose', () => session.set(standing));
       } else {
         const pose = poseFromJson(text, session);
         session.edit('Load pose', () => session.set(pose));

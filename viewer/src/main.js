@@ -36,16 +36,20 @@ class App {
     this.scene = scene;
     this.node = document.getElementById('app');
     this.notice = make('div', { class: 'notice', role: 'status', hidden: true });
+    this.sessions = scene.characters.map(() => null);
     this.open(0);
     listenToKeys(this.shortcuts());
   }
 
-  /** Show one of the scene's characters. */
+  /** Show one of the scene's characters, as it was left. */
   open(index) {
+    if (this.evaluation?.running) this.evaluation.finish();
+    this.timeline?.stop();
+    this.session?.leave();
     this.index = index;
-    this.session = new Session(this.scene.characters[index]);
+    this.session = this.sessions[index] ??= new Session(this.scene.characters[index]);
     this.view = new View(this.session);
-    this.timeline = new Timeline(this.session);
+    this.timeline = new Timeline(this.session, (text) => this.say(text));
     this.list = new ControlList(this.session, this.view);
     this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
     this.view.say = (text) => this.say(text);
@@ -59,6 +63,13 @@ class App {
   }
 
   // --- bar -------------------------------------------------------------------------------------------
+
+  /** Show one of the characters as if for the first time. */
+  startAfresh(index = this.index) {
+    this.session.leave();
+    this.sessions[index] = null;
+    this.open(index);
+  }
 
   makeBar() {
     const { session } = this;
@@ -145,7 +156,7 @@ class App {
       0: () => this.session.zero(this.session.chosenControls),
       r: () => this.session.reset(this.session.chosenControls),
       m: () => this.session.openOrClose() || this.say('Nothing selected has members'),
-      k: () => this.timeline.key(this.timeline.chosen()),
+      k: () => this.timeline.key(),
       1: look(0, 0),
       2: look(0.7, 0.05),
       3: look(Math.PI / 2, 0),
@@ -179,11 +190,12 @@ class App {
     this.view.setColumns(columns[name], (kind) => captions[kind]);
   }
 
-  endTrials({ values, options }) {
+  endTrials({ work, history, options }) {
     this.node.classList.remove('trial', 'trial-list');
     Object.assign(this.session.options, options);
     this.view.stage.setTarget(null);
-    this.session.show(values, null, null);
+    this.session.history = history;
+    this.session.restore(work);
     this.session.emit('options');
     this.view.setColumns(null);
   }

@@ -60,7 +60,7 @@ export function multiply3(a, b) {
   return out;
 }
 
-const transposed3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+export const transposed3 = (m) => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
 
 /** M = S R: stretch S and rotation R of positive determinant, by Higham's iteration for the polar factor. */
 export function polar(m) {
@@ -120,4 +120,43 @@ export function quaternionMatrix([w, x, y, z]) {
     2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
     2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y),
   ];
+}
+
+/** Rotation vector (x, y, z) in radians, at most half a turn, of a rotation matrix for row vectors. */
+export function rotationVector(r) {
+  const q = quaternionOf(r);
+  const [w, ...axis] = q[0] < 0 ? q.map((value) => -value) : q;
+  const sine = Math.hypot(...axis);
+  const factor = sine < 1e-12 ? 2 : (2 * Math.atan2(sine, w)) / sine;
+  return axis.map((value) => factor * value);
+}
+
+/** Translation, unit quaternion [w, x, y, z] and scales of a transform without shear, as a SkelAnimation holds them. */
+export function decomposed(m) {
+  const rows = [0, 4, 8].map((at) => Array.from(m.slice(at, at + 3)));
+  const scale = rows.map((row) => Math.hypot(...row) || 1);
+  const mirror = determinant3(rows.flat()) < 0 ? -1 : 1;
+  const unit = rows.flatMap((row, i) => row.map((value) => value / (scale[i] * mirror)));
+  return { translation: Array.from(m.slice(12, 15)), rotation: quaternionOf(unit), scale: scale.map((value) => value * mirror) };
+}
+
+/** A transform between two as USD interpolates them: translations and scales linearly, rotations on the sphere. */
+export function between(before, after, share) {
+  const [a, b] = [decomposed(before), decomposed(after)];
+  const mixed = (name) => a[name].map((value, i) => (1 - share) * value + share * b[name][i]);
+  const [scale, rotation] = [mixed('scale'), quaternionMatrix(slerp(a.rotation, b.rotation, share))];
+  const linear = rotation.map((value, i) => value * scale[Math.floor(i / 3)]);
+  const [x, y, z] = mixed('translation');
+  return [...linear.slice(0, 3), 0, ...linear.slice(3, 6), 0, ...linear.slice(6, 9), 0, x, y, z, 1];
+}
+
+/** The shorter way between two unit quaternions. */
+export function slerp(a, b, share) {
+  const cosine = a.reduce((sum, value, i) => sum + value * b[i], 0);
+  const angle = Math.acos(Math.min(1, Math.abs(cosine)));
+  const sine = Math.sin(angle);
+  const [from, to] = sine < 1e-6 ? [1 - share, share] : [Math.sin((1 - share) * angle) / sine, Math.sin(share * angle) / sine];
+  const q = a.map((value, i) => from * value + Math.sign(cosine || 1) * to * b[i]);
+  const length = Math.hypot(...q);
+  return q.map((value) => value / length);
 }

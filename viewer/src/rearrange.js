@@ -10,7 +10,7 @@ export class Rearranging {
   constructor(view) {
     this.view = view;
     this.session = view.session;
-    this.moved = new Map();
+    this.moved = view.session.moved;
   }
 
   /** A gesture that moves `element`. */
@@ -82,15 +82,13 @@ export class Rearranging {
         if (entry) this.moved.set(element.index, entry);
         else this.moved.delete(element.index);
       }
-      session.reshape();
-      session.emit('layout');
+      session.relayout();
     };
     const before = state();
     act();
     const after = state();
     session.history.push(label, () => restore(before), () => restore(after));
-    session.reshape();
-    session.emit('layout');
+    session.relayout();
   }
 
   mirrorOf(element) {

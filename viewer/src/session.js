@@ -1,6 +1,7 @@
-// One character in the hand: its pose, what is selected, pinned, locked and hidden, and how it is shown.
+// One character in the hand: its pose, its keys, what is selected, pinned, locked and hidden, and how it is shown.
 // Everything on the page reads the session and changes it through these methods; listeners hear of it.
 
+import { Animation, withKey, withoutKey } from './animation.js';
 import { Deformer } from './deform.js';
 import { Elements } from './elements.js';
 import { Influence } from './heat.js';
@@ -36,7 +37,14 @@ export class Session {
     this.values = Float64Array.from(this.rest);
     this.influence = new Influence(character, this.deformer, this.rest);
     this.twins = twinsOf(this.elements.list, this.controls.length);
+    this.animation = new Animation(character, this.rest);
     this.history = new History();
+    this.frame = this.animation.first;
+    this.neutral = true; // the layout's base pose is under the values, not the frame's
+    this.keys = new Map(); // control index -> [[frame, value]], ascending
+    this.standing = new Map(); // control index -> value of what neither keys nor the clip animate
+    this.given = Float64Array.from(this.rest); // the values before any change at this frame
+    this.moved = new Map(); // element index -> where it was put by hand
     this.options = { ...DEFAULT_OPTIONS };
     this.selection = new Set();
     this.hidden = new Set();
@@ -56,6 +64,12 @@ export class Session {
 
   emit(event) {
     this.listeners.get(event)?.forEach((listener) => listener());
+  }
+
+  /** Forget who listens, and what the pointer does: another character comes to be shown. */
+  leave() {
+    this.listeners.clear();
+    Object.assign(this, { hover: null, dragging: null, affected: new Map() });
   }
 
   /** Recompute points and elements from the values. */
@@ -100,30 +114,42 @@ export class Session {
   }
 
   beginEdit() {
+    this.emit('editing');
     return Float64Array.from(this.values);
   }
 
-  endEdit(label, before, merge = null) {
-    const after = Float64Array.from(this.values);
-    const changed = [...after.keys()].filter((i) => after[i] !== before[i]);
+  endEdit(label, values, merge = null) {
+    const changed = [...values.keys()].filter((i) => this.values[i] !== values[i]);
     if (!changed.length) return;
-    const take = (values) => {
-      this.values.set(values);
-      this.reshape();
-    };
-    this.history.push(label, () => take(before), () => take(after), merge);
-    this.lastChanged = changed;
+    const before = { ...this.snapshot(), values };
+    if (this.options.autoKey) this.setKeys(changed);
+    this.step(label, before, merge);
     this.emit('edited');
   }
 
   /** Every control to its default. */
   zero(indices = this.controls.keys()) {
-    this.edit('Zero', () => this.set([...indices].map((index) => [index, this.controls[index].default])));
+    this.settleAt('Zero', [...indices], (index) => this.controls[index].default);
   }
 
   /** Every control to the pose in which the layout was made. */
   reset(indices = this.controls.keys()) {
-    this.edit('Reset', () => this.set([...indices].map((index) => [index, this.rest[index]])));
+    this.settleAt('Reset', [...indices], (index) => this.rest[index]);
+  }
+
+  /** Controls to values; all of them together leave the clip's frame too, whose pose may hold what no control says. */
+  settleAt(label, indices, value) {
+    const before = { ...this.snapshot(), values: this.beginEdit() };
+    if (indices.length === this.controls.length) {
+      this.neutral = true;
+      this.showBase();
+    }
+    this.set(indices.map((index) => [index, value(index)]));
+    const changed = this.values.some((each, i) => each !== before.values[i]);
+    if (!changed && this.neutral === before.neutral) return;
+    if (this.options.autoKey && changed) this.setKeys(indices.filter((index) => !this.locks.has(index)));
+    this.step(label, before);
+    this.emit('edited');
   }
 
   undo() {
@@ -134,11 +160,137 @@ export class Session {
     return this.history.redo();
   }
 
-  /** Show another base pose and values (a frame of an animation); not an edit. */
-  show(values, weights, locals) {
+  /** All that undo gives back. */
+  snapshot() {
+    const { frame, neutral, keys, standing } = this;
+    return { frame, neutral, keys, standing, values: Float64Array.from(this.values), given: this.given };
+  }
+
+  restore({ values, ...state }) {
+    this.emit('editing');
+    Object.assign(this, state);
     this.values.set(values);
-    this.deformer.setBase(weights, locals);
+    this.showBase();
     this.reshape();
+    this.emit('time');
+  }
+
+  /** Show the layout's base pose, without any keys; not an edit. */
+  clear() {
+    const rest = Float64Array.from(this.rest);
+    this.restore({ ...this.snapshot(), neutral: true, keys: new Map(), standing: new Map(), values: rest, given: rest });
+  }
+
+  /** Record what has happened since `before` as one undoable step. */
+  step(label, before, merge = null) {
+    const after = this.snapshot();
+    this.history.push(label, () => this.restore(before), () => this.restore(after), merge);
+    this.emit('changed');
+    this.emit('time');
+  }
+
+  // --- time ------------------------------------------------------------------------------------------
+
+  /** Controls whose values are not what the keys and the clip give here. */
+  changed() {
+    return [...this.values.keys()].filter((index) => this.values[index] !== this.given[index]);
+  }
+
+  /** Changed controls that are lost on leaving the frame, as keys or the clip say what they are at every other. */
+  unkeyed() {
+    return this.changed().filter((index) => this.animation.isAnimated(index, this.keys));
+  }
+
+  /**
+   * Show a frame.  What is changed here and in time neither by keys nor by the clip stays as it is; other changes
+   * without keys end with the frame, as one undoable step.  Returns their control indices.
+   */
+  go(frame) {
+    const lost = this.unkeyed();
+    const before = lost.length ? this.snapshot() : null;
+    this.standing = this.stood();
+    Object.assign(this, { frame, neutral: false });
+    this.given = this.animation.at(frame, this).values;
+    this.values.set(this.given);
+    this.showBase();
+    this.reshape();
+    if (before) this.step(`Leave frame ${before.frame} with changes`, before);
+    else this.emit('time');
+    return lost;
+  }
+
+  /** The values that stand at all frames, those changed here among them. */
+  stood() {
+    const standing = new Map(this.standing);
+    for (const index of this.changed()) {
+      if (!this.animation.isAnimated(index, this.keys)) standing.set(index, this.values[index]);
+    }
+    return standing;
+  }
+
+  /** Key controls at this frame, at their present values. */
+  key(controls) {
+    const before = this.snapshot();
+    this.setKeys(controls);
+    this.step(`Key frame ${this.frame}`, before);
+  }
+
+  setKeys(controls) {
+    const keys = new Map(this.keys);
+    for (const index of controls) keys.set(index, withKey(keys.get(index) ?? [], this.frame, this.values[index]));
+    this.takeKeys(keys, this.standing);
+  }
+
+  /** Take away the keys of controls at this frame; false where there are none. */
+  unkey(controls) {
+    const before = this.snapshot();
+    const keys = new Map(this.keys);
+    for (const index of controls) {
+      const left = withoutKey(keys.get(index) ?? [], this.frame);
+      if (left.length) keys.set(index, left);
+      else keys.delete(index);
+    }
+    const gone = controls.filter((index) => keys.get(index)?.length !== this.keys.get(index)?.length);
+    if (!gone.length) return false;
+    gone.forEach((index) => (this.values[index] = this.given[index]));
+    this.takeKeys(keys, this.standing);
+    this.step(`Delete keys at frame ${this.frame}`, before);
+    return true;
+  }
+
+  /** Other keys and standing values, as one undoable step; shows the first frame keyed, or the present one. */
+  load(label, keys, standing) {
+    const before = this.snapshot();
+    const frames = [...keys.values()].map(([[frame]]) => frame);
+    if (frames.length) this.frame = Math.min(...frames);
+    this.given = Float64Array.from(this.values); // what was changed at the frame before gives way
+    this.takeKeys(keys, standing);
+    this.step(label, before);
+  }
+
+  /** Show this frame with other keys and standing values; changes that are not keyed stay shown. */
+  takeKeys(keys, standing) {
+    const kept = this.changed().map((index) => [index, this.values[index]]);
+    Object.assign(this, { keys, standing, neutral: false });
+    this.given = this.animation.at(this.frame, this).values;
+    this.values.set(this.given);
+    for (const [index, value] of kept) this.values[index] = value;
+    this.showBase();
+    this.reshape();
+  }
+
+  /** Follow elements that stand elsewhere now. */
+  relayout() {
+    this.showBase(); // finding where elements stand has put the base pose there
+    this.reshape();
+    this.emit('layout');
+    this.emit('changed');
+  }
+
+  /** Put the frame's pose, or the layout's base pose, under the values. */
+  showBase() {
+    const { weights, locals } = this.neutral ? { weights: null, locals: null } : this.animation.clipAt(this.frame);
+    this.deformer.setBase(weights, locals);
   }
 
   // --- selection -------------------------------------------------------------------------------------

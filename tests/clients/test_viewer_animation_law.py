@@ -1,0 +1,235 @@
+"""What the viewer shows at a frame is what USD evaluates from the layer that it saves over the source.
+
+The viewer's sources run in Node.js, without a browser, on sessions of random keys; USD composes the saved layer
+over the source and evaluates it.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import laid_out
+import numpy as np
+import pytest
+from pxr import Sdf, Usd, UsdSkel
+from skel_stages import add_animation, add_mesh, add_shape, add_skeleton, add_skin, character, matrix, new_stage
+
+from usdrigui.settings import load
+from usdrigui.usd.rig import read_rigs
+from usdrigui.view.scene import pack
+
+REPLAY = Path(__file__).with_name("replay.mjs")
+TOLERANCE = 1e-5
+HALF = 2.0**-10
+"""What USD itself leaves of scales that change in time: a SkelAnimation holds them as halves."""
+SEEDS = range(24)
+
+
+def random_character(path, rng):
+    """A character of one or two Skeletons, with and without joints and clips, and tokens that no animation lists.
+
+    The file is read through a shot that may put it later, slower and at another rate.
+    """
+    stage, root = new_stage(path.with_name("asset.usda"))
+    for index in range(rng.integers(1, 3)):
+        _part(stage, root, index, rng)
+    stage.SetTimeCodesPerSecond(float(rng.choice([24, 30])))
+    stage.GetRootLayer().Save()
+    shot = Sdf.Layer.CreateNew(str(path))
+    shot.subLayerPaths = ["./asset.usda"]
+    shot.subLayerOffsets[0] = Sdf.LayerOffset(float(rng.choice([0, 10])), float(rng.choice([1, 2])))
+    shot.defaultPrim = "Char"
+    shot.timeCodesPerSecond = float(rng.choice([24, 25]))
+    shot.Save()
+
+
+def _part(stage, root, index, rng):
+    skeleton, animation = f"/Char/Skel{index}", f"/Clips/Anim{index}"
+    joints = ("neck", "neck/jaw")[: rng.integers(0, 3)]
+    scales = rng.choice([0.5, 1.0, 1.0, 2.0], (2, 3))
+    rest = [_transform(rng, scales[i]) for i, _ in enumerate(joints)]
+    add_skeleton(stage, skeleton, joints, rest)
+    mesh = add_mesh(stage, f"/Char/Face{index}", skeleton, seed=index, side=3)
+    if joints:
+        add_skin(mesh, [[0, len(joints) - 1]] * 9, rng.dirichlet([1, 1], 9), 2)
+    tokens = (f"a{index}", f"b{index}", "shared", f"lone{index}")
+    for token in tokens:
+        add_shape(mesh, token, rng.normal(size=(9, 3)))
+    kind = rng.choice(["clip", "still", "none"], p=[0.7, 0.15, 0.15])
+    if kind == "none":
+        return
+    times = [None] if kind == "still" else np.unique(rng.choice(np.arange(1, 13, 0.5), rng.integers(1, 6))).tolist()
+    listed = [*rng.permutation(tokens[:3]).tolist(), "unused"]
+    weights = {time: rng.uniform(-0.5, 1.5, len(listed)) * (rng.random(len(listed)) < 0.7) for time in times}
+    turned = (
+        {time: [_transform(rng, scales[i]) for i, _ in enumerate(joints)] for time in times}
+        if rng.random() < 0.7
+        else {}
+    )
+    add_animation(stage, animation, None, listed, weights, joints if turned else (), turned)
+    bound = stage.GetPrimAtPath(skeleton) if index or rng.random() < 0.5 else root
+    UsdSkel.BindingAPI.Apply(bound).CreateAnimationSourceRel().SetTargets([animation])
+
+
+def _transform(rng, scale):
+    return matrix(rng.uniform(-60, 60, 3), rng.uniform(-2, 2, 3), scale)
+
+
+def random_actions(rig, rng, last):
+    names = [control.name for control in rig.controls]
+
+    def some():
+        return rng.choice(names, min(len(names), rng.integers(1, 4)), replace=False).tolist()
+
+    def values():
+        bounds = {control.name: (control.minimum, control.maximum) for control in rig.controls}
+        return {name: float(rng.uniform(*bounds[name])) for name in some()}
+
+    actions = []
+    for _ in range(rng.integers(2, 7)):
+        actions.append(["go", int(rng.integers(1, last + 1))])
+        changed = values()
+        actions.append(["set", changed])
+        actions.append(
+            [["key", [*changed]], ["key", some()], ["unkey", some()], ["reset"], ["undo"], ["redo"], ["autoKey", True]][
+                rng.choice(7, p=[0.5, 0.14, 0.1, 0.06, 0.08, 0.06, 0.06])
+            ]
+        )
+    return actions
+
+
+def random_case(folder, seed):
+    rng = np.random.default_rng(seed)
+    path = folder / f"shot{seed}.usda"
+    if seed % 6 == 5:
+        character(path)
+    else:
+        (folder / str(seed)).mkdir()
+        path = folder / str(seed) / "shot.usda"
+        random_character(path, rng)
+    poses = {"grin": {"weights": {"shared": 0.5, "a0": 1.0}}} if seed % 6 != 5 else {}
+    joints = ["all", "none", "auto"][seed % 3]
+    rig = read_rigs(path, load({"read": {"joints": joints}, "poses": poses}))[0]
+    last = 30
+    return path, rig, random_actions(rig, rng, last), [*range(1, last + 1), *(rng.uniform(0, last, 10).tolist())]
+
+
+@pytest.fixture(scope="module")
+def replayed(tmp_path_factory):
+    """Every case with what the viewer makes of it; one process for all."""
+    if shutil.which("node") is None:
+        pytest.skip("Node.js is not installed")
+    folder = tmp_path_factory.mktemp("law")
+    cases = [random_case(folder, seed) for seed in SEEDS]
+    asked = [
+        {
+            "scene": base64.b64encode(pack([(rig, laid_out.layout_of(rig))], "law")).decode(),
+            "actions": actions,
+            "times": times,
+        }
+        for _, rig, actions, times in cases
+    ]
+    done = subprocess.run(
+        ["node", str(REPLAY)], input=json.dumps(asked), capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return list(zip(cases, json.loads(done.stdout), strict=True))
+
+
+def composed(path, layer, source):
+    """A stage of the saved layer, written to `path`, over its source."""
+    path.write_text(layer)
+    root = Sdf.Layer.CreateAnonymous(".usda")
+    root.subLayerPaths = [str(path), str(source)]
+    root.timeCodesPerSecond = Sdf.Layer.FindOrOpen(str(source)).timeCodesPerSecond
+    return Usd.Stage.Open(root)
+
+
+class Evaluated:
+    """Weights by channel and local joint transforms as UsdSkel has them."""
+
+    def __init__(self, stage, rig):
+        self.rig = rig
+        self.cache = UsdSkel.Cache()
+        self.cache.Populate(UsdSkel.Root(stage.GetPrimAtPath(rig.root)), Usd.PrimDefaultPredicate)
+        skeletons = [UsdSkel.Skeleton(stage.GetPrimAtPath(each.path)) for each in rig.skeletons]
+        self.queries = [self.cache.GetSkelQuery(each) for each in skeletons]
+
+    def weights(self, time):
+        """(channels,) weights; 0 of those that no animation drives."""
+        found, listed = {}, {(each.token, each.animation) for each in self.rig.channels}
+        for skeleton, query in zip(self.rig.skeletons, self.queries, strict=True):
+            animation = query.GetAnimQuery()
+            if animation:
+                values = animation.ComputeBlendShapeWeights(time) or []
+                for token, value in zip(animation.GetBlendShapeOrder(), values, strict=bool(values)):
+                    key = str(token), skeleton.animation
+                    found[key if key in listed else (str(token), "")] = value
+        return [found.get((each.token, each.animation), 0.0) for each in self.rig.channels]
+
+    def locals(self, time):
+        rows = [
+            matrix for query in self.queries for matrix in query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
+        ]
+        return np.array(rows).reshape(-1, 16)
+
+
+def off(shown, stage, rig, time):
+    evaluated = Evaluated(stage, rig)
+    locals_ = np.array(shown["locals"]).reshape(-1, 16)
+    of_weights = np.abs(np.array(shown["weights"]) - evaluated.weights(time)).max(initial=0.0)
+    of_joints = (np.abs(locals_ - evaluated.locals(time)) / np.maximum(1.0, np.abs(locals_))).max(initial=0.0)
+    return of_weights, of_joints
+
+
+def test_every_frame_shown_is_what_usd_evaluates(replayed, tmp_path):
+    saved = 0
+    for seed, ((source, rig, actions, times), found) in zip(SEEDS, replayed, strict=True):
+        assert found["unwritten"] == []
+        stage = composed(tmp_path / f"{seed}.usda", found["layer"] or "#usda 1.0\n", source)
+        saved += bool(found["layer"])
+        for time, shown, again in zip(times, found["frames"], found["again"] or found["frames"], strict=True):
+            of_weights, of_joints = off(shown, stage, rig, time)
+            rounding = HALF if seed % 6 == 5 else 0.0
+            assert of_weights < TOLERANCE, (seed, time, actions)
+            if float(time).is_integer():
+                assert of_joints < TOLERANCE + rounding, (seed, time, actions)
+            assert np.allclose(shown["weights"], again["weights"], atol=1e-7), (seed, time)
+            assert np.allclose(np.ravel(shown["locals"]), np.ravel(again["locals"]), atol=1e-7), (seed, time)
+    assert saved > 0.8 * len(SEEDS)
+
+
+def test_a_saved_pose_is_the_pose_shown(replayed, tmp_path):
+    for seed, ((source, rig, actions, _), found) in zip(SEEDS, replayed, strict=True):
+        stage = composed(tmp_path / f"{seed}.usda", found["pose"]["text"], source)
+        of_weights, of_joints = off(found["pose"]["shown"], stage, rig, 5.0)
+        assert of_weights < TOLERANCE, (seed, actions)
+        # The joints are written where a control turns some, else the source has the say.
+        if any(len(control.drive.joints) for control in rig.controls) and len(rig.skeletons) == 1:
+            assert of_joints < TOLERANCE + HALF, (seed, actions)
+
+
+def test_joints_without_keys_are_left_to_the_source(replayed):
+    left = 0
+    for seed, ((_, rig, _, _), found) in zip(SEEDS, replayed, strict=True):
+        if not found["layer"]:
+            continue
+        layer = Sdf.Layer.CreateAnonymous(".usda")
+        layer.ImportFromString(found["layer"])
+        work = json.loads(layer.customLayerData["usdrigui"]["work"])
+        reached = {
+            rig.joints[int(joint)].skeleton
+            for control in rig.controls
+            if control.name in work["keys"] or control.name in work["standing"]
+            for joint in control.drive.joints
+        }
+        for index, skeleton in enumerate(rig.skeletons):
+            path = skeleton.animation or f"{skeleton.path}/usdrigui_animation"
+            written = layer.GetAttributeAtPath(f"{path}.rotations") is not None
+            assert written == (index in reached), seed
+            left += not written and bool(skeleton.animation)
+    assert left > 5

@@ -1,0 +1,209 @@
+// What every control is at every frame: the rig's clip, and keys as sparse opinions over it.
+//
+// A control has the value that its keys give, linear between them.  Outside its keys it follows the clip where
+// the clip moves it, beginning one frame away from the key, and holds its nearest key where the clip does not.
+// A control without keys follows the clip; one that the clip does not move either keeps what it was last set to.
+
+import * as matrix from './matrix.js';
+
+const DEFAULT_RANGE = [1, 48];
+const DEFAULT_RATE = 24;
+const MOVES = 1e-6; // what a weight or an entry of a rotation must change by for the clip to move it
+
+export class Animation {
+  constructor(character, rest) {
+    this.character = character;
+    this.controls = character.controls;
+    this.clip = character.clip;
+    this.rest = rest;
+    this.rate = this.clip?.framesPerSecond || DEFAULT_RATE;
+    const times = this.clip && this.clip.times.length > 1 ? this.clip.times : DEFAULT_RANGE;
+    this.first = Math.floor(times[0]);
+    this.last = Math.max(this.first + 1, Math.ceil(times.at(-1)));
+    this.readings = this.controls.map((control) => this.clip && (channelReading(control) ?? jointReading(control)));
+    this.moving = this.readings.map((reading) => reading !== null && this.isMoved(reading));
+    this.known = new Map();
+  }
+
+  /** Whether the clip changes what a control is read from. */
+  isMoved({ channel, joint }) {
+    const { weights, locals, times } = this.clip;
+    const changes = (array, width, from, count) => {
+      for (let i = from; i < from + count; i++) {
+        for (let k = 1; k < times.length; k++) if (Math.abs(array[k * width + i] - array[i]) > MOVES) return true;
+      }
+      return false;
+    };
+    if (channel !== undefined) return changes(weights, this.character.channels.length, channel, 1);
+    return changes(locals, 16 * this.character.joints.length, 16 * joint, 11);
+  }
+
+  /** Whether keys or the clip say what a control is in time. */
+  isAnimated(control, keys) {
+    return keys.has(control) || this.moving[control];
+  }
+
+  /** Control values, base weights and base joint transforms at a time; null for a base is the rig's own. */
+  at(time, { keys, standing }) {
+    const { values, weights, locals } = this.clipAt(time);
+    const out = Float64Array.from(values);
+    for (const [control, value] of standing) if (!this.isAnimated(control, keys)) out[control] = value;
+    for (const [control, track] of keys) {
+      out[control] = keyedValue(track, time, this.moving[control] ? (when) => this.clipAt(when).values[control] : null);
+    }
+    return { values: out, weights, locals };
+  }
+
+  /** First and last whole frame of the clip and of keys. */
+  range(keys) {
+    const times = [...keys.values()].flatMap((track) => [track[0][0], track.at(-1)[0]]);
+    return [Math.min(this.first, ...times.map(Math.floor)), Math.max(this.last, ...times.map(Math.ceil))];
+  }
+
+  /**
+   * Times between which all control values are linear: every whole frame, every sample of the clip, every key,
+   * and where a key's last frame ends.
+   */
+  times(keys) {
+    const [first, last] = this.range(keys);
+    const times = new Set(this.clip?.times ?? []);
+    for (let frame = first; frame <= last; frame++) times.add(frame);
+    for (const [control, track] of keys) {
+      for (const [time] of track) times.add(time);
+      if (this.moving[control]) times.add(track[0][0] - 1).add(track.at(-1)[0] + 1);
+    }
+    return [...times].sort((a, b) => a - b);
+  }
+
+  // --- the clip --------------------------------------------------------------------------------------
+
+  /**
+   * The clip at a time as control values over what no control says: driving the base weights and joint
+   * transforms by the values gives the clip exactly.
+   */
+  clipAt(time) {
+    if (!this.clip) return { values: this.rest, weights: null, locals: null };
+    if (!this.known.has(time)) {
+      if (this.known.size >= 4) this.known.delete(this.known.keys().next().value);
+      this.known.set(time, this.readClip(time));
+    }
+    return this.known.get(time);
+  }
+
+  readClip(time) {
+    const weights = this.weightsAt(time);
+    const locals = this.localsAt(time);
+    const turns = new Map();
+    const values = Float64Array.from(this.controls, (control, index) => {
+      const reading = this.readings[index];
+      if (!reading) return control.default;
+      const away = reading.joint === undefined ? this.awayOfWeight(reading, weights) : this.awayOfJoint(reading, locals);
+      if (reading.joint !== undefined) {
+        const turned = turns.get(reading.joint) ?? [0, 0, 0];
+        turns.set(reading.joint, turned.map((value, axis) => value + away * reading.turn[axis]));
+      }
+      return control.default + away;
+    });
+    this.readings.forEach((reading, index) => {
+      const away = values[index] - this.controls[index].default;
+      reading?.rises?.forEach(([channel, rise]) => (weights[channel] -= away * rise));
+    });
+    for (const [joint, turned] of turns) turnBack(locals.subarray(16 * joint, 16 * joint + 16), turned);
+    return { values, weights, locals };
+  }
+
+  awayOfWeight({ channel, rises }, weights) {
+    return (weights[channel] - this.character.baseWeights[channel]) / rises[0][1];
+  }
+
+  /** The component along the control's own turn of the rotation from the rig's base, as usdrigui/view/clip.py. */
+  awayOfJoint({ joint, turn }, locals) {
+    const rotation = (local) => matrix.polar(local).rotation;
+    const base = rotation(this.character.base.subarray(16 * joint, 16 * joint + 16));
+    const now = rotation(locals.subarray(16 * joint, 16 * joint + 16));
+    const turned = matrix.rotationVector(matrix.multiply3(now, matrix.transposed3(base)));
+    return dot(turned, turn) / dot(turn, turn);
+  }
+
+  weightsAt(time) {
+    const { low, high, share } = this.between(time);
+    const width = this.character.channels.length;
+    const { weights } = this.clip;
+    return Float64Array.from({ length: width }, (_, i) => mixed(weights[low * width + i], weights[high * width + i], share));
+  }
+
+  localsAt(time) {
+    const { low, high, share } = this.between(time);
+    const width = 16 * this.character.joints.length;
+    const row = (k) => this.clip.locals.subarray(k * width, (k + 1) * width);
+    const locals = Float64Array.from(row(low));
+    if (share === 0) return locals;
+    for (let from = 0; from < width; from += 16) {
+      const [before, after] = [row(low), row(high)].map((values) => values.subarray(from, from + 16));
+      if (before.some((value, i) => value !== after[i])) locals.set(matrix.between(before, after, share), from);
+    }
+    return locals;
+  }
+
+  /** The samples around a time, and the share of the later one; before the first and after the last these hold. */
+  between(time) {
+    const { times } = this.clip;
+    let low = 0;
+    let end = times.length - 1;
+    while (low < end) {
+      const middle = (low + end + 1) >> 1;
+      if (times[middle] <= time) low = middle;
+      else end = middle - 1;
+    }
+    const high = Math.min(low + 1, times.length - 1);
+    const share = high > low ? Math.max(0, (time - times[low]) / (times[high] - times[low])) : 0;
+    return { low, high, share };
+  }
+}
+
+/** The value of keys ([[time, value]], ascending) at a time; `clip` tells what holds outside them, null: the keys. */
+export function keyedValue(track, time, clip) {
+  const after = track.findIndex(([key]) => key >= time);
+  if (after > 0) {
+    const [[low, from], [high, to]] = [track[after - 1], track[after]];
+    return mixed(from, to, (time - low) / (high - low));
+  }
+  const [edge, value] = after === 0 ? track[0] : track.at(-1);
+  const away = Math.abs(time - edge);
+  if (!clip || away === 0) return value;
+  return away >= 1 ? clip(time) : mixed(value, clip(edge + Math.sign(time - edge)), away);
+}
+
+/** Keys with one more at a time, or another in its place. */
+export function withKey(track, time, value) {
+  return [...withoutKey(track, time), [time, value]].sort(([a], [b]) => a - b);
+}
+
+export const withoutKey = (track, time) => track.filter(([key]) => key !== time);
+
+/** How a blend-shape control is read from a weight: the first channel, and what each gains per unit. */
+function channelReading({ kind, drive }) {
+  if (kind !== 'blendShape' || !drive.channels.length) return null;
+  const range = drive.values.at(-1) - drive.values[0];
+  const rises = drive.channels.map((channel, i) => [channel, (drive.weights.at(-1)[i] - drive.weights[0][i]) / range]);
+  return rises[0][1] ? { channel: drive.channels[0], rises } : null;
+}
+
+/** How a joint's control is read from its rotation: the rotation vector per unit. */
+function jointReading({ kind, drive }) {
+  if (kind !== 'joint' || drive.joints.length !== 1) return null;
+  const range = drive.values.at(-1) - drive.values[0];
+  const turn = [0, 1, 2].map((axis) => (drive.rotations.at(-1)[0][axis] - drive.rotations[0][0][axis]) / range);
+  return dot(turn, turn) ? { joint: drive.joints[0], turn } : null;
+}
+
+/** Take a turn out of a local transform S R, so that turning by it gives the transform again. */
+function turnBack(local, turned) {
+  const { stretch, rotation } = matrix.polar(local);
+  const back = matrix.rotationOf(...turned.map((value) => -value));
+  const linear = matrix.multiply3(stretch, matrix.multiply3(back, rotation));
+  for (let row = 0; row < 3; row++) local.set(linear.slice(3 * row, 3 * row + 3), 4 * row);
+}
+
+const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
+const mixed = (a, b, share) => (1 - share) * a + share * b;

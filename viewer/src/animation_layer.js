@@ -1,0 +1,269 @@
+// The animation as a USD layer, and back from one: over the asset it evaluates to what the page shows.
+//
+// A SkelAnimation holds all its weights in one array and its joints in three, so an attribute that a key reaches is
+// written whole, merged with the clip; what no key reaches is left to the asset.  USD interpolates linearly, joints on
+// the sphere: weights are exact at all times, joints at every whole frame and every sample of the clip and the keys.
+
+import { decomposed } from './matrix.js';
+
+/**
+ * The layer as usda text ('' when nothing is animated by hand), to be put above the asset in `subLayers`, and the names
+ * of controls that it cannot hold, since no Skeleton with an animation is known for them.
+ */
+export function animationLayer(session) {
+  const { animation, keys } = session;
+  const standing = new Map([...session.stood()].filter(([control]) => !animation.isAnimated(control, keys)));
+  const written = [...new Set([...keys.keys(), ...standing.keys()])];
+  if (!written.length) return { text: '', unwritten: [] };
+  const work = { keys, standing };
+  const states = statesAt(session, timesOf(animation, work), (time) => animation.at(time, work));
+  const [first, last] = animation.range(keys);
+  return layer(session, written, states, first, last, sayWork(session, work));
+}
+
+/** The present pose as such a layer, with one sample at the present frame. */
+export function poseLayer(session) {
+  const { frame, neutral, animation, values } = session;
+  const base = neutral ? { weights: null, locals: null } : animation.clipAt(frame);
+  const states = statesAt(session, [frame], () => ({ ...base, values }));
+  const all = [...session.controls.keys()];
+  const standing = new Map(all.map((control) => [control, values[control]]));
+  return layer(session, all, states, frame, frame, sayWork(session, { keys: new Map(), standing }));
+}
+
+/** Keys and standing values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
+export function workFromLayer(text, session) {
+  const match = /string work = ("(?:[^"\\]|\\.)*")/.exec(text);
+  if (!text.startsWith('#usda') || !match) throw new Error('This layer was not written by the viewer.');
+  const found = workFrom(JSON.parse(unquoted(match[1])), session);
+  if (!found.keys.size && !found.standing.size) throw new Error('No control of this character is named in the layer.');
+  return found;
+}
+
+/** Keys and standing values by names of controls, for JSON. */
+export function sayWork({ controls }, { keys, standing }) {
+  const byName = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
+  return {
+    keys: byName(keys, (track) => track.map((key) => key.map(rounded))),
+    standing: byName(standing, rounded),
+  };
+}
+
+/** The opposite of `sayWork`; controls that the character lacks and values that are none are left out. */
+export function workFrom({ keys = {}, standing = {} }, { controls }) {
+  const index = new Map(controls.map(({ name }, i) => [name, i]));
+  const known = (entries, isValid) => new Map(
+    Object.entries(entries).filter(([name, value]) => index.has(name) && isValid(value)).map(([name, value]) => [index.get(name), value]),
+  );
+  const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every((key) => Array.isArray(key) && key.length === 2 && key.every(Number.isFinite));
+  return { keys: known(keys, isTrack), standing: known(standing, Number.isFinite) };
+}
+
+// --- states ------------------------------------------------------------------------------------------
+
+/** The animation's times, and those at which a written control crosses a knot of its drive, where weights bend. */
+function timesOf(animation, work) {
+  const times = animation.times(work.keys);
+  const bent = [...work.keys.keys()].filter((control) => animation.controls[control].drive.values.length > 2);
+  if (!bent.length) return times;
+  const values = times.map((time) => animation.at(time, work).values);
+  const more = bent.flatMap((control) =>
+    times.slice(1).flatMap((end, i) =>
+      crossings(animation.controls[control].drive.values, [times[i], values[i][control]], [end, values[i + 1][control]]),
+    ),
+  );
+  return [...new Set([...times, ...more])].sort((a, b) => a - b);
+}
+
+/** Times inside a piece that is linear from one [time, value] to another, at which it crosses knots. */
+function crossings(knots, [start, from], [end, to]) {
+  const inside = knots.filter((knot) => (knot - from) * (knot - to) < 0);
+  return inside.map((knot) => start + ((knot - from) / (to - from)) * (end - start)).filter((time) => time > start && time < end);
+}
+
+/** Channel weights and local joint transforms at times. */
+function statesAt(session, times, at) {
+  const { deformer, character } = session;
+  const states = times.map((time) => {
+    const { values, weights, locals } = at(time);
+    deformer.setBase(weights, locals);
+    deformer.drive(values);
+    return {
+      time,
+      weights: Array.from(deformer.weights),
+      locals: character.joints.map((_, joint) => Array.from(deformer.skeletons.localAt(joint, deformer.moves))),
+    };
+  });
+  session.showBase();
+  deformer.drive(session.values);
+  return states;
+}
+
+// --- what is written where ---------------------------------------------------------------------------
+
+function layer(session, controls, states, first, last, work) {
+  const { character, animation } = session;
+  const { animations, unwritten } = animationsOf(session, controls);
+  const prims = new Map();
+  for (const [path, each] of animations) {
+    if (each.made) each.skeletons.forEach((skeleton) => bind(prims, character.skeletons[skeleton].path, path));
+    put(prims, path, { type: each.made ? 'def SkelAnimation' : 'over', lines: animationLines(character, each, states) });
+  }
+  const text = [
+    '#usda 1.0',
+    '(',
+    `    defaultPrim = ${quoted(character.root.split('/')[1] ?? '')}`,
+    `    startTimeCode = ${number(first)}`,
+    `    endTimeCode = ${number(last)}`,
+    `    timeCodesPerSecond = ${number(animation.rate)}`,
+    `    framesPerSecond = ${number(animation.rate)}`,
+    '    customLayerData = {',
+    '        dictionary usdrigui = {',
+    `            string work = ${quoted(JSON.stringify({ root: character.root, ...work }))}`,
+    '        }',
+    '    }',
+    ')',
+    '',
+    ...written(nested(prims)),
+    '',
+  ].join('\n');
+  return { text: animations.size ? text : '', unwritten };
+}
+
+/**
+ * What to write on each SkelAnimation that some of `controls` reach: all its channels if one of them is driven, all
+ * its joints likewise; by path.  A Skeleton without an animation gets one of its own.
+ */
+function animationsOf({ character, controls: all }, controls) {
+  const { channels, joints, skeletons } = character;
+  const paths = skeletons.map(({ path, animation }) => animation || `${path}/usdrigui_animation`);
+  const homes = channels.map((channel, index) => homesOf(character, paths, channel, index));
+  const found = new Map();
+  const at = (path) => {
+    if (!found.has(path)) found.set(path, emptyAnimation(character, paths, path));
+    return found.get(path);
+  };
+  const unwritten = [];
+  for (const control of controls) {
+    const { drive, name } = all[control];
+    const reached = drive.channels.flatMap((channel) => homes[channel]);
+    reached.forEach((path) => (at(path).weighted = true));
+    drive.joints.forEach((joint) => at(paths[joints[joint].skeleton]).driven.add(joint));
+    if (drive.channels.length && !reached.length) unwritten.push(name);
+  }
+  for (const [path, each] of found) {
+    channels.forEach((_, index) => each.weighted && homes[index].includes(path) && each.channels.push(index));
+    each.channels.sort((a, b) => place(channels[a]) - place(channels[b]));
+    const tokens = each.channels.map((channel) => channels[channel].token);
+    each.channels = each.channels.filter((_, i) => tokens.indexOf(tokens[i]) === i);
+    if (each.driven.size) each.joints = jointsOf(joints, each);
+  }
+  return { animations: found, unwritten };
+}
+
+const emptyAnimation = ({ skeletons, channels }, paths, path) => ({
+  skeletons: [...skeletons.keys()].filter((index) => paths[index] === path),
+  made: [...skeletons, ...channels].every(({ animation }) => animation !== path),
+  weighted: false,
+  driven: new Set(),
+  channels: [],
+  joints: [],
+});
+
+/** Channels that no animation lists come after those that one does. */
+const place = ({ index }) => (index < 0 ? Infinity : index);
+
+/** The animations that hold a channel: its own, or where none lists it those of the meshes that have its shapes. */
+function homesOf({ meshes, joints, channels }, paths, { animation, index }, channel) {
+  if (animation && index >= 0) return [animation];
+  const having = meshes.filter(({ shapes }) => shapes.some((shape) => shape.channel === channel));
+  const homes = having.flatMap(({ skin, shapes }) => {
+    if (skin) return [paths[joints[skin.joints[0]].skeleton]];
+    const listing = shapes.map((shape) => channels[shape.channel]).find((each) => each.animation);
+    return listing ? [listing.animation] : paths; // the reader does not tell which Skeleton: every one gets it
+  });
+  return [...new Set(homes)];
+}
+
+/** Joints by token, once each: Skeletons that share an animation share its joints. */
+function jointsOf(joints, { skeletons, driven }) {
+  const byToken = new Map();
+  joints.forEach(({ path, skeleton }, joint) => {
+    if (skeletons.includes(skeleton) && (!byToken.has(path) || driven.has(joint))) byToken.set(path, joint);
+  });
+  return [...byToken.values()];
+}
+
+// --- USD text ----------------------------------------------------------------------------------------
+
+function animationLines(character, { channels, joints }, states) {
+  const lines = [];
+  if (channels.length) {
+    lines.push(tokens('blendShapes', channels.map((channel) => character.channels[channel].token)));
+    lines.push(...samples('float[] blendShapeWeights', states, ({ weights }) => channels.map((channel) => number(weights[channel]))));
+  }
+  if (joints.length) {
+    const parts = states.map(({ time, locals }) => ({ time, parts: joints.map((joint) => decomposed(locals[joint])) }));
+    const of = (name) => (state) => state.parts.map((part) => `(${part[name].map(number).join(', ')})`);
+    lines.push(tokens('joints', joints.map((joint) => character.joints[joint].path)));
+    lines.push(...samples('quatf[] rotations', parts, of('rotation')));
+    lines.push(...samples('half3[] scales', parts, of('scale')));
+    lines.push(...samples('float3[] translations', parts, of('translation')));
+  }
+  return lines;
+}
+
+const tokens = (name, values) => `uniform token[] ${name} = [${values.map(quoted).join(', ')}]`;
+
+function samples(attribute, states, items) {
+  const rows = states.map((state) => `    ${number(state.time)}: [${items(state).join(', ')}],`);
+  return [`${attribute}.timeSamples = {`, ...rows, '}'];
+}
+
+/** Bind a Skeleton to an animation of its own. */
+function bind(prims, skeleton, animation) {
+  put(prims, skeleton, {
+    type: 'over',
+    metadata: 'prepend apiSchemas = ["SkelBindingAPI"]',
+    lines: [`rel skel:animationSource = <${animation}>`],
+  });
+}
+
+function put(prims, path, { type, metadata = '', lines }) {
+  const before = prims.get(path) ?? { type: 'over', metadata: '', lines: [] };
+  prims.set(path, { type: type === 'over' ? before.type : type, metadata: metadata || before.metadata, lines: [...before.lines, ...lines] });
+}
+
+/** Prims nested by path, those that share ancestors sharing the overs. */
+function nested(prims) {
+  const tree = { children: new Map() };
+  for (const [path, prim] of prims) {
+    let node = tree;
+    for (const name of path.split('/').filter(Boolean)) {
+      if (!node.children.has(name)) node.children.set(name, { children: new Map(), type: 'over', metadata: '', lines: [] });
+      node = node.children.get(name);
+    }
+    Object.assign(node, prim);
+  }
+  return tree;
+}
+
+function written({ children }, indent = '') {
+  return [...children].flatMap(([name, child]) => [
+    `${indent}${child.type} ${quoted(name)}${child.metadata && ' ('}`,
+    ...(child.metadata ? [`${indent}    ${child.metadata}`, `${indent})`] : []),
+    `${indent}{`,
+    ...child.lines.map((line) => `${indent}    ${line}`),
+    ...written(child, `${indent}    `),
+    `${indent}}`,
+  ]);
+}
+
+function quoted(text) {
+  const escaped = text.replace(/["\\]/g, '\\$&').replace(/\n/g, '\\n');
+  return `"${escaped}"`;
+}
+
+const unquoted = (text) => text.slice(1, -1).replace(/\\(["\\n])/g, (_, character) => (character === 'n' ? '\n' : character));
+const rounded = (value) => Number(value.toPrecision(9));
+const number = (value) => String(rounded(value) + 0);
