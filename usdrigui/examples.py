@@ -20,6 +20,7 @@ from usdrigui.layout.transfer import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.reader_process import LayoutsResult, asset_below, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.source import SourceFile
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +53,8 @@ class Examples:
     """Animations to heed."""
     base: LayoutsResult | None = None
     """Layouts that stand, with the paths of their own layer."""
+    sources: tuple[SourceFile, ...] = ()
+    """Every file that composed those layers and characters."""
 
     def standing(self, rig: Rig) -> Layout | None:
         """The layout that stands for this character, with its paths; none where there is none."""
@@ -72,8 +75,10 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     base = read_layouts_isolated(layers.base, settings) if layers.base else None
     fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
-    like = _characters(layers.like, settings) if layers.like else ()
-    return Examples(_by_root(fixed), _by_root(previous), previous.edited if previous else {}, like, clips, base)
+    like, theirs = _characters(layers.like, settings) if layers.like else ((), ())
+    sources = (*theirs, *(source for each in (base, fixed, previous) if each for source in each.sources))
+    edited = previous.edited if previous else {}
+    return Examples(_by_root(fixed), _by_root(previous), edited, like, clips, base, sources)
 
 
 def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
@@ -179,8 +184,8 @@ def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
             raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', f"{whose} has no control {name!r}{hint}")
 
 
-def _characters(layer: Path, settings: Settings) -> tuple[tuple[Rig, Layout], ...]:
-    """The characters of a layer to imitate, read without what the configuration says of ours."""
+def _characters(layer: Path, settings: Settings) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
+    """The characters of a layer to imitate, read without what the configuration says of ours, and their files."""
     limits = ReadSettings(
         time_limit=settings.read.time_limit,
         memory_limit=settings.read.memory_limit,
@@ -190,8 +195,9 @@ def _characters(layer: Path, settings: Settings) -> tuple[tuple[Rig, Layout], ..
     found = read_layouts_isolated(layer, plain)
     source = asset_below(found, layer)
     layouts = _by_root(found)
-    rigs = read_rigs_isolated(Path(source), plain).rigs
-    return tuple((rig, layouts[rig.root]) for rig in rigs if rig.root in layouts)
+    read = read_rigs_isolated(Path(source), plain)
+    characters = tuple((rig, layouts[rig.root]) for rig in read.rigs if rig.root in layouts)
+    return characters, (*found.sources, *read.sources)
 
 
 def _known(layout: Layout, rig: Rig) -> Layout:

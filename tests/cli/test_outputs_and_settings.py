@@ -145,10 +145,14 @@ def test_reports_and_pictures_never_replace_a_usd_file(character, option, capsys
     assert "nothing was written" in capsys.readouterr().err
 
 
-def test_a_picture_that_cannot_be_written_leaves_the_layout(character, capsys):
-    layer, picture = character.with_name("l.usda"), character / "p.png"
-    assert main(["process", str(character), "-o", str(layer), "--preview", str(picture)]) == 3
-    assert "the layout itself is written" in capsys.readouterr().err
+def test_a_picture_that_cannot_be_written_leaves_layer_and_report_as_they_were(character, capsys):
+    layer, report, picture = (character.with_name(name) for name in ("l.usda", "l.json", "p.png"))
+    command = ["process", str(character), "-o", str(layer), "--report", str(report), "--preview"]
+    assert main([*command, str(picture)]) == 0
+    before = [each.read_bytes() for each in (layer, report, picture)]
+    assert main([*command, str(character / "p.png"), "--set", "objective.handle_size=0.05"]) == 3
+    assert "nothing was written" in capsys.readouterr().err
+    assert [each.read_bytes() for each in (layer, report, picture)] == before
 
 
 @pytest.mark.parametrize(

@@ -9,12 +9,13 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.cli.options import add_settings, command, settings_of
+from usdrigui.cli.options import add_settings, command, files_read, settings_of
 from usdrigui.cli.outcomes import Interruption, screen_of, strict
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
     from usdrigui import report, terminal
+    from usdrigui.usd.safe_write import Transaction
 
 
 def add_process(commands: Any) -> None:
@@ -61,11 +62,11 @@ def _process(arguments: argparse.Namespace) -> Exit:
         animations=tuple(arguments.animation),
         base=arguments.base,
     )
-    for target in filter(None, (arguments.report, arguments.preview)):
-        pipeline.check_file_name(target)  # before the work, not after it
+    pipeline.check_outputs((arguments.report, arguments.preview), files_read(arguments))  # before the work, not after
     if arguments.preview is not None and arguments.preview.suffix.lower() != ".png":
         raise refuse("CONFIG_VALUE", "--preview", f"a picture ends in .png, not in {arguments.preview.suffix!r}")
     screen = screen_of(arguments)
+    written: list[str] = []
     with Interruption() as interruption, _progress(screen, arguments) as shown:
 
         def watch(event: pipeline.Event) -> None:
@@ -80,9 +81,10 @@ def _process(arguments: argparse.Namespace) -> Exit:
             progress=watch,
             stop=interruption.requested,
             examples=examples,
+            read=files_read(arguments),
+            extras=functools.partial(_stage_extras, arguments, written),
         )
         arguments.layer_state = f"{result.outcome} {result.output}".rstrip()
-        written = _extras(result, arguments)
     if arguments.json:
         sys.stdout.write(report.to_json(result))
     else:
@@ -112,18 +114,16 @@ def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> Abstrac
     return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
 
 
-def _extras(result: report.Report, arguments: argparse.Namespace) -> tuple[str, ...]:
-    """Write the report and the picture that were asked for; one line for each."""
+def _stage_extras(arguments: argparse.Namespace, written: list[str], result: report.Report, files: Transaction) -> None:
+    """Stage the report and the picture that were asked for with the layer; one line in `written` for each."""
     from usdrigui import levels, pipeline, report
 
-    lines = []
     if arguments.report is not None:
         content = report.to_json(result).encode()
-        lines.append(f"{pipeline.write_file(content, arguments.report)} {arguments.report}")
+        written.append(f"{pipeline.stage_file(files, content, arguments.report)} {arguments.report}")
     if arguments.preview is not None:
         from usdrigui.view import sheet
 
         characters = [(each.rig, levels.shown(each.layout)) for each in result.characters]
         content = sheet.sheet_png(characters, labels=arguments.labels)
-        lines.append(f"{pipeline.write_file(content, arguments.preview)} {arguments.preview}")
-    return tuple(lines)
+        written.append(f"{pipeline.stage_file(files, content, arguments.preview)} {arguments.preview}")

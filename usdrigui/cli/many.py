@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.cli.options import add_settings, command, passed_on, settings_digest
+from usdrigui.cli.options import add_settings, command, files_read, passed_on, settings_digest
 from usdrigui.cli.outcomes import say, screen_of
 from usdrigui.errors import Exit, refuse
 
@@ -50,26 +50,27 @@ def _add_assets(parser: Any) -> None:
 
 def _batch(arguments: argparse.Namespace) -> Exit:
     _check_names(arguments)
-    jobs = _jobs(arguments)
-    _check_apart(jobs, arguments)
+    jobs, read = _jobs(arguments)
+    _check_apart(jobs, read, arguments)
     with _ended_by_signals():
-        return _all_of(jobs, arguments)
+        return _all_of(jobs, read, arguments)
 
 
 def _check_names(arguments: argparse.Namespace) -> None:
     """Refuse what the summary and the sheet cannot be called before the work, not after it."""
     from usdrigui import pipeline
 
+    pipeline.check_outputs((arguments.summary, arguments.sheet))
     for target in filter(None, (arguments.summary, arguments.sheet)):
-        pipeline.check_file_name(target)
         if target.is_dir():
             raise refuse("FILE_TARGET", str(target), "is a folder")
     if arguments.sheet is not None and arguments.sheet.suffix.lower() != ".png":
         raise refuse("CONFIG_VALUE", "--sheet", f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}")
 
 
-def _check_apart(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) -> None:
-    """Nothing that a batch writes may take the place of something else that it writes."""
+def _check_apart(jobs: Sequence[batch_jobs.Job], read: Sequence[Path], arguments: argparse.Namespace) -> None:
+    """Nothing that a batch writes may take the place of something that it reads, or else writes."""
+    from usdrigui import pipeline
     from usdrigui.clients.batch import places, state
 
     files = []
@@ -80,9 +81,11 @@ def _check_apart(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) 
     files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
     files += [(arguments.summary, "the summary")] if arguments.summary is not None else []
     places.check_apart(files)
+    layers = {Path(job.output) for job in jobs}  # `process` tells which layer may be replaced
+    pipeline.check_outputs((path for path, _ in files if path not in layers), read)
 
 
-def _all_of(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) -> Exit:
+def _all_of(jobs: Sequence[batch_jobs.Job], read: Sequence[Path], arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.clients.batch import run, sheet
 
@@ -98,9 +101,10 @@ def _all_of(jobs: Sequence[batch_jobs.Job], arguments: argparse.Namespace) -> Ex
     summary = run.Summary(ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs)
     written = []
     if arguments.sheet is not None:
-        written.append(f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet)} {arguments.sheet}")
+        written.append(f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet, read)} {arguments.sheet}")
     if arguments.summary is not None:
-        written.append(f"{pipeline.write_file(run.to_json(summary).encode(), arguments.summary)} {arguments.summary}")
+        state = pipeline.write_file(run.to_json(summary).encode(), arguments.summary, read)
+        written.append(f"{state} {arguments.summary}")
     if arguments.json:
         sys.stdout.write(run.to_json(summary))
     else:
@@ -150,26 +154,27 @@ def _openjd(arguments: argparse.Namespace) -> Exit:
     if arguments.output is None:
         sys.stdout.write(template)
         return Exit.OK
-    state = pipeline.write_file(template.encode(), arguments.output)
+    state = pipeline.write_file(template.encode(), arguments.output, (*assets, *files_read(arguments)))
     say(f"usdrigui: {state} {arguments.output}: {len(assets)} tasks", arguments)
     return Exit.OK
 
 
-def _jobs(arguments: argparse.Namespace) -> list[batch_jobs.Job]:
-    """One job per asset, each with the settings that its own configuration gives."""
+def _jobs(arguments: argparse.Namespace) -> tuple[list[batch_jobs.Job], list[Path]]:
+    """One job per asset, each with the settings that its own configuration gives, and the files named to be read."""
     from usdrigui.clients.batch import jobs, places
 
     assets = places.find_assets(arguments.patterns)
     threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
     passed = (*passed_on(arguments), *threads)
-    found = []
+    found, read = [], []
     for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
         arguments.asset = asset
         digest = settings_digest(arguments)
+        read += files_read(arguments)
         found.append(jobs.Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
     del arguments.asset
-    return found
+    return found, read
 
 
 def _threads_each(arguments: argparse.Namespace) -> int:

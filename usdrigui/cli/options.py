@@ -71,8 +71,17 @@ def settings_of(arguments: argparse.Namespace) -> Settings:
         return settings.load(*weaker, *said, preset=preset, environment=settings.environment_settings())
 
     loaded = load()  # what is wrong with the command line is told before anything is read
-    configuration = _configuration(arguments, loaded)
+    arguments.configuration = configuration = _configuration(arguments, loaded)
     return loaded if configuration is None else load(settings.read_toml(configuration))
+
+
+_INPUTS = ("asset", "layer", "before", "config", "configuration", "pose", "fixed", "previous", "like", "base")
+
+
+def files_read(arguments: argparse.Namespace) -> list[Path]:
+    """The files that the command line and the settings name to be read: outputs never replace them."""
+    named = [getattr(arguments, name, None) for name in _INPUTS]
+    return [Path(each) for each in (*named, *getattr(arguments, "animation", ())) if each]
 
 
 def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:

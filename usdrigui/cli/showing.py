@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.cli.options import add_configuration, command, settings_of
+from usdrigui.cli.options import add_configuration, command, files_read, settings_of
 from usdrigui.cli.outcomes import say
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
+    from usdrigui import pipeline
     from usdrigui.model import Layout, Rig
 
 
@@ -65,6 +66,15 @@ def _visible(characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Names
     return [(rig, layout) for (rig, _), layout in zip(characters, seen, strict=True)]
 
 
+def _spared(outputs: Sequence[Path | None], loaded: pipeline.Loaded, arguments: argparse.Namespace) -> tuple[Path, ...]:
+    """Every file that was read; refuses outputs that are one of them before anything is drawn."""
+    from usdrigui import pipeline
+
+    read = (*files_read(arguments), *loaded.files)
+    pipeline.check_outputs(outputs, read)
+    return read
+
+
 def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.pose import evaluate
@@ -73,9 +83,10 @@ def _view(arguments: argparse.Namespace) -> Exit:
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
+    read = _spared((arguments.html,), loaded, arguments)
     html = page.page_html(loaded.characters, title=Path(arguments.layer).name, study=arguments.study)
     if arguments.html:
-        state = pipeline.write_file(html.encode(), arguments.html)
+        state = pipeline.write_file(html.encode(), arguments.html, read)
         say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
     serve.serve(html, open_browser=not arguments.no_browser, announce=lambda address: print(address, flush=True))
@@ -89,12 +100,13 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     if arguments.output.suffix not in (".png", ".gif"):
         raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    read = _spared((arguments.output,), loaded, arguments)
     characters = _visible(loaded.characters, arguments)
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(characters, frames=arguments.frames)
     else:
         content = sheet.sheet_png(characters, labels=arguments.labels)
-    state = pipeline.write_file(content, arguments.output)
+    state = pipeline.write_file(content, arguments.output, read)
     say(f"usdrigui: {state} {arguments.output}", arguments)
     return Exit.OK
 
@@ -106,11 +118,13 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    read = _spared((arguments.svg, arguments.dwpicker), loaded, arguments)
     made = picker.picker(_visible(loaded.characters, arguments), labels=arguments.labels)
     if arguments.svg is not None:
-        say(f"{pipeline.write_file(picker.to_svg(made).encode(), arguments.svg)} {arguments.svg}", arguments)
+        content = picker.to_svg(made).encode()
+        say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
         content = picker.to_dwpicker(made, arguments.layer.name.partition(".")[0]).encode()
-        say(f"{pipeline.write_file(content, arguments.dwpicker)} {arguments.dwpicker}", arguments)
+        say(f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}", arguments)
     say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
     return Exit.OK

@@ -44,7 +44,7 @@ def write_extension(target: Path) -> None:
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in sorted(extension_files().items()):
             archive.writestr(zipfile.ZipInfo(f"{NAME}/{name}", _EPOCH), content, zipfile.ZIP_DEFLATED)
-    write_file(buffer.getvalue(), target)
+    write_file(buffer.getvalue(), target, sorted(_sources().iterdir()))
 
 
 def _sources() -> Path:

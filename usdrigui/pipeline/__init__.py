@@ -13,7 +13,7 @@ from usdrigui.pipeline.laying_out import process
 from usdrigui.pipeline.progress import Event, Watch
 from usdrigui.pipeline.reviewing import LayerDifference, LayerReview, Loaded, check, diff, load_layer
 from usdrigui.pipeline.stages import Posed, posed
-from usdrigui.pipeline.targets import check_file_name, default_output, write_file
+from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
 
 __all__ = [
     "Event",
@@ -23,12 +23,13 @@ __all__ = [
     "Posed",
     "Watch",
     "check",
-    "check_file_name",
+    "check_outputs",
     "default_output",
     "diff",
     "inspect",
     "load_layer",
     "posed",
     "process",
+    "stage_file",
     "write_file",
 ]

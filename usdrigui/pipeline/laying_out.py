@@ -8,7 +8,7 @@ What lies between a rig and its problem is told by `usdrigui.pipeline.stages`.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from usdrigui.errors import Issue, issue, refuse
@@ -21,12 +21,13 @@ from usdrigui.model import Assignment, Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Posed, posed
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
-from usdrigui.pipeline.writing import write_layer
+from usdrigui.pipeline.writing import stage_layer
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.usd.reader_process import ReadResult, read_rigs_isolated
-from usdrigui.usd.source import SourceFile
+from usdrigui.usd.safe_write import Transaction, same_file
+from usdrigui.usd.source import SourceFile, check_unchanged
 
 
 def process(
@@ -38,12 +39,15 @@ def process(
     progress: Watch | None = None,
     stop: Callable[[], bool] | None = None,
     examples: ExampleLayers | None = None,
+    read: Sequence[Path] = (),
+    extras: Callable[[Report, Transaction], None] | None = None,
 ) -> Report:
     """Lay out every character of `asset` and write the layer.
 
     Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
     search, which then ends with the best layout so far; `examples` are existing layouts and animations to
-    heed.  Raises `usdrigui.errors.RigUIError`; then nothing has been written.
+    heed; `read` are further files behind the settings, which no output replaces; `extras` stages more files, such as
+    the report, in one transaction with the layer.  Raises `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = Clock(progress)
     target = output if output is not None else default_output(asset)
@@ -58,13 +62,31 @@ def process(
     rigs = rigs_over(heeded, characters)
     laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
     outcome: Outcome = "dry run"
-    if not dry_run:
-        # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
-        with clock.stage("write", can_stop=True):
-            outcome = write_layer(asset, target, settings, source, laid, heeded)
+    with Transaction(_never_replaced(target, settings, source, heeded, examples or ExampleLayers(), read)) as files:
+        if not dry_run:
+            # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
+            with clock.stage("write", can_stop=True):
+                outcome = stage_layer(files, asset, target, settings, source, laid, heeded)
+        report = _report(asset, "" if dry_run else str(target), outcome, laid, clock, settings, source)
+        if extras is not None:
+            extras(report, files)
+        check_unchanged((*source.sources, *(heeded.base.sources if heeded.base else ())))
+        files.commit()
+    return report
+
+
+def _report(
+    asset: Path,
+    output: str,
+    outcome: Outcome,
+    laid: Sequence[CharacterReport],
+    clock: Clock,
+    settings: Settings,
+    source: ReadResult,
+) -> Report:
     return Report(
         asset=str(asset),
-        output="" if dry_run else str(target),
+        output=output,
         outcome=outcome,
         characters=tuple(laid),
         issues=tuple(found for character in laid for found in character.issues),
@@ -72,6 +94,22 @@ def process(
         settings=settings_document(settings),
         sources=tuple(_source_row(each, asset) for each in source.sources),
     )
+
+
+def _never_replaced(
+    target: Path,
+    settings: Settings,
+    source: ReadResult,
+    heeded: Examples,
+    layers: ExampleLayers,
+    more: Sequence[Path],
+) -> tuple[Path, ...]:
+    """Every file that the run has read, but for the layout that its layer succeeds: `check_replaceable` has seen it."""
+    parts = [Path(each.path) for each in source.sources]
+    earlier = [each for each in (layers.fixed, layers.previous) if each is not None]
+    succeeded = {os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))}
+    read = (*parts, *(Path(each.path) for each in heeded.sources), *layers.animations, *more)
+    return tuple(each for each in read if not (os.path.realpath(each) in succeeded and same_file(each, target)))
 
 
 def _check_character(asset: Path, target: Path, source: ReadResult, settings: Settings, *, over_base: bool) -> None:

@@ -23,6 +23,8 @@ class Loaded:
     characters: tuple[tuple[Rig, Layout], ...]
     source: str
     cameras: Mapping[str, Floats]
+    files: tuple[Path, ...]
+    """Every file that was read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +73,8 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     if missing:
         raise refuse("LAYOUT_STALE", min(missing), f"{source} has no such character any more")
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
-    return Loaded(characters, source, read.cameras)
+    files = tuple(Path(each.path) for each in (*found.sources, *read.sources))
+    return Loaded(characters, source, read.cameras, files)
 
 
 def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_layer_isolated
+from usdrigui.usd.safe_write import State, Transaction, check_not_read, file_error, same_file
 
 _LAYER_SUFFIXES = (".usd", ".usda", ".usdc")
 _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
@@ -20,27 +22,36 @@ def default_output(asset: Path) -> Path:
     return asset.with_name(asset.stem + ".rigui.usda")
 
 
-def write_file(content: bytes, target: Path) -> str:
-    """Write a report, picture or page all or nothing; returns ``written`` or ``unchanged``.
+def write_file(content: bytes, target: Path, read: Iterable[Path | str]) -> State:
+    """Write a report, picture or page all or nothing; `read` are the files that the run has read.
 
-    Raises FILE_TARGET for the name of a USD file, so that no slip of the hand replaces a character.
+    Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a character.
     """
-    from usdrigui.usd.safe_write import commit
+    with Transaction(read) as files:
+        state = stage_file(files, content, target)
+        files.commit()
+    return state
 
-    check_file_name(target)
+
+def stage_file(files: Transaction, content: bytes, target: Path) -> State:
+    """Stage a report, picture or page among the files of a run; raises as `write_file`."""
+    check_outputs([target])
     make_folder(target)
-    return commit(content, target)
+    return files.stage(content, target)
 
 
-def check_file_name(target: Path) -> None:
-    """Refuse the name of a USD file for a file that is none; raises FILE_TARGET."""
-    if target.suffix.lower() in _USD_SUFFIXES:
-        raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+def check_outputs(targets: Iterable[Path | None], read: Iterable[Path | str] = ()) -> None:
+    """Refuse outputs that are USD files, or files that the run reads, by whatever name; raises FILE_TARGET."""
+    given = [each for each in targets if each is not None]
+    for target in given:
+        if {target.suffix.lower(), Path(os.path.realpath(target)).suffix.lower()} & {*_USD_SUFFIXES}:
+            raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+    check_not_read(given, read)
 
 
 def check_target(asset: Path, target: Path) -> None:
     """Refuse to write over the asset, and to a file that is not named as a layer; raises FILE_TARGET."""
-    if target.resolve() == asset.resolve():
+    if same_file(target, asset):
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
     if target.suffix not in _LAYER_SUFFIXES:
         raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
@@ -70,8 +81,6 @@ def check_replaceable(target: Path, settings: Settings, asset: Path | None = Non
 
 def make_folder(target: Path) -> None:
     """The folder of a file that is to be written; raises RigUIError with a FILE_ code."""
-    from usdrigui.usd.safe_write import file_error
-
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

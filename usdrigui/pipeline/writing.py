@@ -1,9 +1,7 @@
-"""write_layer(): the layer of laid out characters, over their asset or over a layout that stands."""
+"""stage_layer(): the layer of laid out characters, over their asset or over a layout that stands."""
 
 from __future__ import annotations
 
-import functools
-import os
 from pathlib import Path
 
 from usdrigui.errors import refuse
@@ -13,34 +11,42 @@ from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import LayoutsResult, ReadResult
-from usdrigui.usd.source import check_unchanged
+from usdrigui.usd.safe_write import Transaction, same_file
 
 
-def write_layer(
-    asset: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport], examples: Examples
+def stage_layer(
+    files: Transaction,
+    asset: Path,
+    target: Path,
+    settings: Settings,
+    source: ReadResult,
+    laid: list[CharacterReport],
+    examples: Examples,
 ) -> Outcome:
-    """Write the layer, unless a file that it was made from has changed meanwhile.
-
-    Raises RigUIError; then nothing has been written.
-    """
+    """Stage the layer among the files of the run.  Raises RigUIError."""
     from usdrigui.usd import layer
 
     make_folder(target)
     if examples.base is not None:
-        return _written_over(examples.base, asset, target, settings, source, laid)
+        return _staged_over(files, examples.base, asset, target, settings, source, laid)
     pairs = [(character.rig, character.layout) for character in laid]
-    unchanged = functools.partial(check_unchanged, source.sources)
-    return layer.write_layout(pairs, asset, target, settings.output, source.metadata, guard=unchanged)
+    return layer.write_layout(pairs, asset, target, settings.output, source.metadata, write=files.stage)
 
 
-def _written_over(
-    base: LayoutsResult, shot: Path, target: Path, settings: Settings, source: ReadResult, laid: list[CharacterReport]
+def _staged_over(
+    files: Transaction,
+    base: LayoutsResult,
+    shot: Path,
+    target: Path,
+    settings: Settings,
+    source: ReadResult,
+    laid: list[CharacterReport],
 ) -> Outcome:
-    """Write what a shot adds to a layout that stands."""
+    """Stage what a shot adds to a layout that stands."""
     from usdrigui.usd.additions import Addition, write_additions
 
     layer = Path(base.sources[0].path)
-    if os.path.realpath(target) == base.sources[0].path:
+    if same_file(target, layer):
         raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
     composed = any(each.path == base.sources[0].path for each in source.sources)
     additions = []
@@ -58,5 +64,5 @@ def _written_over(
         source.metadata,
         composed=composed,
         bare=settings.output.bare,
-        guard=functools.partial(check_unchanged, (*source.sources, *base.sources)),
+        write=files.stage,
     )

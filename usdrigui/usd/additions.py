@@ -11,7 +11,7 @@ import functools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from pxr import Sdf
@@ -33,7 +33,7 @@ from usdrigui.usd.layer import (
     solution,
 )
 from usdrigui.usd.reader_process import StandingPrim
-from usdrigui.usd.safe_write import commit
+from usdrigui.usd.safe_write import State
 
 
 @dataclass(frozen=True)
@@ -60,8 +60,8 @@ def write_additions(
     *,
     composed: bool,
     bare: bool,
-    guard: Callable[[], None],
-) -> Literal["written", "unchanged"]:
+    write: Callable[..., State],
+) -> State:
     """Write the layer atomically over `shot` and, unless that is `composed` with it already, over `base`.
 
     A `base` that has the character at the shot's path becomes a sublayer, weaker than the shot; otherwise a
@@ -83,9 +83,8 @@ def write_additions(
                 _author(Sdf.CreatePrimInLayer(layer, each.rig.root), each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
-    guard()
     roots = [each.rig.root for each in additions if each.added]
-    return commit(content, target, verify=functools.partial(holds_layouts, roots))
+    return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
 def _author(root: Sdf.PrimSpec, addition: Addition) -> None:

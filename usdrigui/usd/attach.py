@@ -21,7 +21,7 @@ from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
-from usdrigui.usd.safe_write import commit
+from usdrigui.usd.safe_write import commit, same_file
 from usdrigui.usd.source import SourceFile, check_source, check_unchanged
 from usdrigui.usd.stage import open_layer
 
@@ -80,12 +80,12 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
     Raises FILE_TARGET for the layer itself, which keeps its sublayers, FILE_NOT_USD, and the FILE_ codes of writing.
     """
-    if _same(layer, target):
+    if same_file(layer, target):
         raise refuse("FILE_TARGET", str(target), "is the layer itself, of which a copy was wanted")
     copy = open_layer(layer)
     copy.pseudoRoot.ClearInfo("subLayers")
     copy.pseudoRoot.ClearInfo("subLayerOffsets")
-    return commit(layer_bytes(copy, target.suffix, str(target)), target)
+    return commit(layer_bytes(copy, target.suffix, str(target)), target, read=[layer])
 
 
 # --- what may be edited ------------------------------------------------------------------------------

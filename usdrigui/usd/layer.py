@@ -12,7 +12,7 @@ import os
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from pxr import Sdf, Tf, UsdGeom
 
@@ -26,7 +26,7 @@ from usdrigui.usd.carry import Carriage
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_part
-from usdrigui.usd.safe_write import commit, file_error
+from usdrigui.usd.safe_write import State, commit, file_error
 
 SIGNATURE = "usdrigui"
 """Key in the customLayerData of every layout layer that we write."""
@@ -55,21 +55,19 @@ def write_layout(
     settings: OutputSettings,
     metadata: Mapping[str, Any],
     *,
-    guard: Callable[[], None] | None = None,
-) -> Literal["written", "unchanged"]:
+    write: Callable[..., State] = commit,
+) -> State:
     """Write the layouts of one asset to `target`, atomically, over its `source`.
 
     `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a relative
-    path unless `settings.bare`.  `guard` may refuse (raise) at the last moment before the commit.
+    path unless `settings.bare`.  `write` is `safe_write.commit`, or `stage` of a transaction with other files.
     Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
     """
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
     content = layer_bytes(layer, target.suffix, str(target))
-    if guard is not None:
-        guard()
     roots = [layout.root for _, layout in laid]
-    return commit(content, target, verify=functools.partial(holds_layouts, roots))
+    return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
 def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:

@@ -57,6 +57,7 @@ class Transaction:
 
     def __init__(self, read: Iterable[Path | str]) -> None:
         self._read = tuple(read)
+        self._places: set[Path] = set()
         self._staged: list[_Staged] = []
 
     def __enter__(self) -> Self:
@@ -77,8 +78,11 @@ class Transaction:
         """
         wanted = content.encode() if isinstance(content, str) else content
         try:
-            check_not_read(target, self._read)
+            check_not_read([target], self._read)
             place = _resolved(target)
+            if place in self._places:
+                raise refuse("FILE_TARGET", str(target), f"is {place.name}, which this run writes already")
+            self._places.add(place)
             temporaries.sweep(place.parent)
             if _holds(place, wanted):
                 return "unchanged"
@@ -119,19 +123,27 @@ class _Staged:
             os.close(self.descriptor)
 
 
-def check_not_read(target: Path, read: Iterable[Path | str]) -> None:
+def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
     """Refuse an output that is, by whatever name or link, a file that the run reads; raises FILE_TARGET."""
-    for each in read:
-        if same_file(target, each):
-            raise refuse("FILE_TARGET", str(target), f"is {each}, which this run reads and never replaces")
+    known = {key: each for each in read for key in _identities(each)}
+    for target in targets:
+        for key in known.keys() & set(_identities(target)):
+            raise refuse("FILE_TARGET", str(target), f"is {known[key]}, which this run reads and never replaces")
 
 
 def same_file(first: Path | str, second: Path | str) -> bool:
     """Whether two names lead to one file, through links, hard links and other cases too; neither need exist."""
+    return not set(_identities(first)).isdisjoint(_identities(second))
+
+
+def _identities(path: Path | str) -> tuple[object, ...]:
+    """What a file has in common with its other names: the place behind all links and, if it exists, its inode."""
+    place = os.path.realpath(path)
     try:
-        return os.path.samefile(first, second)  # noqa: PTH121 (names may be text)
+        found = os.stat(place)  # noqa: PTH116 (names may hold bytes that are not text)
     except (OSError, ValueError):
-        return os.path.realpath(first) == os.path.realpath(second)
+        return (place,)
+    return (place, (found.st_dev, found.st_ino))
 
 
 def file_error(target: Path, error: OSError) -> RigUIError:

@@ -50,7 +50,7 @@ def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, A
         document = {"format": FORMAT, "version": VERSION, "about": about, "sources": list(sources), "row": dict(row)}
         # A file changed since it was read must not count as laid out.
         if about["sources"] == [each["sha256"] for each in sources]:
-            commit(json.dumps(document, indent=2) + "\n", state_path(job.output))
+            commit(json.dumps(document, indent=2) + "\n", state_path(job.output), read=[job.asset])
 
 
 def forget(job: Job) -> None:
