@@ -7,13 +7,25 @@ records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 
 from usdrigui.codes import CODES, Exit, Severity
 
-__all__ = ["CODES", "Exit", "Issue", "RigUIError", "Severity", "issue", "meant", "refuse", "sentences", "visible"]
+__all__ = [
+    "CODES",
+    "Exit",
+    "Issue",
+    "RigUIError",
+    "Severity",
+    "by_cause",
+    "issue",
+    "meant",
+    "refuse",
+    "sentences",
+    "visible",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +64,20 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
 def sentences(found: Issue) -> str:
     """What was found and what can be done about it, as two sentences."""
     return f"{found.message.removesuffix('.')}. {found.repair}"
+
+
+def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
+    """One issue for each cause, in the order given: the paths of those of one code and message are told as one."""
+    causes: dict[tuple[str, str], list[Issue]] = {}
+    for each in found:
+        causes.setdefault((each.code, each.message), []).append(each)
+    return tuple(replace(same[0], path=_listed([each.path for each in same])) for same in causes.values())
+
+
+def _listed(paths: Sequence[str]) -> str:
+    """At most three paths and the number of others."""
+    more = f" and {len(paths) - 3} more" if len(paths) > 3 else ""
+    return ", ".join(paths[:3]) + more
 
 
 def meant(name: str, known: Iterable[str]) -> str:

@@ -1,5 +1,6 @@
 """A real Pyblish publish, headless.  Its command exits 0 on errors, so the results themselves are looked at."""
 
+import re
 import shutil
 import sys
 import types
@@ -10,6 +11,7 @@ from pxr import Sdf, Usd
 from usdrigui.cli import main
 
 pyblish_api = pytest.importorskip("pyblish.api", reason="usdrigui[pyblish] is not installed")
+import ayon_plugins  # noqa: E402
 import pyblish.util  # noqa: E402
 
 from usdrigui.clients import publish  # noqa: E402
@@ -62,7 +64,7 @@ def test_a_good_layout_is_published_as_a_bare_representation(asset, tmp_path):
     assert errors(context) == {}
     (instance,) = layouts(context)
     (representation,) = instance.data["representations"]
-    assert (representation["name"], representation["ext"]) == ("usd", "usda")
+    assert (representation["name"], representation["ext"]) == ("usd", "usd")
     staged = tmp_path / "staging" / representation["files"]
     layer = Sdf.Layer.OpenAsAnonymous(str(staged))
     assert list(layer.subLayerPaths) == []
@@ -74,8 +76,9 @@ def test_a_good_layout_is_published_as_a_bare_representation(asset, tmp_path):
 
 def test_the_staged_layer_is_what_process_writes_bare(asset, tmp_path):
     published(asset, staging=tmp_path / "staging")
-    assert main(["process", str(asset), "--bare", "--quiet", "-o", str(tmp_path / "bare.usda")]) == 0
-    assert (tmp_path / "staging" / "char.rigui.usda").read_bytes() == (tmp_path / "bare.usda").read_bytes()
+    assert main(["process", str(asset), "--bare", "--quiet", "-o", str(tmp_path / "bare.usd")]) == 0
+    staged, bare = (Sdf.Layer.FindOrOpen(str(tmp_path / each)) for each in ("staging/char.rigui.usd", "bare.usd"))
+    assert staged.ExportToString() == bare.ExportToString()
 
 
 def test_a_stale_layout_stops_the_publish_and_can_be_repaired(asset, tmp_path):
@@ -116,36 +119,100 @@ def test_assets_can_be_named_in_the_environment(asset, monkeypatch):
     assert instance.data["representations"]
 
 
-def test_under_ayon_its_classes_are_used_and_the_rig_layer_is_contributed_to(asset, tmp_path, monkeypatch):
-    """AYON itself is stood in for: its exception, its repair action, its collector of USD contributions."""
+def test_one_cause_is_told_in_one_line(asset, caplog):
+    spoil(asset)
+    error = errors(published(asset))["ValidateRigUI"]
+    lines = [record.getMessage() for record in caplog.records if record.name == "pyblish.ValidateRigUI"]
+    assert len(lines) == error.description.count("LAYOUT_TOPOLOGY") == 1
+    assert re.search(r"blink_L, blink_R, brow_L and \d+ more: ", lines[0])
 
-    class PublishValidationError(Exception):
-        def __init__(self, message, title=None, description=None, detail=None):
-            super().__init__(message)
-            self.title, self.description, self.detail = title, description, detail
 
-    class RepairAction(pyblish_api.Action):
-        pass
+# --- AYON --------------------------------------------------------------------------------------------
 
+
+class PublishValidationError(Exception):
+    """With the arguments of AYON's."""
+
+    def __init__(self, message, title=None, description=None, detail=None):
+        super().__init__(message)
+        self.title, self.description, self.detail = title, description, detail
+
+
+class RepairAction(pyblish_api.Action):
+    """Named as AYON's."""
+
+
+class OptionalPyblishPluginMixin:
+    """Switched off per instance in the publish attributes, as AYON's."""
+
+    def is_active(self, data):
+        return data.get("publish_attributes", {}).get(type(self).__name__, {}).get("active", True)
+
+
+@pytest.fixture
+def in_ayon(asset, monkeypatch):
+    """The character; AYON's classes that we import, and plug-ins that read instances as its own do, stood in for."""
     pipeline = types.ModuleType("ayon_core.pipeline")
     pipeline.PublishValidationError = PublishValidationError
     publishing = types.ModuleType("ayon_core.pipeline.publish")
     publishing.RepairAction = RepairAction
-    for name, module in (
-        ("", types.ModuleType("ayon_core")),
-        (".pipeline", pipeline),
-        (".pipeline.publish", publishing),
-    ):
-        monkeypatch.setitem(sys.modules, f"ayon_core{name}", module)
+    publishing.OptionalPyblishPluginMixin = OptionalPyblishPluginMixin
+    for module in (types.ModuleType("ayon_core"), pipeline, publishing):
+        monkeypatch.setitem(sys.modules, module.__name__, module)
     monkeypatch.delitem(sys.modules, "usdrigui.clients.publish.framework", raising=False)
-    spoil(asset)
-    context = published(asset, staging=tmp_path / "staging")
-    assert isinstance(errors(context)["ValidateRigUI"], PublishValidationError)
+    for plugin in ayon_plugins.PLUGINS:
+        pyblish_api.register_plugin(plugin)
+    yield asset
+    sys.modules.pop("usdrigui.clients.publish.framework", None)
+
+
+def ayon_published(asset, made=None):
+    """Publish the character that the context lists, or one instance as AYON's creators make them."""
+    context = pyblish_api.Context()
+    context.data.update(folderPath="/assets/hero", task="rigging")
+    if made is None:
+        context.data["rigUIAssets"] = [str(asset)]
+    else:
+        instance = context.create_instance("rigMain")
+        instance.data.update(ayon_plugins.created("rigMain", "rig"), usdFile=str(asset), **made)
+    return pyblish.util.publish(context)
+
+
+def contributed(context):
+    (layer,) = [each for each in context if each.data.get("usd_contributions")]
+    return layer.name, layer.data["usd_contributions"]
+
+
+def test_ayons_collectors_make_a_sublayer_contribution_of_a_listed_character(in_ayon):
+    context = ayon_published(in_ayon)
+    assert errors(context) == {}
+    name, (contribution,) = contributed(context)
+    assert name == "usdAsset_rig"
+    assert contribution["variant"] is None
+    # AYON refers to the file by the representation's name, so that must be its extension.
+    assert contribution["path"].endswith("usdCharRigUI_v001.usd")
+
+
+def test_a_layout_contributes_as_its_rig_does_and_over_it(in_ayon):
+    said = {"contribution_apply_as_variant": True, "contribution_layer": "model", "contribution_in_layer_order": 4}
+    attributes = {"CollectUSDLayerContributions": ayon_plugins.CONTRIBUTION | said}
+    context = ayon_published(in_ayon, {"publish_attributes": attributes})
+    assert errors(context) == {}
+    name, contributions = contributed(context)
+    assert name == "usdAsset_model"
+    by_product = {each["product"]: each for each in contributions}
+    assert by_product["rigMainRigUI"]["variant"] == by_product["rigMain"]["variant"] == ("model", "Main")
+    assert by_product["rigMainRigUI"]["order"] == by_product["rigMain"]["order"] + 1
+
+
+def test_ayons_classes_are_used_and_the_check_can_be_switched_off(in_ayon):
+    spoil(in_ayon)
+    assert isinstance(errors(ayon_published(in_ayon))["ValidateRigUI"], PublishValidationError)
     (validator,) = [each for each in pyblish_api.discover() if each.__name__ == "ValidateRigUI"]
     assert validator.actions == [RepairAction]
-    (instance,) = layouts(context)
-    contribution = instance.data["publish_attributes"]["CollectUSDLayerContributions"]
-    assert contribution["contribution_enabled"]
-    assert contribution["contribution_layer"] == "rig"
-    assert "usd" in instance.data["families"]
-    monkeypatch.delitem(sys.modules, "usdrigui.clients.publish.framework", raising=False)
+    context = pyblish_api.Context()
+    instance = context.create_instance("layout")
+    layer = in_ayon.with_name("char.rigui.usda")
+    instance.data.update(rigUIAsset=str(in_ayon), rigUILayer=str(layer))
+    instance.data["publish_attributes"] = {"ValidateRigUI": {"active": False}}
+    validator().process(instance)

@@ -8,7 +8,7 @@ import pyblish.api
 
 try:
     from ayon_core.pipeline import PublishValidationError
-    from ayon_core.pipeline.publish import RepairAction
+    from ayon_core.pipeline.publish import OptionalPyblishPluginMixin, RepairAction
 except ImportError:
 
     class PublishValidationError(Exception):  # type: ignore[no-redef]
@@ -20,6 +20,14 @@ except ImportError:
             self.title = title
             self.description = description
             self.detail = detail
+
+    class OptionalPyblishPluginMixin:  # type: ignore[no-redef]
+        """A plug-in that a publisher may switch off for an instance; Pyblish's own publishers never run it then."""
+
+        def is_active(self, data: Any) -> bool:
+            """Whether the plug-in is to run for an instance with that data."""
+            del data
+            return True
 
     class RepairAction(pyblish.api.Action):  # type: ignore[no-redef]
         """Calls the plug-in's `repair` on every instance that it failed on, as AYON's does."""
@@ -40,4 +48,4 @@ except ImportError:
                 plugin.repair(instance)
 
 
-__all__ = ["PublishValidationError", "RepairAction"]
+__all__ = ["OptionalPyblishPluginMixin", "PublishValidationError", "RepairAction"]

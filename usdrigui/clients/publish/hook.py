@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from usdrigui import pipeline
-from usdrigui.errors import CODES, Issue, RigUIError
+from usdrigui.errors import CODES, Issue, RigUIError, by_cause
 from usdrigui.settings import Settings, environment_settings, load, read_toml
 from usdrigui.usd.attach import write_bare
 
@@ -59,18 +59,20 @@ def repair(asset: Path, layer: Path) -> str:
 def stage(layer: Path, folder: Path) -> Path:
     """A bare copy of the layer in a staging folder: published beside other layers, it must not name the asset.
 
+    It is a crate that ends in ``.usd``: AYON expects the representation ``usd`` in a file that ends so.
     Returns its path.  Raises `usdrigui.errors.RigUIError` with a FILE_ code.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    target = folder / layer.name
+    target = folder / layer.with_suffix(".usd").name
     write_bare(layer, target)
     return target
 
 
 def described(asset: Path, found: Sequence[Issue]) -> str:
-    """The findings as Markdown, for a publisher's report."""
-    lines = [f"- **{each.code}** {each.path}: {each.message}" for each in found[:20]]
-    more = [f"- and {len(found) - 20} more"] if len(found) > 20 else []
+    """The findings as Markdown, for a publisher's report: a line for each cause."""
+    causes = by_cause(found)
+    lines = [f"- **{each.code}** {each.path}: {each.message}" for each in causes[:20]]
+    more = [f"- and {len(causes) - 20} more"] if len(causes) > 20 else []
     repairs = list(dict.fromkeys(each.repair for each in found))
     advice = "use the repair action, which runs `usdrigui process` again" if repairs else ""
     return DESCRIPTION.format(

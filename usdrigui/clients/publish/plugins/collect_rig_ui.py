@@ -11,15 +11,20 @@ import pyblish.api
 from usdrigui.pipeline import default_output
 
 _USD = (".usd", ".usda", ".usdc", ".usdz")
-_CONTRIBUTION = {
+_COLLECTOR = "CollectUSDLayerContributions"
+_CONTRIBUTION: dict[str, Any] = {
     "contribution_enabled": True,
-    "contribution_layer": "rig",
-    "contribution_in_layer_order": 10,
-    "contribution_apply_as_variant": False,
     "contribution_target_product": "usdAsset",
     "contribution_target_product_init": "asset",
+    "contribution_layer": "rig",
+    "contribution_in_layer_order": 0,
+    "contribution_apply_as_variant": False,
+    "contribution_variant_set_name": "{layer}",
+    "contribution_variant": "{variant}",
+    "contribution_variant_is_default": False,
 }
-"""What AYON's CollectUSDLayerContributions reads: a sublayer of the rig department's layer, above the rig itself."""
+"""Every attribute that AYON's collector of USD contributions reads: a sublayer of the asset's rig layer."""
+_SHARED = ("folderPath", "task", "variant", "stagingDir", "version", "followWorkfileVersion")
 
 
 class CollectRigUI(pyblish.api.ContextPlugin):
@@ -29,6 +34,9 @@ class CollectRigUI(pyblish.api.ContextPlugin):
     USDRIGUI_PUBLISH (separated as paths are), and those that instances of the families ``rig`` and
     ``character`` name in ``data["usdFile"]``.  An instance may name its layer in ``data["rigUILayer"]``;
     otherwise it is ``CHAR.rigui.usda`` beside the character.
+
+    Under AYON the layout contributes to USD as its rig does, one step stronger: with the rig's own attributes where
+    it has any, else as a sublayer of the ``rig`` layer of ``usdAsset``.
     """
 
     label = "Collect rig UI layouts"
@@ -47,17 +55,30 @@ class CollectRigUI(pyblish.api.ContextPlugin):
                 self._add(context, Path(path), instance.data)
 
     def _add(self, context: Any, asset: Path, source: Any) -> None:
-        name = f"{asset.stem}RigUI"
-        instance = context.create_instance(name)
-        shared = {key: source[key] for key in ("folderPath", "task", "stagingDir", "version") if key in source}
-        instance.data.update(shared)
+        product = source.get("productName") or f"usd{asset.stem[:1].upper()}{asset.stem[1:]}"
+        instance = context.create_instance(f"{product}RigUI")
+        # AYON requires a folder, a product and a variant of each instance; a listed asset goes to the context's folder.
+        found = {key: context.data[key] for key in ("folderPath", "task") if key in context.data}
+        found |= {key: source[key] for key in _SHARED if key in source}
+        instance.data.update({"variant": asset.stem, **found})
         instance.data.update(
             family="rigui",
             families=["rigui", "usd"],
             label=f"{asset.stem}: rig UI layout",
-            productName=f"usd{name[0].upper()}{name[1:]}",
+            productName=instance.name,
+            productType="usd",
+            productBaseType="usd",
             rigUIAsset=str(asset),
             rigUILayer=str(source.get("rigUILayer") or default_output(asset)),
-            publish_attributes={"CollectUSDLayerContributions": dict(_CONTRIBUTION)},
+            publish_attributes={_COLLECTOR: _contribution(source)},
         )
         self.log.info("layout of %s", asset)
+
+
+def _contribution(source: Any) -> dict[str, Any]:
+    """As the rig contributes, in a layer or variant of the same name, and stronger than it."""
+    said = _CONTRIBUTION | dict(source.get("publish_attributes", {}).get(_COLLECTOR, {}))
+    return said | {
+        "contribution_in_layer_order": said["contribution_in_layer_order"] + 1,
+        "contribution_variant_is_default": False,
+    }

@@ -8,11 +8,11 @@ from typing import Any
 import pyblish.api
 
 from usdrigui.clients.publish import hook
-from usdrigui.clients.publish.framework import PublishValidationError, RepairAction
-from usdrigui.errors import sentences
+from usdrigui.clients.publish.framework import OptionalPyblishPluginMixin, PublishValidationError, RepairAction
+from usdrigui.errors import by_cause, sentences
 
 
-class ValidateRigUI(pyblish.api.InstancePlugin):
+class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
     """The layout fits the character as it is, and every handle can be told apart and grabbed.
 
     Runs `usdrigui check`.  The repair action lays the character out again; hand-made changes of the layer
@@ -26,13 +26,16 @@ class ValidateRigUI(pyblish.api.InstancePlugin):
     optional = True
 
     def process(self, instance: Any) -> None:
-        """Raise what is found."""
+        """Raise what is found, a line for each cause; nothing where the publisher has switched the check off."""
+        if not self.is_active(instance.data):
+            return
         asset, layer = Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"])
         found = hook.judge(asset, layer)
-        for each in found:
+        causes = by_cause(found)
+        for each in causes:
             self.log.error("%s %s: %s", each.code, each.path, sentences(each))
-        if found:
-            first = f"{found[0].code} {found[0].path}: {found[0].message}"
+        if causes:
+            first = f"{causes[0].code} {causes[0].path}: {causes[0].message}"
             raise PublishValidationError(first, title=hook.TITLE, description=hook.described(asset, found))
 
     @classmethod
