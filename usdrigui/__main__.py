@@ -1,8 +1,35 @@
-"""``python -m usdrigui``."""
+"""``python -m usdrigui`` and the command `usdrigui`: signals are heeded before anything else is loaded."""
 
+from __future__ import annotations
+
+import os
+import signal
 import sys
+from queue import SimpleQueue
+from typing import Any
 
-from usdrigui.cli import main
+
+def main() -> int:
+    """Run the command line of this process; returns the exit code."""
+    events: SimpleQueue[Any] = SimpleQueue()
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as under nohup
+            signal.signal(number, lambda *_: events.put("stop"))
+    _keep_standard_streams()
+    from usdrigui.cli.supervised import run
+
+    return run(sys.argv[1:], events)
+
+
+def _keep_standard_streams() -> None:
+    """A stream that the shell has closed leaves its number to the next file that is opened: take it first."""
+    for descriptor in range(3):
+        try:
+            os.fstat(descriptor)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+
 
 if __name__ == "__main__":
     sys.exit(main())

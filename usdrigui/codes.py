@@ -338,6 +338,39 @@ _CODES: dict[str, Code] = {
         "Nothing; the layer can go.",
     ),
     "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
+    "RUN_TIME_LIMIT": Code(
+        "error",
+        "The run took longer than the limit and has no result.",
+        "Raise `run.time_limit` (seconds).",
+        Exit.LIMIT,
+    ),
+    "RUN_MEMORY_LIMIT": Code(
+        "error",
+        "The run needs more memory than the limit.",
+        "Raise `run.memory_limit` (MiB).",
+        Exit.LIMIT,
+    ),
+    "WORKER_LOST": Code(
+        "error",
+        "The process that does the work could not be started, or was killed from outside.",
+        "Look for a memory limit of the machine or the farm, and run again.",
+        Exit.LIMIT,
+    ),
+    "WORKER_CRASHED": Code(
+        "error",
+        "The process that does the work crashed while it read no foreign file.",
+        "Please report it with the asset and the command.",
+        Exit.BUG,
+    ),
+    "OUTPUT_STREAM": Code(
+        "error",
+        "What belongs on standard output could not be written there.",
+        "Leave standard output open, and see that there is room where it leads.",
+        Exit.FILE,
+    ),
+    "WORKING_DIRECTORY": Code(
+        "error", "The working directory has been deleted.", "Change to a folder that exists.", Exit.FILE
+    ),
     # --- installation ----------------------------------------------------------------------------
     "EXTRA_MISSING": Code(
         "error",
@@ -404,6 +437,12 @@ _CODES: dict[str, Code] = {
     "FILE_TARGET": Code("error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE),
     "FILE_WRITE": Code(
         "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
+    ),
+    "FILE_ACCESS": Code(
+        "error",
+        "The operating system refused the use of a file or folder.",
+        "See the message; no name may have more than 255 bytes.",
+        Exit.FILE,
     ),
     "FILE_VERIFY": Code(
         "error",

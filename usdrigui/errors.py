@@ -7,8 +7,9 @@ records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into 
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
 
 from usdrigui.codes import CODES, Exit, Severity
@@ -20,12 +21,16 @@ __all__ = [
     "RigUIError",
     "Severity",
     "by_cause",
+    "failure_json",
     "issue",
     "meant",
     "refuse",
     "sentences",
     "visible",
 ]
+
+
+REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +64,19 @@ def refuse(code: str, path: str, message: str) -> RigUIError:
     """Build (not raise) the error for a finding that ends the run: ``raise refuse(...)``."""
     entry = CODES[code]
     return RigUIError(Issue(code, "error", path, message, entry.repair), entry.exit)
+
+
+def failure_json(asset: str, error: RigUIError) -> str:
+    """The report of a run that ended in an error: it needs nothing that a run does."""
+    document = {
+        "format": REPORT_FORMAT,
+        "version": REPORT_VERSION,
+        "asset": asset,
+        "outcome": "refused",
+        "exit": int(error.exit_code),
+        "issues": [asdict(error.issue)],
+    }
+    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
 
 
 def sentences(found: Issue) -> str:

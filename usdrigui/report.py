@@ -12,12 +12,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
-from usdrigui.errors import Exit, Issue
+from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
 from usdrigui.levels import outer_first
 from usdrigui.model import Assignment, Element, Layout, LeftOff, Rig
 
-FORMAT = "usdrigui.report"
-VERSION = 1
+FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
 Outcome = Literal["written", "unchanged", "dry run"]
 Place = Literal["face", "beside", "left off"]
@@ -125,19 +124,6 @@ def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping
 def to_json(report: Report) -> str:
     """The report as a JSON document (UTF-8, two-space indent, no NaN)."""
     return json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def failure_json(asset: str, found: Issue, exit_code: Exit) -> str:
-    """The report of a run that ended in an error."""
-    document = {
-        "format": FORMAT,
-        "version": VERSION,
-        "asset": asset,
-        "outcome": "refused",
-        "exit": int(exit_code),
-        "issues": [asdict(found)],
-    }
-    return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
 
 
 def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Sequence[Issue]) -> str:

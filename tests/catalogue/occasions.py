@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
+from queue import SimpleQueue
 from types import SimpleNamespace
 from typing import Any
 
@@ -25,9 +26,9 @@ import smallest
 
 import usdrigui
 from usdrigui import pipeline, rays
-from usdrigui.cli import main
+from usdrigui.cli import main, supervised
 from usdrigui.clients import blender_extension
-from usdrigui.errors import RigUIError, issue
+from usdrigui.errors import RigUIError, issue, refuse
 from usdrigui.layout import trajectory
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
@@ -397,6 +398,43 @@ def _raising(error: BaseException) -> Occasion:
     return occasion
 
 
+def _supervised(script: str) -> Occasion:
+    """The command itself, its worker being another program."""
+
+    def occasion(folder: Path, patch: Any) -> Found:
+        _impersonated(folder, patch, sys, script)
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+            code = supervised.run(["process", str(folder / "char.usda"), "--json"], SimpleQueue())
+        return code, json.loads(out.getvalue())["issues"]
+
+    return occasion
+
+
+def _told(what: str, **fields: object) -> str:
+    """A message of a worker, said by a shell."""
+    return f"echo '{json.dumps({'what': what, **fields})}'"
+
+
+def _no_working_directory(folder: Path, patch: Any) -> Found:
+    def gone() -> str:
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT))
+
+    patch.setattr(os, "getcwd", gone)
+    return _supervised("exit 0")(folder, patch)
+
+
+def _full_output(folder: Path, patch: Any) -> Found:
+    """Only standard error can tell it."""
+    _impersonated(folder, patch, sys, _told("end", code=0, out="laid out", err=""))
+    err = io.StringIO()
+    with Path("/dev/full").open("w") as full, contextlib.redirect_stdout(full), contextlib.redirect_stderr(err):
+        code = supervised.run(["process", "char.usda"], SimpleQueue())
+    told = re.fullmatch(r"usdrigui: (\w+) ([^:]+): (.*)", err.getvalue().splitlines()[0])
+    assert told is not None
+    return code, [asdict(refuse(*told.groups()).issue)]
+
+
 def _configured(toml: str) -> Occasion:
     def occasion(folder: Path, _: Any) -> Found:
         (folder / "char.rigui.toml").write_text(toml)
@@ -438,6 +476,13 @@ OCCASIONS: Mapping[str, Occasion] = {
     "CONTROL_TINY": _trajectories("CONTROL_TINY"),
     "CONTROL_DUPLICATE": _trajectories("CONTROL_DUPLICATE"),
     "CONFIG_SYNTAX": _configured("[solve\n"),
+    "RUN_TIME_LIMIT": _supervised(_told("budget", seconds=0.2, memory=100, base=0) + "; exec sleep 60"),
+    "RUN_MEMORY_LIMIT": _raising(MemoryError()),
+    "WORKER_LOST": _supervised("kill -KILL $$"),
+    "WORKER_CRASHED": _supervised("kill -SEGV $$"),
+    "OUTPUT_STREAM": _full_output,
+    "WORKING_DIRECTORY": _no_working_directory,
+    "FILE_ACCESS": _raising(OSError(errno.ENAMETOOLONG, os.strerror(errno.ENAMETOOLONG), "char.usda")),
     "INTERRUPTED": _raising(KeyboardInterrupt()),
     "BUG": _raising(ZeroDivisionError("by nothing")),
     "EXTRA_MISSING": _without(

@@ -32,7 +32,7 @@ def zygote():
     if sys.platform != "linux":
         yield None
         return
-    forking = Zygote(reader_process._environment())
+    forking = Zygote(reader_process.environment())
     yield forking
     forking.close()
 

@@ -20,7 +20,7 @@ from usdrigui.usd.read_layout import read_layout
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"
-SOON = 10.0
+SOON = 20.0
 """Seconds; generous, for a busy machine."""
 
 
@@ -115,36 +115,12 @@ def test_a_second_signal_ends_at_once(hanging):
     assert untouched(hanging)
 
 
-@pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
-def test_a_second_signal_does_not_wait_for_the_best_so_far(first):
-    """Where the first one is only noted: during the search and the write."""
-    program = f"""
-import signal
-from usdrigui.cli.outcomes import Interruption
-with Interruption() as interruption:
-    interruption.patient = True
-    signal.raise_signal({int(first)})
-    print("noted" if interruption.requested() else "lost", flush=True)
-    signal.raise_signal(signal.SIGINT)
-    print("still here", flush=True)
-"""
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
-    assert (done.returncode, done.stdout, done.stderr) == (4, "noted\n", "")
-
-
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_while_writing_lets_the_write_finish(tmp_path, number, monkeypatch):
-    asset, layer = head(tmp_path / "char.usda"), tmp_path / "char.rigui.usda"
-    replaced = Path.replace
-
-    def interrupted(path, target):
-        signal.raise_signal(number)
-        return replaced(path, target)
-
-    monkeypatch.setattr(Path, "replace", interrupted)
-    assert main(["process", str(asset), "--quiet"]) == 0
-    assert read_layout(layer)
-    assert {each.name for each in tmp_path.iterdir()} == {asset.name, layer.name}
+def test_a_killed_command_leaves_no_process(hanging):
+    process = start(hanging)
+    workers = until(lambda: children_of(process.pid))
+    process.kill()
+    process.communicate()
+    until(lambda: not any(Path(f"/proc/{each}").exists() for each in workers))
 
 
 def test_a_time_limit_on_the_search_gives_an_honest_layout(tmp_path, capsys):

@@ -149,7 +149,7 @@ def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path 
     """Run many; returns the figures."""
     ends: collections.Counter[str] = collections.Counter()
     faulty, slowest = [], 0.0
-    fresh, zygote = reader_process._started, Zygote(reader_process._environment())
+    fresh, zygote = reader_process._started, Zygote(reader_process.environment())
     with tempfile.TemporaryDirectory(dir=_MEMORY, prefix="fuzz-") as place:
         grounds = Path(place) / "run"
         grounds.mkdir()

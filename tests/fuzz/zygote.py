@@ -57,7 +57,7 @@ class Zygote:
 def _serve(asker: int) -> None:
     from usdrigui.usd import reader_main
 
-    reader_main._load()
+    reader_main.load()
     ours = socket.socket(fileno=os.dup(0))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     while True:

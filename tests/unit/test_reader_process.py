@@ -171,7 +171,7 @@ def test_a_layout_comes_back_too(tmp_path):
     assert Path(found.source) == path
 
 
-# --- what may become of the child --------------------------------------------------------------------
+# --- what may become of the reader -------------------------------------------------------------------
 
 DEATHS = {
     "segfault": ("kill -SEGV $$", "SOURCE_CRASHES_USD", Exit.REFUSED),
@@ -207,12 +207,12 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
 
 
 @pytest.mark.parametrize("executable", ["/no/such/python", "/", None])
-def test_a_child_that_cannot_be_started(executable, tmp_path, monkeypatch):
+def test_a_reader_that_cannot_be_started(executable, tmp_path, monkeypatch):
     monkeypatch.setattr(reader_process.sys, "executable", executable)
     assert refused(head(tmp_path / "char.usda")).issue.code == "SOURCE_READER_LOST"
 
 
-def test_grandchildren_die_with_the_child(tmp_path, monkeypatch):
+def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):
     impostor = tmp_path / "python"
     impostor.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {tmp_path}/grandchild\nwait\n")
     impostor.chmod(0o755)
@@ -248,11 +248,10 @@ def test_usd_needs_more_memory_than_there_is(tmp_path):
     assert refused(path).issue.code == "CONTROLS_MISSING"
 
 
-def test_the_child_ends_with_a_parent_that_was_killed(tmp_path):
+def test_the_reader_ends_with_a_host_that_was_killed(tmp_path):
     path = hanging(tmp_path)
-    parent = subprocess.Popen(
-        [sys.executable, "-m", "usdrigui", "inspect", str(path)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-    )
+    host = f"import pathlib, usdrigui; usdrigui.inspect(pathlib.Path({str(path)!r}), usdrigui.Settings())"
+    parent = subprocess.Popen([sys.executable, "-c", host], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         reader = eventually(lambda: children_of(parent.pid)).pop()
         eventually(lambda: _is_bound(reader))
@@ -267,7 +266,7 @@ def _is_bound(process):
     return b"_usd" in Path(f"/proc/{process}/maps").read_bytes()
 
 
-def test_the_child_has_an_alarm_of_its_own(tmp_path):
+def test_the_reader_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
     request = reader_process.Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
     done = subprocess.run(
@@ -280,7 +279,7 @@ def test_the_child_has_an_alarm_of_its_own(tmp_path):
     assert done.returncode == -signal.SIGALRM
 
 
-# --- what the child may do ---------------------------------------------------------------------------
+# --- what the reader may do --------------------------------------------------------------------------
 
 
 def in_bounds(code, tmp_path):

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from usdrigui import __version__
+from usdrigui import __version__, worker
 from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
@@ -23,26 +23,37 @@ from usdrigui.errors import Exit, RigUIError, refuse
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; returns its exit code (see `usdrigui.errors.Exit`)."""
-    arguments = _parser().parse_args(argv)
+    """Run one command in this process; returns its exit code (see `usdrigui.errors.Exit`).
+
+    The command `usdrigui` runs it in a worker (`usdrigui.cli.supervised`).
+    """
+    arguments = parser().parse_args(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
     try:
         return int(arguments.run(arguments))
     except RigUIError as error:
-        refused(error, arguments)
-        return int(error.exit_code)
+        return _refused(error, arguments)
+    except KeyboardInterrupt:
+        worker.discard_result()
+        return _refused(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
+    except MemoryError:
+        return _refused(refuse("RUN_MEMORY_LIMIT", "", "there is no more memory"), arguments)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(Exit.FILE)
-    except KeyboardInterrupt:
-        stopped = refuse("INTERRUPTED", "", "stopped by the user before there was a result")
-        refused(stopped, arguments)
-        return int(stopped.exit_code)
+    except OSError as error:
+        return _refused(refuse("FILE_ACCESS", str(error.filename or ""), error.strerror or str(error)), arguments)
     except Exception as error:
         return broken(error, arguments)
 
 
-def _parser() -> argparse.ArgumentParser:
+def _refused(error: RigUIError, arguments: argparse.Namespace) -> int:
+    refused(error, arguments)
+    return int(error.exit_code)
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line; ``light`` commands need no worker."""
     parser = argparse.ArgumentParser(
         prog="usdrigui",
         description="Automatic in-situ rig UI layouts for USD characters.",
@@ -62,7 +73,7 @@ def _parser() -> argparse.ArgumentParser:
     add_attach(commands)
     add_detach(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
-    schema.set_defaults(run=_schema_path)
+    schema.set_defaults(run=_schema_path, light=True)
     blender = commands.add_parser("blender-extension", help="write the extension that shows layouts in Blender")
     blender.add_argument("output", type=Path, nargs="?", default=Path("usdrigui_controls.zip"), metavar="ZIP")
     blender.set_defaults(run=_blender_extension)

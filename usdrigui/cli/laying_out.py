@@ -9,8 +9,9 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from usdrigui import worker
 from usdrigui.cli.options import add_settings, command, files_read, settings_of
-from usdrigui.cli.outcomes import Interruption, screen_of, strict
+from usdrigui.cli.outcomes import screen_of, strict
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
@@ -67,10 +68,10 @@ def _process(arguments: argparse.Namespace) -> Exit:
         raise refuse("CONFIG_VALUE", "--preview", f"a picture ends in .png, not in {arguments.preview.suffix!r}")
     screen = screen_of(arguments)
     written: list[str] = []
-    with Interruption() as interruption, _progress(screen, arguments) as shown:
+    with _progress(screen, arguments) as shown:
 
         def watch(event: pipeline.Event) -> None:
-            interruption.patient = event.can_stop
+            worker.be_patient(event.can_stop)
             shown(event)
 
         result = pipeline.process(
@@ -79,12 +80,12 @@ def _process(arguments: argparse.Namespace) -> Exit:
             output=arguments.output,
             dry_run=arguments.dry_run,
             progress=watch,
-            stop=interruption.requested,
+            stop=worker.stop_requested,
             examples=examples,
             read=files_read(arguments),
             extras=functools.partial(_stage_extras, arguments, written),
         )
-        arguments.layer_state = f"{result.outcome} {result.output}".rstrip()
+        arguments.written = f"the layout itself is {result.outcome} {result.output}".rstrip()
     if arguments.json:
         sys.stdout.write(report.to_json(result))
     else:
@@ -111,7 +112,7 @@ def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> Abstrac
         return screen.progress()
     from usdrigui.clients import openjd
 
-    return nullcontext(openjd.progress_lines(functools.partial(print, flush=True)))
+    return nullcontext(openjd.progress_lines(worker.print_now))
 
 
 def _stage_extras(arguments: argparse.Namespace, written: list[str], result: report.Report, files: Transaction) -> None:

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
@@ -60,8 +61,15 @@ def settings_of(arguments: argparse.Namespace) -> Settings:
     """Settings of a command, from the weakest to the strongest source.
 
     Which configuration belongs to a layer only the layer tells, so it is read for that where none is given.  Raises
-    RigUIError with what that reading raises, and with the CONFIG_ codes.
+    RigUIError with what that reading raises, and with the CONFIG_ codes.  The run's budget is known from here on.
     """
+    found = settings_quietly(arguments)
+    worker.budget(found.run.time_limit, found.run.memory_limit)
+    return found
+
+
+def settings_quietly(arguments: argparse.Namespace) -> Settings:
+    """As `settings_of`, of a run that is not this one."""
     from usdrigui import settings
 
     said = _said(arguments)
@@ -100,7 +108,7 @@ def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
 
 def settings_digest(arguments: argparse.Namespace) -> str:
     """Digest of everything that the settings of a command say, but for the threads, which change no result."""
-    settings = settings_of(arguments)
+    settings = settings_quietly(arguments)
     settings = dataclasses.replace(settings, solve=dataclasses.replace(settings.solve, threads=0))
     return hashlib.sha256(repr(settings).encode()).hexdigest()
 
@@ -201,14 +209,13 @@ def _same(first: str, second: Path) -> bool:
 
 def _assignment(text: str) -> Mapping[str, Any]:
     """``solve.gap=1e-3`` as nested tables, however deep; the value is TOML, or else a plain word."""
+    from usdrigui import settings
+
     found = _ASSIGNED.fullmatch(text)
     if not found:
         raise refuse("CONFIG_VALUE", "--set", f"expected PART.KEY=VALUE, got {text!r}")
     *parts, last = (_unquoted(word, text) for word in re.findall(_WORD, found[1]))
-    try:
-        tables = {last: tomllib.loads(f"value = {found[2]}")["value"]}
-    except tomllib.TOMLDecodeError:
-        tables = {last: found[2]}
+    tables = {last: settings.literal(found[2])}
     for part in reversed(parts):
         tables = {part: tables}
     return tables

@@ -1,17 +1,18 @@
-"""How a command ends: signals, verdict lines, refusals, bugs."""
+"""How a command ends: verdict lines, refusals, bugs."""
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import io
 import os
-import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
-from usdrigui.errors import Exit, RigUIError, refuse, visible
+from usdrigui import worker
+from usdrigui.errors import Exit, RigUIError, failure_json, refuse, visible
 
 if TYPE_CHECKING:
     from usdrigui import terminal
@@ -38,22 +39,25 @@ def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
 
 def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
     """Print a refusal, its repair and the verdict line; as JSON too if that was asked for."""
-    from usdrigui import report
-
-    asset = _subject(error, arguments)
+    asset, found = _subject(error, arguments), error.issue
+    worker.hold_errors()
     if getattr(arguments, "json", False):
-        sys.stdout.write(report.failure_json(asset, error.issue, error.exit_code))
-    found = error.issue
+        sys.stdout.write(failure_json(asset, error))
     if getattr(arguments, "openjd", False):
         from usdrigui.clients import openjd
 
-        print(*openjd.failure_lines(found), sep="\n", flush=True)
+        worker.print_now("\n".join(openjd.failure_lines(found)))
     where = f" {found.path}:" if found.path else ""
-    print(visible(f"usdrigui: {found.code}{where} {found.message}"), file=sys.stderr)
-    print(f"  repair: {found.repair}", file=sys.stderr)
-    done = getattr(arguments, "layer_state", "")
-    kept = f"the layout itself is {done}" if done else "nothing was written"
-    print(visible(f"usdrigui: refused {asset}; {kept}"), file=sys.stderr)
+    _complain(f"usdrigui: {found.code}{where} {found.message}")
+    _complain(f"  repair: {found.repair}")
+    verdict = f"finished {asset} without its report" if found.code == "OUTPUT_STREAM" else f"refused {asset}"
+    _complain(f"usdrigui: {verdict}; {getattr(arguments, 'written', '') or 'nothing was written'}")
+
+
+def _complain(line: str) -> None:
+    """Print on standard error, as far as it takes anything."""
+    with contextlib.suppress(OSError):
+        print(visible(line), file=sys.stderr)
 
 
 def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
@@ -82,33 +86,3 @@ def prepare_streams(*, machine: bool) -> None:
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace", encoding="utf-8" if machine else None)
-
-
-class Interruption:
-    """Ctrl-C and SIGTERM: during the search they ask for the best so far; otherwise, or twice, they end the run."""
-
-    def __init__(self) -> None:
-        self.patient = False
-        self._asked = False
-        self._previous: dict[int, Any] = {}
-
-    def requested(self) -> bool:
-        """Whether the best so far is asked for."""
-        return self._asked
-
-    def __enter__(self) -> Self:
-        for number in (signal.SIGINT, signal.SIGTERM):
-            self._previous[number] = signal.signal(number, self._on_signal)
-        return self
-
-    def __exit__(self, *exc: object) -> None:
-        for number, handler in self._previous.items():
-            signal.signal(number, handler)
-
-    def _on_signal(self, number: int, frame: object) -> None:
-        del number, frame
-        if self._asked:
-            os._exit(int(Exit.LIMIT))
-        self._asked = True
-        if not self.patient:
-            raise refuse("INTERRUPTED", "", "stopped before there was a result")

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from usdrigui import worker
 from usdrigui.cli.options import add_configuration, command, files_read, settings_of
 from usdrigui.cli.outcomes import say
 from usdrigui.errors import Exit, refuse
@@ -80,7 +81,8 @@ def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui.pose import evaluate
     from usdrigui.view import page, serve
 
-    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    settings = settings_of(arguments)
+    loaded = pipeline.load_layer(arguments.layer, settings)
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
     read = _spared((arguments.html,), loaded, arguments)
@@ -89,7 +91,9 @@ def _view(arguments: argparse.Namespace) -> Exit:
         state = pipeline.write_file(html.encode(), arguments.html, read)
         say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
-    serve.serve(html, open_browser=not arguments.no_browser, announce=lambda address: print(address, flush=True))
+    worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
+    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now)
+    say(f"usdrigui: showed {arguments.layer}", arguments)
     return Exit.OK
 
 

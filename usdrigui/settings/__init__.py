@@ -20,13 +20,14 @@ from usdrigui.settings.parts import (
     OutputSettings,
     PoseSettings,
     ReadSettings,
+    RunSettings,
     Settings,
     SolveSettings,
     SymmetrySettings,
     TrajectorySettings,
 )
 from usdrigui.settings.presets import PRESETS
-from usdrigui.settings.sources import environment_settings, read_toml
+from usdrigui.settings.sources import environment_settings, literal, read_toml
 
 __all__ = [
     "PRESETS",
@@ -41,12 +42,14 @@ __all__ = [
     "OutputSettings",
     "PoseSettings",
     "ReadSettings",
+    "RunSettings",
     "Settings",
     "SolveSettings",
     "SymmetrySettings",
     "TrajectorySettings",
     "document",
     "environment_settings",
+    "literal",
     "load",
     "read_toml",
     "view_angles",

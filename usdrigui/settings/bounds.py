@@ -11,6 +11,8 @@ from usdrigui.settings.parts import Settings
 
 _BOUNDS: Mapping[str, tuple[float, float]] = types.MappingProxyType(
     {
+        "run.time_limit": (0.0, 1e9),
+        "run.memory_limit": (1, 2**40),
         "read.joint_min_degrees": (0.0, 360.0),
         "read.time_limit": (0.0, 1e9),
         "read.memory_limit": (1, 2**40),

@@ -94,6 +94,17 @@ class ReadSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class RunSettings:
+    """What a whole run of a command may take; a host that calls the Python API sets its own limits."""
+
+    time_limit: float = 3600.0
+    """Seconds from its start; 0 for no limit. A search under way ends with the best layout so far, all else ends the
+    run. `solve.time_limit` limits the search alone."""
+    memory_limit: int = 16384
+    """MiB of private memory beyond what the libraries take."""
+
+
+@dataclass(frozen=True, slots=True)
 class TrajectorySettings:
     """How finely trajectories are sampled."""
 
@@ -291,6 +302,7 @@ class AnimationSettings:
 class Settings:
     """Everything that a run can be told."""
 
+    run: RunSettings = field(default_factory=RunSettings)
     read: ReadSettings = field(default_factory=ReadSettings)
     trajectories: TrajectorySettings = field(default_factory=TrajectorySettings)
     symmetry: SymmetrySettings = field(default_factory=SymmetrySettings)

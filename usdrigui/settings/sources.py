@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import tomllib
 from collections.abc import Mapping
 from dataclasses import fields
@@ -16,12 +17,16 @@ from usdrigui.settings.parts import Settings
 def read_toml(path: Path) -> dict[str, Any]:
     """Parse a configuration file; raises FILE_NOT_FOUND or CONFIG_SYNTAX."""
     try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise refuse("FILE_NOT_FOUND", str(path), "cannot be read: it is not a regular file")
         with path.open("rb") as stream:
             return tomllib.load(stream)
     except OSError as error:
-        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror}") from error
+        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}") from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise refuse("CONFIG_SYNTAX", str(path), str(error)) from error
+    except RecursionError:
+        raise refuse("CONFIG_SYNTAX", str(path), "is nested too deeply") from None
 
 
 def environment_settings() -> dict[str, str]:
@@ -45,9 +50,14 @@ def from_environment(environment: Mapping[str, str]) -> dict[str, Any]:
         part, _, key = name.removeprefix("USDRIGUI_").lower().partition("_")
         if part not in parts or not key:
             raise refuse("CONFIG_UNKNOWN_KEY", name, "no setting has this name")
-        try:
-            value = tomllib.loads(f"value = {text}")["value"]
-        except tomllib.TOMLDecodeError:
-            value = text
+        value = literal(text)
         found.setdefault(part, {})[key] = value
     return found
+
+
+def literal(text: str) -> Any:
+    """The value that a text is in TOML, or else the text itself."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return text

@@ -16,7 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
-from usdrigui.errors import Exit, Issue, RigUIError, issue, refuse
+from usdrigui import processes
+from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
@@ -34,8 +35,8 @@ def main() -> NoReturn:
     outbox = os.fdopen(os.dup(1), "wb", buffering=0)
     os.dup2(2, 1)
     request = serialization.decode(sys.stdin.buffer.read(), Request)
-    _bind_to(request.parent)
-    _load()
+    processes.bind_to(request.parent)
+    load()
     bound(request.limits)
     response = respond(request)
     _allow_output(request.limits)
@@ -74,17 +75,14 @@ def write_response(response: Response, descriptor: int) -> None:
 
 def bound(limits: Limits) -> None:
     """Limit this process: private memory, no core dump, no file that grows, an alarm that ends it."""
-    sys.addaudithook(_offline)
+    processes.stay_offline()
+    data = processes.limit_memory(limits.memory)
     if sys.platform == "win32":
         return
     import resource
 
-    data = _own_memory() + (limits.memory << 20)
-    # Address space is only loosely tied to memory: libraries reserve far more than they touch.
-    for kind, value in ((resource.RLIMIT_DATA, data), (resource.RLIMIT_AS, data + (4 << 30))):
-        _lower(kind, value)
-    _lower(resource.RLIMIT_CORE, 0)
-    _lower(resource.RLIMIT_FSIZE, 0, data)
+    processes.lower(resource.RLIMIT_CORE, 0)
+    processes.lower(resource.RLIMIT_FSIZE, 0, data)
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
     signal.setitimer(signal.ITIMER_REAL, limits.seconds + _GRACE)
 
@@ -296,7 +294,7 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
 # --- the bounds --------------------------------------------------------------------------------------
 
 
-def _load() -> None:
+def load() -> None:
     """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
     import usdrigui.usd.clips
     import usdrigui.usd.faults
@@ -304,14 +302,6 @@ def _load() -> None:
     import usdrigui.usd.read_layout
     import usdrigui.usd.rig
     import usdrigui.usd.standing  # noqa: F401
-
-
-def _own_memory() -> int:
-    """Bytes of private memory that this process has before it reads anything; 0 if the system does not tell."""
-    try:
-        return int(Path("/proc/self/statm").read_text().split()[5]) * os.sysconf("SC_PAGE_SIZE")
-    except (OSError, ValueError):
-        return 0
 
 
 def _peak() -> int:
@@ -323,40 +313,12 @@ def _peak() -> int:
     return next((int(line.split()[1]) << 10 for line in lines if line.startswith("VmPeak:")), 0)
 
 
-def _lower(kind: int, soft: int, hard: int | None = None) -> None:
-    """Lower a limit, as far as the system lets us."""
-    import resource
-
-    _, highest = resource.getrlimit(kind)
-    wanted = soft if hard is None else hard
-    top = wanted if highest == resource.RLIM_INFINITY else min(wanted, highest)
-    with contextlib.suppress(ValueError, OSError):
-        resource.setrlimit(kind, (min(soft, top), top))
-
-
 def _allow_output(limits: Limits) -> None:
     """The response may be written now; nothing foreign runs any more."""
     if sys.platform != "win32":
         import resource
 
-        _lower(resource.RLIMIT_FSIZE, limits.memory << 20)
-
-
-def _bind_to(parent: int) -> None:
-    """End when the parent does, however it ends."""
-    if sys.platform != "linux":
-        return
-    import ctypes
-
-    set_parent_death_signal = 1
-    ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
-    if os.getppid() != parent:
-        os._exit(int(Exit.LIMIT))
-
-
-def _offline(event: str, _: tuple[Any, ...]) -> None:
-    if event.startswith(("socket.", "subprocess.", "os.exec", "os.posix_spawn", "os.system", "os.fork")):
-        raise PermissionError(f"{event} is not allowed while an asset is read")
+        processes.lower(resource.RLIMIT_FSIZE, limits.memory << 20)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Reading USD that nobody has vouched for, in a process of its own.
+"""Reading USD that nobody has vouched for, in a process that may be lost.
 
 A file of a few kilobytes can make USD crash, take gigabytes or never return, and nothing inside the same
 process can prevent that.  So the asset is parsed by a reader with limits on time and memory, which answers
@@ -14,15 +14,16 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any, Literal, TypeVar
 
+from usdrigui import worker
 from usdrigui.errors import Exit, Issue, RigUIError, refuse
 from usdrigui.model import Floats, Layout, Performance, Record, Rig
+from usdrigui.processes import End, Printed, Reading, environment, reading_failed, reaped, signals_later
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
 from usdrigui.usd.source import SourceFile, check_source, check_unchanged
@@ -30,12 +31,8 @@ from usdrigui.usd.source import SourceFile, check_source, check_unchanged
 Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
 _Part = TypeVar("_Part")
 
-_KEPT_TEXT = 1 << 16
-"""Bytes kept of what the reader prints: USD can complain without end."""
 _LAYERS_TOLD = 3
 """Layers in one message."""
-_OUT_OF_MEMORY = (b"bad_alloc", b"MemoryError", b"Memory allocation", b"Cannot allocate memory")
-"""What C++, Python, OpenBLAS and the C library print when there is no more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,71 +224,59 @@ def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) ->
 
 def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Response:
     request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100 (keeps links)
+    response = _from_here(request, path) if worker.active() else _from_reader(request, path)
+    if response.refusal is not None:
+        raise RigUIError(response.refusal, Exit(response.exit_code))
+    return response
+
+
+def _from_here(request: Request, path: Path) -> Response:
+    """The response of this process, whose supervisor will say what it means that it dies."""
+    from usdrigui.usd import reader_main
+
+    with worker.reading(str(path), request.limits.seconds, request.limits.memory, reader_main.load):
+        response = reader_main.respond(request)
+    # As another process would have given it: arrays of one layout, which hold nothing of USD.
+    try:
+        return serialization.decode(b"".join(serialization.encode(response)), Response)
+    except serialization.SerializationError as error:
+        raise _garbled(path) from error
+
+
+def _from_reader(request: Request, path: Path) -> Response:
+    """The response of a reader process, which is fresh for each file."""
     with _private_file() as request_file, _private_file() as response_file:
         request_file.writelines(serialization.encode(request))
         request_file.seek(0)
-        end = _run(request_file, response_file, path, limits.seconds)
+        end = _run(request_file, response_file, path, request.limits.seconds)
         response = _opened(response_file)
     if response is None:
-        raise _death(end, path, limits)
-    if response.refusal is not None:
-        raise RigUIError(response.refusal, Exit(response.exit_code))
+        raise reading_failed(end, Reading(str(path), request.limits.seconds, request.limits.memory))
     return response
 
 
 # --- the process -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
-class _End:
-    """How the reader ended."""
-
-    code: int
-    """Exit code, or minus the signal."""
-    late: bool
-    """Killed because its time was up."""
-    peak: int
-    """MiB resident at most; 0 where that cannot be told."""
-    text: bytes
-    """The last of what it printed."""
-
-
-def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float) -> _End:
+def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float) -> End:
     """Start the reader, wait for its end, and be sure that it is gone whatever happens here."""
     deadline = time.monotonic() + seconds
     process, late = None, False
     try:
-        with _signals_later():
+        with signals_later():
             try:
                 process = _started(request_file, response_file)
             except (OSError, TypeError) as error:
                 raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
-            printed = _Printed(process)
+            assert process.stderr is not None
+            printed = Printed(process.stderr)
         late = not printed.ended(deadline - time.monotonic())
     finally:
         if process is not None:
             _kill(process)
-            code, peak = _reaped(process)
+            code, peak = reaped(process)
             printed.close()
-    return _End(code, late, peak, printed.text)
-
-
-@contextlib.contextmanager
-def _signals_later() -> Iterator[None]:
-    """A signal between the start of the reader and its being watched would leave it behind: it comes after."""
-    came: list[int] = []
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    numbers = (signal.SIGINT, signal.SIGTERM)
-    before = [signal.signal(number, lambda at, _: came.append(at)) for number in numbers]
-    try:
-        yield
-    finally:
-        for number, handler in zip(numbers, before, strict=True):
-            signal.signal(number, handler)
-    for late in came:
-        signal.raise_signal(late)
+    return End(code, late, peak, printed.text)
 
 
 def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Popen[bytes]:
@@ -301,52 +286,9 @@ def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Po
         stdin=request_file,
         stdout=response_file,
         stderr=subprocess.PIPE,
-        env=_environment(),
+        env=environment(OPENBLAS_NUM_THREADS="1"),
         start_new_session=True,
     )
-
-
-def _environment() -> dict[str, str]:
-    """The reader's environment: ours, our module path, and few threads, whose stacks would count as memory.
-
-    With positional reads a crate file that shrinks under us is an error instead of a bus error.
-    """
-    own = {
-        "PYTHONPATH": os.pathsep.join(each for each in sys.path if each),
-        "USDC_USE_PREAD": "1",
-        "OPENBLAS_NUM_THREADS": "1",
-        "MALLOC_ARENA_MAX": "2",
-    }
-    return {"PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)), **os.environ, **own}
-
-
-class _Printed:
-    """Keeps the last of what a process prints; that it prints no more means that it has ended."""
-
-    def __init__(self, process: subprocess.Popen[bytes]) -> None:
-        assert process.stderr is not None
-        self._stream = process.stderr
-        self._kept = bytearray()
-        self._thread = threading.Thread(target=self._drain, daemon=True)
-        self._thread.start()
-
-    @property
-    def text(self) -> bytes:
-        return bytes(self._kept)
-
-    def ended(self, seconds: float) -> bool:
-        self._thread.join(max(0.0, seconds))
-        return not self._thread.is_alive()
-
-    def close(self) -> None:
-        self._thread.join(1.0)
-        self._stream.close()
-
-    def _drain(self) -> None:
-        with contextlib.suppress(OSError, ValueError):
-            while block := os.read(self._stream.fileno(), _KEPT_TEXT):
-                self._kept += block
-                del self._kept[:-_KEPT_TEXT]
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:
@@ -355,20 +297,6 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)
-
-
-def _reaped(process: subprocess.Popen[bytes]) -> tuple[int, int]:
-    """Exit code and peak memory in MiB of an ended process."""
-    if sys.platform == "win32":
-        return process.wait(), 0
-    import resource
-
-    _, status, usage = os.wait4(process.pid, 0)
-    process.returncode = os.waitstatus_to_exitcode(status)
-    # Until it loads its own program a reader counts as its parent, so a smaller figure says nothing.
-    own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    per_mib = 1 << 20 if sys.platform == "darwin" else 1 << 10
-    return process.returncode, usage.ru_maxrss // per_mib if usage.ru_maxrss > own else 0
 
 
 # --- the response --------------------------------------------------------------------------------------
@@ -389,23 +317,3 @@ def _opened(response_file: IO[bytes]) -> Response | None:
         return serialization.decode(mmap.mmap(response_file.fileno(), 0, access=mmap.ACCESS_READ), Response)
     except serialization.SerializationError:
         return None
-
-
-def _death(end: _End, path: Path, limits: Limits) -> RigUIError:
-    """What it means that the reader ended without a response."""
-    if end.late or end.code == -signal.SIGALRM:
-        return refuse("SOURCE_TIME_LIMIT", str(path), f"was not read within {limits.seconds:g} s")
-    if _is_memory(end, limits):
-        return refuse("SOURCE_MEMORY_LIMIT", str(path), f"needs more than {limits.memory} MiB to be read")
-    if end.code == -signal.SIGKILL:
-        return refuse("SOURCE_READER_LOST", str(path), "the reading process was killed from outside")
-    if end.code < 0:
-        return refuse("SOURCE_CRASHES_USD", str(path), f"USD crashed ({signal.Signals(-end.code).name})")
-    if end.code > 0:
-        last = end.text.decode(errors="replace").strip().rpartition("\n")[2]
-        return refuse("SOURCE_READER_LOST", str(path), f"the reading process ended with code {end.code}: {last}")
-    return _garbled(path)
-
-
-def _is_memory(end: _End, limits: Limits) -> bool:
-    return any(message in end.text for message in _OUT_OF_MEMORY) or end.peak > 0.8 * limits.memory

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, Self
 
+from usdrigui import worker
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.usd import temporaries
 
@@ -96,7 +97,8 @@ class Transaction:
 
         Raises RigUIError with one of the FILE_ codes; then the files that had theirs already have given them back.
         """
-        with contextlib.ExitStack() as placed:
+        targets = [str(each.target) for each in self._staged]
+        with worker.committing(targets), contextlib.ExitStack() as placed:
             for each in reversed(self._staged):
                 placed.enter_context(_placed(each, undo=len(self._staged) > 1))
         for folder in dict.fromkeys(each.place.parent for each in self._staged):

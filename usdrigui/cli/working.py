@@ -1,0 +1,29 @@
+"""The worker of a command, ``python -P -m usdrigui.cli.working COMMAND ...``: see `usdrigui.supervision`."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import NoReturn
+
+from usdrigui import worker
+from usdrigui.errors import Exit
+
+
+def main() -> NoReturn:
+    """Run the command of the command line, and close with its exit code.
+
+    A request to stop that comes before the command has begun, or amid its last words, leaves the verdict to the
+    supervisor.
+    """
+    try:
+        worker.start()
+        from usdrigui import cli
+
+        worker.finish(cli.main(sys.argv[1:]))
+    except KeyboardInterrupt:
+        os._exit(int(Exit.LIMIT))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,279 @@
+"""Commands run in a worker: a process that may crash, hang, be killed or take too much, and what that means.
+
+`supervise` starts `usdrigui.cli.working` on a command line, passes on what it prints, asks it to stop or ends it, and
+returns its closing message or the reason why there is none.  The command line does so for the user, a batch for each
+of its assets.  Nothing here imports more than the standard library, so that nothing here can die of an asset.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from queue import Empty, SimpleQueue
+from typing import IO, Any
+
+from usdrigui.errors import RigUIError, refuse
+from usdrigui.processes import (
+    End,
+    Printed,
+    Reading,
+    environment,
+    kill,
+    reading_failed,
+    reaped,
+    signal_name,
+    signals_later,
+)
+
+Events = SimpleQueue[Any]
+"""What a supervisor waits for: the string STOP or KILL, messages of its worker (mappings), None for its end."""
+STOP, KILL = "stop", "kill"
+"""Ask the worker to end with what it has, at once where it has nothing; end it."""
+
+_PATIENCE = 3.0
+"""Seconds in which a worker that was asked to stop must have ended, unless it searches or writes."""
+_LAST = 60.0
+"""Seconds in which one that searches or writes must have ended after its time was up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a command ended."""
+
+    code: int
+    """Exit code."""
+    out: str = ""
+    """What belongs on standard output, all of it unless something was printed before."""
+    err: str = ""
+    """The verdict, where it belongs on standard error."""
+    death: RigUIError | None = None
+    """Why there is no verdict of the worker's own."""
+    written: tuple[str, ...] = ()
+    """Files that were put in place."""
+    unknown: tuple[str, ...] = ()
+    """Files that were being put in place when the worker ended: each as it was before, or complete."""
+
+
+def supervise(
+    arguments: Sequence[str],
+    show: Callable[[str, str], None],
+    events: Events | None = None,
+    *,
+    terminals: tuple[bool, bool] = (False, False),
+    limit: tuple[float, RigUIError] | None = None,
+) -> Outcome:
+    """Run a command in a worker until it ends.
+
+    Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text); `events` is where STOP
+    and KILL come from; `terminals` tells whether standard output and error are terminals; `limit` is wall clock in
+    seconds and the error that it is when they have passed.
+    """
+    events = SimpleQueue() if events is None else events
+    with signals_later():
+        try:
+            process = _started(arguments, terminals)
+        except (OSError, TypeError, ValueError) as error:
+            return _dead(refuse("WORKER_LOST", "", f"the working process cannot be started: {error}"))
+    watch = _Watch(process, show, limit)
+    assert process.stdout is not None
+    assert process.stderr is not None
+    printed = Printed(process.stderr)
+    threading.Thread(target=_collect, args=(process.stdout, events), daemon=True).start()
+    try:
+        while not watch.ended:
+            try:
+                watch.handle(events.get(timeout=watch.remaining()))
+            except Empty:
+                watch.time_passed()
+    finally:
+        kill(process)
+        code, peak = reaped(process)
+        printed.close()
+        assert process.stdin is not None
+        with contextlib.suppress(OSError):
+            process.stdin.close()
+    return watch.outcome(End(code, watch.late, peak, printed.text))
+
+
+def _started(arguments: Sequence[str], terminals: tuple[bool, bool]) -> subprocess.Popen[bytes]:
+    size = shutil.get_terminal_size()
+    shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", "usdrigui.cli.working", *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=environment(**shape),
+    )
+    assert process.stdin is not None
+    greeting = {"parent": os.getpid(), "out": terminals[0], "err": terminals[1]}
+    with contextlib.suppress(OSError):
+        process.stdin.write(json.dumps(greeting).encode() + b"\n")
+        process.stdin.flush()
+    return process
+
+
+def _collect(messages: IO[bytes], events: Events) -> None:
+    """Hand over the messages of a worker until it has ended; a last one that was cut off is none."""
+    for line in messages:
+        with contextlib.suppress(ValueError):
+            events.put(json.loads(line))
+    events.put(None)
+
+
+@dataclass
+class _Watch:
+    """What a supervisor knows of its worker."""
+
+    process: subprocess.Popen[bytes]
+    show: Callable[[str, str], None]
+    limit: tuple[float, RigUIError] | None
+    start: float = field(default_factory=time.monotonic)
+    ended: bool = False
+    late: bool = False
+    base: int = 0
+    """MiB resident when the budget or the reading began."""
+    memory: int = 0
+    """MiB; 0 until the settings are known."""
+    deadline: float = 0.0
+    """When the run's own time is up; 0 for never."""
+    reading: Reading | None = None
+    reading_ends: float = 0.0
+    kill_at: float = 0.0
+    patient: bool = False
+    writing: tuple[str, ...] = ()
+    written: list[str] = field(default_factory=list)
+    death: RigUIError | None = None
+    closing: dict[str, Any] | None = None
+
+    def remaining(self) -> float | None:
+        """Seconds until something must happen; None for never."""
+        return None if (next_end := min(self._ends(), default=0.0)) == 0.0 else max(0.0, next_end - time.monotonic())
+
+    def _ends(self) -> list[float]:
+        limit = self.start + self.limit[0] if self.limit is not None else 0.0
+        return [each for each in (limit, self.deadline, self.reading_ends, self.kill_at) if each]
+
+    def time_passed(self) -> None:
+        """Something's time is up."""
+        now = time.monotonic()
+        if self.limit is not None and now >= self.start + self.limit[0]:
+            self._end(self.limit[1])
+        elif self.kill_at and now >= self.kill_at:
+            self._end(self.death or _interrupted())
+        elif self.reading_ends and now >= self.reading_ends:
+            self.late = True
+            self._end()
+        elif self.deadline and now >= self.deadline:
+            self._out_of_time()
+
+    def _out_of_time(self) -> None:
+        seconds = self.deadline - self.start
+        self.deadline = 0.0
+        self.death = refuse("RUN_TIME_LIMIT", "", f"was not done within {seconds:g} s")
+        if self.patient or self.writing:
+            self._ask(_LAST)
+        else:
+            self._end()
+
+    def handle(self, event: Any) -> None:
+        """Take note of an event."""
+        if event is None:
+            self.ended = True
+        elif event == KILL:
+            self._end(_interrupted())
+        elif event == STOP:
+            self._stop()
+        else:
+            getattr(self, f"_on_{event['what']}")(event)
+
+    def _stop(self) -> None:
+        """The first request asks; while a file is read, which changes nothing, and a second time it ends."""
+        if self.death is not None or (self.reading is not None and not self.writing):
+            self._end(_interrupted())
+            return
+        self.death = _interrupted()
+        self._ask(0.0 if self.patient or self.writing else _PATIENCE)
+
+    def _ask(self, seconds: float) -> None:
+        """Ask the worker to end, within `seconds` if they are not 0."""
+        assert self.process.stdin is not None
+        self.kill_at = time.monotonic() + seconds if seconds else 0.0
+        with contextlib.suppress(OSError):
+            self.process.stdin.write(b"s")
+            self.process.stdin.flush()
+
+    def _end(self, why: RigUIError | None = None) -> None:
+        self.death = why or self.death
+        self.limit, self.deadline, self.reading_ends, self.kill_at = None, 0.0, 0.0, 0.0
+        kill(self.process)
+
+    def _on_print(self, message: dict[str, Any]) -> None:
+        self.show(message["stream"], message["text"])
+
+    def _on_budget(self, message: dict[str, Any]) -> None:
+        self.memory, self.base = message["memory"], message["base"]
+        self.deadline = self.start + message["seconds"] if message["seconds"] else 0.0
+
+    def _on_reading(self, message: dict[str, Any]) -> None:
+        if not message["path"]:
+            self.reading, self.reading_ends = None, 0.0
+            return
+        self.reading = Reading(message["path"], message["seconds"], message["memory"])
+        self.reading_ends, self.base = time.monotonic() + message["seconds"], message["base"]
+
+    def _on_patient(self, message: dict[str, Any]) -> None:
+        self.patient = message["patient"]
+        self._give_time()
+
+    def _on_writing(self, message: dict[str, Any]) -> None:
+        self.writing = tuple(message["paths"])
+        self._give_time()
+
+    def _give_time(self) -> None:
+        """A search or a write that has begun when the request to stop came is finished."""
+        if (self.patient or self.writing) and self.death is not None and self.death.issue.code == "INTERRUPTED":
+            self.kill_at = 0.0
+
+    def _on_wrote(self, message: dict[str, Any]) -> None:
+        self.writing = ()
+        self.written += message["paths"]
+
+    def _on_end(self, message: dict[str, Any]) -> None:
+        self.closing = message
+
+    def outcome(self, end: End) -> Outcome:
+        """What became of the command, from the closing message or from the worker's end."""
+        if self.closing is not None:
+            return Outcome(self.closing["code"], self.closing["out"], self.closing["err"], written=tuple(self.written))
+        return _dead(self._cause(End(end.code, end.late, max(0, end.peak - self.base), end.text)), self)
+
+    def _cause(self, end: End) -> RigUIError:
+        if self.death is not None:
+            return self.death
+        if self.reading is not None:
+            return reading_failed(end, self.reading)
+        if end.starved(self.memory):
+            return refuse("RUN_MEMORY_LIMIT", "", f"needs more than {self.memory} MiB" if self.memory else "no memory")
+        if end.code < 0 and signal_name(-end.code) == "SIGKILL":
+            return refuse("WORKER_LOST", "", "the working process was killed from outside")
+        if end.code < 0:
+            return refuse("WORKER_CRASHED", "", f"the working process crashed ({signal_name(-end.code)})")
+        return refuse("WORKER_CRASHED", "", f"the working process ended with code {end.code}: {end.last_line}")
+
+
+def _interrupted() -> RigUIError:
+    return refuse("INTERRUPTED", "", "stopped before there was a result")
+
+
+def _dead(death: RigUIError, watch: _Watch | None = None) -> Outcome:
+    written, unknown = (tuple(watch.written), watch.writing) if watch is not None else ((), ())
+    return Outcome(int(death.exit_code), death=death, written=written, unknown=unknown)
