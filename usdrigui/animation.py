@@ -33,7 +33,7 @@ def performances(paths: Sequence[Path], settings: Settings) -> tuple[Performance
 def heeded(rig: Rig, symmetry: Symmetry, settings: Settings, clips: tuple[Performance, ...]) -> Settings:
     """The settings with the importance that its use in the animations gives to every control.
 
-    What the configuration says is stronger.  Raises CLIP_UNKNOWN_CONTROL where none is of this character.
+    What the configuration says is stronger.  Raises CLIP_FOREIGN where none is of this character.
     """
     if not clips:
         return settings

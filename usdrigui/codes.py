@@ -112,8 +112,15 @@ _CODES: dict[str, Code] = {
     "FILE_CORRUPT": Code("error", "The archive is damaged.", "Copy or export the asset again."),
     "LAYER_MISSING": Code(
         "error",
-        "The asset refers to a layer that cannot be found or read.",
+        "The asset refers to a layer that cannot be found.",
         "Restore the file, correct the asset path, or set the resolver's search path.",
+    ),
+    "LAYER_UNREADABLE": Code(
+        "error",
+        "The asset refers to a layer that is there but that USD cannot read: damaged, of an obsolete or later crate "
+        "version, or of a format without a plug-in.",
+        "Export that layer again with a USD of today, restore a sound copy, or install its file-format plug-in; the "
+        "message says what USD found.",
     ),
     "COMPOSITION_ERROR": Code(
         "warning", "USD could not compose a part of the stage.", "Correct the composition arc at the prim named."
@@ -184,6 +191,12 @@ _CODES: dict[str, Code] = {
         "error",
         "The face counts and face indices of a mesh contradict each other.",
         "Correct the mesh, or export the asset again.",
+    ),
+    "PART_LEFT_OFF": Code(
+        "warning",
+        "A mesh, a blend shape or a subset of faces that cannot be right is left off; the rest of the character is "
+        "laid out without it.",
+        "Mend what the message names, by its code.",
     ),
     "MESH_UNBOUND": Code(
         "warning",
@@ -375,7 +388,7 @@ _CODES: dict[str, Code] = {
     "EXTRA_MISSING": Code(
         "error",
         "An optional package that was asked for is not installed.",
-        "Install it: `pip install usdrigui[rays]` for Embree.",
+        "Install it by the command that the message names.",
         Exit.USAGE,
     ),
     # --- controls --------------------------------------------------------------------------------
@@ -542,6 +555,11 @@ _CODES: dict[str, Code] = {
         "warning",
         "An animation moves blend shapes for which the character has no control.",
         "Give the animations of this character, or correct their blendShapes.",
+    ),
+    "CLIP_FOREIGN": Code(
+        "error",
+        "The animations given move no control of the character at all.",
+        "Give animations of this character, or correct their blendShapes and joints.",
     ),
     "LAYOUT_MESH_GONE": Code(
         "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."

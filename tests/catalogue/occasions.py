@@ -194,11 +194,29 @@ def _bare(folder: Path) -> Path:
     return folder / "char.rigui.usda"
 
 
-def _stray_animation(folder: Path, _: Any) -> Found:
-    take = folder / "take.usda"
-    weights = "token[] blendShapes = ['wing']\nfloat[] blendShapeWeights.timeSamples = {0: [0], 1: [1]}"
-    take.write_text(f'#usda 1.0\ndef SkelAnimation "Take" {{\n{weights}\n}}\n'.replace("'", '"'))
-    return command("inspect", smallest.character(folder), "--animation", take)
+def _animated(names: str) -> Occasion:
+    """An animation that moves the two shapes named."""
+
+    def occasion(folder: Path, _: Any) -> Found:
+        take = folder / "take.usda"
+        weights = f"token[] blendShapes = [{names}]\nfloat[] blendShapeWeights.timeSamples = {{0: [0, 0], 1: [1, 1]}}"
+        take.write_text(f'#usda 1.0\ndef SkelAnimation "Take" {{\n{weights}\n}}\n'.replace("'", '"'))
+        return command("inspect", smallest.character(folder), "--animation", take)
+
+    return occasion
+
+
+def _obsolete(folder: Path, _: Any) -> Found:
+    """A character that refers to a crate of a version that no USD of today reads."""
+    from pxr import Sdf
+
+    Sdf.Layer.CreateNew(str(folder / "old.usdc")).Save()
+    content = bytearray((folder / "old.usdc").read_bytes())
+    content[8:11] = bytes((0, 0, 1))
+    (folder / "old.usdc").write_bytes(content)
+    path = smallest.character(folder)
+    path.write_text(path.read_text().replace('upAxis = "Y"', "subLayers = [@./old.usdc@]"))
+    return command("process", path)
 
 
 def _based(*changes: tuple[str, str]) -> Occasion:
@@ -522,7 +540,9 @@ OCCASIONS: Mapping[str, Occasion] = {
     "GLYPH_TYPE": _glyph('def Xform "Star" {}'),
     "GLYPH_EMPTY": _glyph('def Mesh "Star" {}'),
     "FIXED_IMPOSSIBLE": _configured('[controls.smile]\nanchor = "/Char/Face#5"\n'),
-    "CLIP_UNKNOWN_CONTROL": _stray_animation,
+    "CLIP_UNKNOWN_CONTROL": _animated("'wing', 'smile'"),
+    "CLIP_FOREIGN": _animated("'wing', 'tail'"),
+    "LAYER_UNREADABLE": _obsolete,
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),

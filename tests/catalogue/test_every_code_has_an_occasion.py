@@ -6,6 +6,7 @@ To add a code: an edit in smallest.py or an occasion in occasions.py, then
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -16,12 +17,14 @@ import occasions
 import pytest
 from zygote import Zygote
 
+import usdrigui
 from usdrigui.errors import CODES, Exit
 from usdrigui.usd import reader_process
 
 GOLDEN = Path(__file__).parent / "golden"
 WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
-IN_USDS_WORDS = {"FILE_NOT_USD", "LAYER_MISSING", "COMPOSITION_ERROR", "USD_DIAGNOSTIC", "USD_ERROR", "LAYOUT_VERSION"}
+IN_USDS_WORDS = {"FILE_NOT_USD", "LAYER_MISSING", "LAYER_UNREADABLE", "COMPOSITION_ERROR"}
+IN_USDS_WORDS |= {"USD_DIAGNOSTIC", "USD_ERROR", "LAYOUT_VERSION"}
 """Their messages are not ours, or name a version: any text will do."""
 FRESH = {"SOURCE_READER_LOST", "SOURCE_CRASHES_USD", "SOURCE_TIME_LIMIT", "SOURCE_MEMORY_LIMIT"}
 """Read by a real child of its own; the others by one that is forked, to save time."""
@@ -66,9 +69,24 @@ def test_its_entry_is_sound(code):
     entry = CODES[code]
     (golden,) = json.loads((GOLDEN / f"{code}.json").read_text(encoding="utf-8"))["issues"][:1]
     assert golden["repair"] == entry.repair
-    assert golden["severity"] == entry.severity or golden["severity"] == "error"
+    assert golden["severity"] == entry.severity
     assert entry.meaning.endswith(".")
     assert entry.exit in set(Exit) - {Exit.OK}
+
+
+def test_what_refuses_is_documented_as_an_error():
+    source = Path(usdrigui.__file__).parent
+    calls = [call for path in source.rglob("*.py") for call in ast.walk(ast.parse(path.read_text())) if _refuses(call)]
+    assert len(calls) > 100
+    assert not {code for code in map(_code, calls) if code and CODES[code].severity != "error"}
+
+
+def _refuses(node):
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "refuse"
+
+
+def _code(call):
+    return call.args[0].value if isinstance(call.args[0], ast.Constant) else ""
 
 
 def _anonymous(found, folder):

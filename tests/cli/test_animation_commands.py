@@ -131,7 +131,7 @@ def test_animation_of_somebody_else_is_refused(folder, tmp_path, capsys):
     other = performed(tmp_path / "other.usda", {"wing": RAMP})
     for command in ("inspect", "process"):
         told = run(capsys, command, folder / "char.usda", "--animation", other, expected=1)
-        assert told["issues"][0]["code"] == "CLIP_UNKNOWN_CONTROL"
+        assert told["issues"][0]["code"] == "CLIP_FOREIGN"
 
 
 def test_strays_are_warned_of(folder, tmp_path, capsys):

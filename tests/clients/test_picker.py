@@ -3,6 +3,7 @@
 import itertools
 import json
 import xml.etree.ElementTree as ElementTree
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -88,13 +89,24 @@ def test_characters_stand_side_by_side(characters):
     np.testing.assert_allclose(shift, [one.size[0], 0.0], atol=1e-9)
 
 
-def test_names_are_escaped(characters):
-    from dataclasses import replace
-
-    rig, layout = characters[0]
-    odd = replace(layout.elements[0], name='a"<b>&', label="<&>")
-    svg = picker.to_svg(picker.picker([(rig, replace(layout, elements=(odd, *layout.elements[1:])))]))
-    assert next(ElementTree.fromstring(svg).iter(f"{SVG}g")).get("id") == 'a"<b>&'
+@pytest.mark.parametrize(
+    ("name", "read"),
+    [
+        ('a"<b>&', 'a"<b>&'),
+        ("a\tb\nc\rd", "a\tb\nc\rd"),
+        ("smi\x1b[31mle\0\uffff", r"smi\x1b[31mle\x00\uffff"),
+        ("眉𝄞", "眉𝄞"),
+    ],
+)
+def test_names_stand_in_the_picture(characters, name, read):
+    made = picker.picker(characters)
+    first = made.spots[0].element
+    member = replace(first.members[0], control=name)
+    odd = replace(first, name=name, label=name, members=(member, *first.members[1:]))
+    svg = picker.to_svg(replace(made, spots=(replace(made.spots[0], element=odd), *made.spots[1:])))
+    group = next(ElementTree.fromstring(svg).iter(f"{SVG}g"))
+    assert (group.get("id"), next(group.iter(f"{SVG}polyline")).get("data-control")) == (read, read)
+    assert json.loads(group.get("data-controls"))[0] == name, "JSON spells what XML cannot hold"
 
 
 def aside(characters, down=0.0):

@@ -11,21 +11,19 @@ from __future__ import annotations
 
 import argparse
 import collections
-import contextlib
 import json
 import os
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import mutations
+from captured import called, captured
 from pxr import Sdf
 from zygote import Zygote
 
-from usdrigui.cli import main
 from usdrigui.errors import CODES, Exit
 from usdrigui.usd import reader_process
 
@@ -73,8 +71,8 @@ def run(content: bytes, form: str, folder: Path) -> End:
     for setting in _SETTINGS:
         arguments += ["--set", setting]
     start, before = time.monotonic(), time.process_time()
-    with _captured() as printed:
-        exit_code, escaped = _called(arguments)
+    with captured() as printed:
+        exit_code, escaped = called(arguments)
     seconds, used = time.monotonic() - start, time.process_time() - before
     out, err = printed
     faults = list(escaped)
@@ -97,13 +95,6 @@ def run(content: bytes, form: str, folder: Path) -> End:
     return End(exit_code, code, seconds, tuple(faults))
 
 
-def _called(arguments: list[str]) -> tuple[int, list[str]]:
-    try:
-        return main(arguments), []
-    except BaseException as error:
-        return -1, [f"{type(error).__name__} left the command"]
-
-
 def _code(out: bytes, exit_code: int, faults: list[str]) -> str:
     """The code that the printed report gives, after checking that the report is one."""
     try:
@@ -120,29 +111,6 @@ def _code(out: bytes, exit_code: int, faults: list[str]) -> str:
     if code and not issues[0]["repair"]:
         faults.append("no word on how to repair it")
     return code
-
-
-@contextlib.contextmanager
-def _captured() -> Iterator[list[bytes]]:
-    """What is printed meanwhile, by Python or by C++: standard output and standard error."""
-    printed: list[bytes] = []
-    with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        saved = os.dup(1), os.dup(2)
-        for stream in (sys.stdout, sys.stderr):
-            stream.flush()
-        os.dup2(out.fileno(), 1)
-        os.dup2(err.fileno(), 2)
-        try:
-            yield printed
-        finally:
-            for stream in (sys.stdout, sys.stderr):
-                stream.flush()
-            for number, each in enumerate(saved, 1):
-                os.dup2(each, number)
-                os.close(each)
-            for stream in (out, err):
-                stream.seek(0)
-                printed.append(stream.read())
 
 
 def campaign(form: str, numbers: range, seed: int, spawn_every: int, keep: Path | None) -> dict[str, object]:

@@ -20,8 +20,8 @@ def refused(path, config=None):
     return caught.value
 
 
-def spoilt(tmp_path, edit):
-    return refused(head(tmp_path / "char.usda", edit=edit))
+def spoilt(tmp_path, edit, tokens=("smile", "frown")):
+    return refused(head(tmp_path / "spoilt.usda", tokens, edit))
 
 
 # --- files -------------------------------------------------------------------------------------------
@@ -100,6 +100,10 @@ def test_missing_layer(tmp_path, capfd, arc):
     error = refused(path)
     assert error.issue.code == "LAYER_MISSING"
     assert "gone.usda" in error.issue.message
+    (tmp_path / "gone.usda").write_text('#usda 1.0\ndef Xform "X" {')
+    there = refused(path)
+    assert there.issue.code == "LAYER_UNREADABLE"
+    assert "Expected }" in there.issue.message
     assert capfd.readouterr() == ("", "")
 
 
@@ -438,26 +442,12 @@ def _face_counts(stage):
 @pytest.mark.parametrize(
     ("edit", "code", "path"),
     [
-        (_more_names, "TARGETS_LENGTH", "/Char/Face"),
-        (_more_targets, "TARGETS_LENGTH", "/Char/Face"),
-        (_no_names, "TARGETS_LENGTH", "/Char/Face"),
-        (_index_too_large, "INDEX_RANGE", "/Char/Face/s_smile"),
-        (_index_negative, "INDEX_RANGE", "/Char/Face/s_smile"),
-        (_offsets_short, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
-        (_offsets_and_indices, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
-        (_inbetween_short, "OFFSETS_LENGTH", "/Char/Face/s_smile"),
-        (_offset_nan, "NOT_FINITE", "/Char/Face/s_smile"),
-        (_point_infinite, "NOT_FINITE", "/Char/Face"),
         (_weight_nan, "NOT_FINITE", "/Char/Anim"),
         (_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
         (_sampled_weights_short, "ANIMATION_LENGTH", "/Char/Anim"),
-        (_offsets_of_text, "ARRAY_TYPE", "/Char/Face/s_smile"),
-        (_indices_of_floats, "ARRAY_TYPE", "/Char/Face/s_smile"),
-        (_face_index, "INDEX_RANGE", "/Char/Face"),
-        (_face_counts, "TOPOLOGY_INVALID", "/Char/Face"),
     ],
 )
-def test_arrays_that_contradict(tmp_path, capfd, edit, code, path):
+def test_animations_that_contradict(tmp_path, capfd, edit, code, path):
     error = spoilt(tmp_path, edit)
     assert (error.issue.code, error.issue.path) == (code, path)
     assert error.issue.repair
@@ -465,8 +455,61 @@ def test_arrays_that_contradict(tmp_path, capfd, edit, code, path):
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.parametrize(
+    ("edit", "code"),
+    [
+        (_index_too_large, "INDEX_RANGE"),
+        (_index_negative, "INDEX_RANGE"),
+        (_offsets_short, "OFFSETS_LENGTH"),
+        (_offsets_and_indices, "OFFSETS_LENGTH"),
+        (_inbetween_short, "OFFSETS_LENGTH"),
+        (_offset_nan, "NOT_FINITE"),
+        (_offsets_of_text, "ARRAY_TYPE"),
+        (_indices_of_floats, "ARRAY_TYPE"),
+    ],
+)
+def test_a_shape_that_contradicts_costs_its_control_alone(tmp_path, capfd, edit, code):
+    (rig,) = read_rigs(head(tmp_path / "char.usda", edit=edit), Settings())
+    assert [control.name for control in rig.controls] == ["frown"]
+    (lost,) = rig.left_off
+    assert lost.control == "smile"
+    (warned,) = (each for each in rig.issues if each.severity == "warning")
+    assert (warned.code, warned.path) == ("PART_LEFT_OFF", "/Char/Face/s_smile")
+    assert warned.message.startswith(f"{code}: ")
+    assert lost.reason.endswith(warned.message.removeprefix(f"{code}: "))
+    alone = spoilt(tmp_path, edit, ("smile",))
+    assert (alone.issue.code, alone.issue.path) == (code, "/Char/Face/s_smile"), "nothing is left"
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("edit", "code"),
+    [
+        (_more_names, "TARGETS_LENGTH"),
+        (_more_targets, "TARGETS_LENGTH"),
+        (_no_names, "TARGETS_LENGTH"),
+        (_point_infinite, "NOT_FINITE"),
+        (_face_index, "INDEX_RANGE"),
+        (_face_counts, "TOPOLOGY_INVALID"),
+    ],
+)
+def test_a_mesh_that_contradicts_costs_what_it_alone_has(tmp_path, capfd, edit, code):
+    def two(stage):
+        add_shape(add_mesh(stage, "/Char/Hat", "/Char/Skel", seed=1), "lift", np.ones((SIDE**2, 3)))
+        edit(stage)
+
+    (rig,) = read_rigs(head(tmp_path / "char.usda", edit=two), Settings())
+    assert [control.name for control in rig.controls] == ["lift"]
+    assert {"smile", "frown"} <= {lost.control for lost in rig.left_off}
+    (warned,) = (each for each in rig.issues if each.severity == "warning")
+    assert (warned.code, warned.path, warned.message.partition(":")[0]) == ("PART_LEFT_OFF", "/Char/Face", code)
+    alone = spoilt(tmp_path, edit)
+    assert (alone.issue.code, alone.issue.path) == (code, "/Char/Face"), "nothing is left"
+    assert capfd.readouterr() == ("", "")
+
+
 def test_the_message_names_the_place(tmp_path):
-    assert "offsets[6]" in spoilt(tmp_path, _offset_nan).issue.message
+    assert "offsets[6]" in spoilt(tmp_path, _offset_nan, ("smile",)).issue.message
 
 
 # --- skeletons ---------------------------------------------------------------------------------------

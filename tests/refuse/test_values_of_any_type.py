@@ -249,10 +249,10 @@ def test_a_property_of_another_type(name, path, tmp_path):
 @pytest.mark.parametrize(
     ("path", "task", "end"),
     [
-        ("/Char/Face.skel:blendShapes", "rigs", "ARRAY_TYPE"),
-        ("/Char/Dots.skel:blendShapes", "rigs", "ARRAY_TYPE"),
-        ("/Char/Face/s_smile.pointIndices", "rigs", "ARRAY_TYPE"),
-        ("/Char/Face/face.indices", "rigs", "ARRAY_TYPE"),
+        ("/Char/Face.skel:blendShapes", "rigs", ""),
+        ("/Char/Dots.skel:blendShapes", "rigs", ""),
+        ("/Char/Face/s_smile.pointIndices", "rigs", ""),
+        ("/Char/Face/face.indices", "rigs", ""),
         ("/Char/Anim.joints", "rigs", "ARRAY_TYPE"),
         ("/Char/Anim.rotations", "rigs", "ARRAY_TYPE"),
         ("/Char/Anim.joints", "clips", "ARRAY_TYPE"),

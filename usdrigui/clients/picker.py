@@ -11,10 +11,10 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
+from usdrigui.markup import markup
 from usdrigui.model import Element, Floats, Layout, Record, Rig
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.surface import mesh_triangles
@@ -228,11 +228,12 @@ def _group(spot: Spot) -> list[str]:
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
         "data-beside": str(anchor.beside).lower(),
     }
-    lines = [f"<g {' '.join(f'{name}={quoteattr(value)}' for name, value in facts.items())}>"]
-    lines.append(f"<title>{escape(element.label)}: {escape(', '.join(controls))}</title>")
+    attributes = " ".join(f'{name}="{markup(value)}"' for name, value in facts.items())
+    lines = [f"<g {attributes}>"]
+    lines.append(f"<title>{markup(element.label)}: {markup(', '.join(controls))}</title>")
     for member, track in zip(element.members, spot.tracks, strict=True):
         lines.append(
-            f'<polyline data-control={quoteattr(member.control)} points="{_points(track)}" fill="none" '
+            f'<polyline data-control="{markup(member.control)}" points="{_points(track)}" fill="none" '
             f'stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round" stroke-linejoin="round"/>'
         )
     lines.append(_handle(spot))
@@ -240,11 +241,11 @@ def _group(spot: Spot) -> list[str]:
         (x, y), side = spot.lead[0], "end" if spot.lead[0, 0] < spot.handle[0] else "start"
         x += 4.0 if side == "start" else -4.0
         lines.append(
-            f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14" text-anchor="{side}">{escape(element.label)}</text>'
+            f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14" text-anchor="{side}">{markup(element.label)}</text>'
         )
     if anchor.beside:
         x, y = _label_place(spot)
-        lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{escape(element.label)}</text>')
+        lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{markup(element.label)}</text>')
     return [*lines, "</g>"]
 
 

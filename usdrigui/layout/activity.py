@@ -45,7 +45,7 @@ class Activity(Record):
 def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     """The activity of every control over all frames of all animations; a pose's own is not told by them.
 
-    Raises CLIP_UNKNOWN_CONTROL where they move nothing that the rig has a control for.
+    Raises CLIP_FOREIGN where they move nothing that the rig has a control for.
     """
     clips = tuple(performances)
     rest = np.array([control.default for control in rig.controls])
@@ -57,7 +57,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     listed = ", ".join(unknown[:3]) + (" and more" if len(unknown) > 3 else "")
     if not (amounts.mean(axis=0) > _LEAST_USE).any():
         why = f"has no control for what they move: {listed}" if unknown else "is moved by none of them"
-        raise refuse("CLIP_UNKNOWN_CONTROL", rig.root, why)
+        raise refuse("CLIP_FOREIGN", rig.root, why)
     told = issue("CLIP_UNKNOWN_CONTROL", rig.root, f"{len(unknown)} of them: {listed}") if unknown else None
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, (told,) if told else ())
 

@@ -12,7 +12,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
-from usdrigui.usd.shapes import Binding, Found, note_tokens, read_shapes
+from usdrigui.usd.shapes import Binding, Found, legible_tokens, note_tokens, read_shapes
 from usdrigui.usd.skeleton import Frames
 
 
@@ -21,7 +21,7 @@ def read_meshes(
 ) -> tuple[RigMesh, ...]:
     """All meshes under the SkelRoot, in stage order; `found` takes the new tokens and the issues.
 
-    Raises RigUIError for arrays that contradict each other (see `usdrigui.errors`).
+    A mesh whose arrays contradict each other is left off (decision 023).  Raises INSTANCE.
     """
     meshes = []
     for prim in _drawable(root):
@@ -32,9 +32,10 @@ def read_meshes(
                 found.issues.append(issue("PRIM_UNSUPPORTED", str(path), f"is a {prim.GetTypeName()}"))
                 note_tokens(prim, found, f"only {path}, a {prim.GetTypeName()}, has it")
             continue
-        mesh = _mesh(prim, binding, frames, found)
-        if mesh is not None:
-            meshes.append(mesh)
+        with found.leaving_off(str(path), legible_tokens(prim)):
+            mesh = _mesh(prim, binding, frames, found)
+            if mesh is not None:
+                meshes.append(mesh)
     return tuple(meshes)
 
 
@@ -81,10 +82,11 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
     counts, indices = _faces(mesh, frames.time, path, len(points))
     if mesh.GetPointsAttr().GetNumTimeSamples() > 1 or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1:
         found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}"))
-    shapes = read_shapes(prim, binding, len(points), found)
-    skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
     if binding is not None and prim.IsInstanceProxy():
         raise refuse("INSTANCE", path, "a deforming mesh lies inside an instance")
+    # The skin first: a mesh that is left off for it must not have named channels.
+    skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
+    shapes = read_shapes(prim, binding, len(points), found)
     return RigMesh(
         path=path,
         points=points,
@@ -97,7 +99,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         skin=skin,
         shapes=shapes,
         topology_hash=topology_hash(len(points), counts, indices),
-        subsets=_subsets(mesh, counts, indices, len(points)),
+        subsets=_subsets(mesh, counts, indices, len(points), found),
     )
 
 
@@ -115,12 +117,14 @@ def _linear_to_root(binding: Binding | None, skin: Skin | None, to_root: Floats)
     return np.asarray(skin.geom_bind[:3, :3] @ binding.armature.record.to_root[:3, :3], dtype=np.float64)
 
 
-def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int) -> tuple[Subset, ...]:
-    """GeomSubsets of faces or points; members that the mesh does not have are left out.  Raises ARRAY_TYPE."""
-    found = []
+def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int, found: Found) -> tuple[Subset, ...]:
+    """GeomSubsets of faces or points; members that the mesh does not have are left out, as is one without integers."""
     ends = np.cumsum(counts)
+    subsets = []
     for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh):
-        members = integers(subset.GetIndicesAttr().Get(), str(subset.GetPath()), "indices")
+        path, members = str(subset.GetPath()), np.zeros(0, dtype=np.int64)
+        with found.leaving_off(path):
+            members = integers(subset.GetIndicesAttr().Get(), path, "indices")
         if subset.GetElementTypeAttr().Get() == UsdGeom.Tokens.face:
             faces = members[(members >= 0) & (members < len(counts))]
             spans = [indices[ends[face] - counts[face] : ends[face]] for face in faces]
@@ -128,8 +132,8 @@ def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int) 
         else:
             points = np.unique(members[(members >= 0) & (members < count)])
         if len(points):
-            found.append(Subset(str(subset.GetPath()), points))
-    return tuple(found)
+            subsets.append(Subset(path, points))
+    return tuple(subsets)
 
 
 def topology_hash(points: int, counts: Indices, indices: Indices) -> str:

@@ -38,7 +38,7 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
     What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the order in which
     the layer names the controls (`base_controls`).
 
-    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYOUT_MISSING (no prim has
+    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING (no prim has
     RigUILayoutAPI), LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
     """
     stage, name = _stage(source)

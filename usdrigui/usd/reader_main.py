@@ -274,7 +274,7 @@ def _starved(request: Request) -> RigUIError:
 
 def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
     """Whether what USD says of the asset is really about the limit: it catches failed allocations itself."""
-    if found.code not in ("FILE_NOT_USD", "LAYER_MISSING", "USD_ERROR"):
+    if found.code not in ("FILE_NOT_USD", "LAYER_UNREADABLE", "LAYER_MISSING", "USD_ERROR"):
         return False
     return any(message in found.message for message in _OUT_OF_MEMORY) or grown > 0.7 * (limits.memory << 20)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, issue, meant, refuse
+from usdrigui.errors import Issue, RigUIError, issue, meant, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import Settings
 from usdrigui.usd.binding import bound_in_vain
@@ -59,8 +59,8 @@ _VARIANTS_TRIED = 64
 def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
-    Raises RigUIError: FILE_*, LAYER_MISSING, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or the code
-    of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
+    Raises RigUIError: FILE_*, LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or, where no character is
+    left, the code of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
     no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
     """
     with listening() as heard:
@@ -74,6 +74,9 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     _check_names(readings, settings)
     rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
     if not rigs:
+        faults = [fault for reading in readings for fault in reading.faults]
+        if faults:
+            raise faults[0]
         lost = [each for reading in readings for each in reading.rig.left_off]
         reasons = tuple({each.reason for each in lost})
         vain = [each for reading in readings for each in reading.bound_in_vain if not each.message.endswith(reasons)]
@@ -92,6 +95,8 @@ class _Reading:
     unknown_joints: set[str]
     bound_in_vain: tuple[Issue, ...]
     """Meshes with joint influences that no Skeleton moves although one is named."""
+    faults: tuple[RigUIError, ...]
+    """Why parts were left off."""
 
 
 @dataclass(frozen=True)
@@ -152,7 +157,7 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
         excluded=excluded,
     )
     unknown = unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings)
-    return _Reading(rig, *unknown, scene.bound_in_vain)
+    return _Reading(rig, *unknown, scene.bound_in_vain, tuple(scene.found.faults))
 
 
 def _scene(root: Usd.Prim, settings: Settings) -> _Scene:

@@ -2,17 +2,31 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
-from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Indices, LeftOff, Shape, Singles
+from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.model import Floats, Indices, LeftOff, Shape, Singles
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
 from usdrigui.usd.binding import why_unbound
 from usdrigui.usd.skeleton import Armature, repeated
+
+PART_FAULTS = {
+    "ARRAY_TYPE",
+    "INDEX_RANGE",
+    "INFLUENCES_LENGTH",
+    "JOINT_UNKNOWN",
+    "NOT_FINITE",
+    "OFFSETS_LENGTH",
+    "TARGETS_LENGTH",
+    "TOPOLOGY_INVALID",
+}
+"""Codes of what makes one mesh, shape or subset unusable and says nothing about the others (decision 023)."""
 
 
 @dataclass
@@ -24,6 +38,22 @@ class Found:
     shapeless: dict[str, str] = field(default_factory=dict)
     """Why a token got no shape from some mesh."""
     issues: list[Issue] = field(default_factory=list)
+    faults: list[RigUIError] = field(default_factory=list)
+    """Why parts were left off: what the character is refused for if nothing is left of it."""
+
+    @contextlib.contextmanager
+    def leaving_off(self, path: str, names: Iterable[str] = ()) -> Iterator[None]:
+        """Leave off the part at `path`, and with it the shapes of these `names`, if its arrays cannot be right."""
+        try:
+            yield
+        except RigUIError as error:
+            if error.issue.code not in PART_FAULTS:
+                raise
+            said = error.issue
+            where = "" if said.path == path else f" {said.path}:"
+            self.issues.append(issue("PART_LEFT_OFF", path, f"{said.code}:{where} {said.message}"))
+            self.faults.append(error)
+            self.shapeless.update(dict.fromkeys(names, f"{said.path}: {said.message}"))
 
 
 @dataclass(frozen=True)
@@ -37,26 +67,26 @@ class Binding:
 def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Found) -> tuple[Shape, ...]:
     """The shapes of a mesh of `count` points, in the order of its tokens; `found` takes tokens and issues.
 
-    Raises TARGETS_LENGTH, OFFSETS_LENGTH, INDEX_RANGE, NOT_FINITE or ARRAY_TYPE.
+    A shape whose arrays cannot be right is left off; so are all where names and targets differ in number.
     """
-    api, path = UsdSkel.BindingAPI(prim), str(prim.GetPath())
-    names = shape_tokens(prim)
-    if not names and not api.GetBlendShapeTargetsRel().HasAuthoredTargets():
-        return ()
-    targets = api.GetBlendShapeTargetsRel().GetTargets()
-    if len(names) != len(targets):
-        raise refuse("TARGETS_LENGTH", path, f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets")
-    if binding is None:
+    path = str(prim.GetPath())
+    names: tuple[str, ...] = ()
+    targets: Sequence[Sdf.Path] = ()
+    with found.leaving_off(path, legible_tokens(prim)):
+        names, targets = _names_and_targets(prim)
+    if names and binding is None:
         why = why_unbound(prim)
         found.issues.append(issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes{why and '; '}{why}"))
         found.shapeless.update(dict.fromkeys(names, why or f"no Skeleton is bound to {path}"))
+    if not names or binding is None:
         return ()
     found.issues.extend(repeated(names, path, "skel:blendShapes"))
     shapes = []
     for token, target in dict(zip(names, targets, strict=True)).items():
-        shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
-        if shape is not None:
-            shapes.append(shape)
+        with found.leaving_off(str(target), (token,)):
+            shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
+            if shape is not None:
+                shapes.append(shape)
     return tuple(shapes)
 
 
@@ -64,6 +94,23 @@ def shape_tokens(prim: Usd.Prim) -> tuple[str, ...]:
     """The names of the blend shapes of a mesh, none where nothing is authored; raises ARRAY_TYPE."""
     attribute = UsdSkel.BindingAPI(prim).GetBlendShapesAttr()
     return tokens(attribute.Get(), str(prim.GetPath()), "skel:blendShapes")
+
+
+def legible_tokens(prim: Usd.Prim) -> tuple[str, ...]:
+    """The names of the blend shapes of a mesh; none where something else stands in their place."""
+    try:
+        return shape_tokens(prim)
+    except RigUIError:
+        return ()
+
+
+def _names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], Sequence[Sdf.Path]]:
+    """As many targets as names; raises ARRAY_TYPE and TARGETS_LENGTH."""
+    names, targets = shape_tokens(prim), UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+    if len(names) != len(targets):
+        counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
+        raise refuse("TARGETS_LENGTH", str(prim.GetPath()), counts)
+    return names, targets
 
 
 def _shape(
@@ -85,19 +132,19 @@ def _shape(
     if not len(offsets) and not any(len(each) for _, each in between):
         found.shapeless[token] = f"its shape {path} has no offsets"
         return None
-    return _assembled(_channel(token, armature, found), path, indices, offsets, between, size, count)
+    weights, points, table = _assembled(path, indices, offsets, between, size, count)
+    return Shape(_channel(token, armature, found), path, weights, points, table)
 
 
 def _assembled(
-    channel: int,
     path: str,
     indices: Indices,
     offsets: Singles,
     between: list[tuple[float, Singles]],
     size: int,
     count: int,
-) -> Shape:
-    """A Shape with its rows in the order of weight and its points ascending and unique."""
+) -> tuple[Floats, Indices, Singles]:
+    """Weights, points and offsets of a Shape: rows in the order of weight, points ascending and unique."""
     rows = sorted([(1.0, offsets), *between], key=lambda row: row[0])
     empty = np.zeros((size, 3), dtype=np.float32)
     table = np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
@@ -110,7 +157,7 @@ def _assembled(
             points, table = _merged(points, table)
         if points[0] < 0 or points[-1] >= count:
             check_range(points, count, path, "pointIndices")
-    return Shape(channel, path, np.array([weight for weight, _ in rows]), points, table)
+    return np.array([weight for weight, _ in rows]), points, table
 
 
 def _merged(points: Indices, table: Singles) -> tuple[Indices, Singles]:
@@ -150,8 +197,8 @@ def _channel(token: str, armature: Armature, found: Found) -> int:
 
 
 def note_tokens(prim: Usd.Prim, found: Found, reason: str) -> None:
-    """Remember why the tokens of a prim got no shape from it; raises ARRAY_TYPE."""
-    found.shapeless.update(dict.fromkeys(shape_tokens(prim), reason))
+    """Remember why the tokens of a prim got no shape from it."""
+    found.shapeless.update(dict.fromkeys(legible_tokens(prim), reason))
 
 
 def left_off_tokens(found: Found, used: set[int]) -> tuple[LeftOff, ...]:

@@ -36,9 +36,9 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
     folder, pipe, socket or device), SOURCE_TOO_LARGE or SOURCE_LFS_POINTER.
     """
     try:
-        str(path).encode()
+        str(path.absolute()).encode()  # USD resolves it against the working directory.
     except UnicodeEncodeError:
-        raise refuse("FILE_NAME", ascii(str(path)), "the name is not UTF-8") from None
+        raise refuse("FILE_NAME", ascii(str(path.absolute())), "the name is not UTF-8") from None
     try:
         found = path.stat()
         if not stat.S_ISREG(found.st_mode):

@@ -8,12 +8,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from pxr import Pcp, Sdf, Tf, Usd, UsdUtils
+from pxr import Ar, Pcp, Sdf, Tf, Usd, UsdUtils
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, refuse
 
 _ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
 """Differs from run to run."""
+_NAMED = re.compile(r"Could not (?:open asset|load sublayer) @(@@)?(?P<path>.+?)@\1? (?:for|of) ", re.DOTALL)
+"""Which layer an error of composition is about; Pcp tells Python no more of it than its text."""
 _MISSING = (
     Pcp.ErrorInvalidSublayerPath,
     Pcp.ErrorInvalidAssetPath,
@@ -23,8 +25,8 @@ _MISSING = (
 def open_stage(path: Path) -> Usd.Stage:
     """The composed stage of a file, payloads loaded.
 
-    Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong) or
-    LAYER_MISSING (a sublayer of the root layer stack).
+    Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong),
+    LAYER_MISSING or LAYER_UNREADABLE (a sublayer of the root layer stack).
     """
     _check_file(path)
     try:
@@ -35,7 +37,7 @@ def open_stage(path: Path) -> Usd.Stage:
         raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
     for fault in stage.GetCompositionErrors():
         if isinstance(fault, Pcp.ErrorInvalidSublayerPath):
-            raise refuse("LAYER_MISSING", str(path), _described(fault))
+            raise _without_layer(str(path), _described(fault))
     return stage
 
 
@@ -53,15 +55,15 @@ def open_layer(path: Path) -> Sdf.Layer:
 def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
     """What USD could not compose.
 
-    Raises LAYER_MISSING where a reference or payload on, above or below one of `roots` (on any prim if
-    there are none) leads to no layer: the character would be read without a part of it.
+    Raises LAYER_MISSING or LAYER_UNREADABLE where a reference or payload on, above or below one of `roots` (on any prim
+    if there are none) leads to no layer: the character would be read without a part of it.
     """
     found = []
     for error in stage.GetCompositionErrors():
         site = _site(error)
         near = [root for root in roots if site.HasPrefix(root.GetPath()) or root.GetPath().HasPrefix(site)]
         if isinstance(error, _MISSING) and (near or not roots):
-            raise refuse("LAYER_MISSING", str(site), _described(error))
+            raise _without_layer(str(site), _described(error))
         found.append(issue("COMPOSITION_ERROR", str(site), _described(error)))
     return tuple(found)
 
@@ -126,6 +128,13 @@ def told(error: Exception) -> str:
         return " ".join(str(error).split())
     except UnicodeDecodeError:
         return "USD raised an error whose text is not UTF-8"
+
+
+def _without_layer(site: str, described: str) -> RigUIError:
+    """The refusal for a layer that is not composed: it is not there, or USD cannot read it."""
+    named = _NAMED.search(described)
+    there = named is not None and bool(Ar.GetResolver().Resolve(named.group("path")))
+    return refuse("LAYER_UNREADABLE" if there else "LAYER_MISSING", site, described)
 
 
 def _described(error: Pcp.ErrorBase) -> str:

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import html
 from collections.abc import Sequence
 from importlib.resources import files
 
 from usdrigui.errors import refuse
+from usdrigui.markup import markup
 from usdrigui.model import Layout, Rig
 from usdrigui.view.scene import pack
 
@@ -48,7 +48,7 @@ def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool
     script, style = _asset("viewer.js"), _asset("viewer.css")
     return _PAGE.format(
         policy=_policy(script, style),
-        title=html.escape(title),
+        title=markup(title),
         style=style,
         flags=" data-study" if study else "",
         scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
