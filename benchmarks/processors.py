@@ -1,14 +1,16 @@
-"""The same layers on every processor: ``python benchmarks/processors.py ASSET [ASSET ...] [-- OPTION ...]``.
+"""The same layers on every processor: ``python benchmarks/processors.py [ASSET ...] [--rigs N] [-- OPTION ...]``.
 
 Lays every asset out as other processors would: with OpenBLAS's kernels for them (OPENBLAS_CORETYPE), without what
 numpy dispatches beyond its baseline (NPY_DISABLE_CPU_FEATURES), and with the C library's plain functions
 (GLIBC_TUNABLES); prints one row per asset and one column per processor, and returns 1 if two layers differ in a
-byte.  Kernels that this processor cannot run are left out.  OPTIONs go to ``usdrigui process``.
+byte.  ``--rigs N`` adds a row of N valid rigs from a seed (tests/valid), of 24 controls at most.  Kernels that this
+processor cannot run are left out.  OPTIONs go to ``usdrigui process``.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -24,6 +26,9 @@ PLAIN = {"NPY_DISABLE_CPU_FEATURES": DISPATCHED, "GLIBC_TUNABLES": "glibc.cpu.hw
 """Numpy's baseline, and mathematical functions without fused multiplication."""
 
 
+MANY = Path(__file__).resolve().parents[1] / "tests" / "valid" / "many_rigs.py"
+
+
 def processors() -> dict[str, dict[str, str]]:
     """Environment by name of each processor that this one can stand for."""
     kernels = {name: {"OPENBLAS_CORETYPE": name} for name in KERNELS if _kernel(name)}
@@ -33,19 +38,25 @@ def processors() -> dict[str, dict[str, str]]:
 def main() -> int:
     """Print the table; returns 1 if two layers of an asset differ, or if one could not be made."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("assets", nargs="+", type=Path)
-    parser.add_argument("options", nargs="*", default=[], help="after --: options of `usdrigui process`")
-    own, _, options = " ".join(sys.argv[1:]).partition(" -- ")
-    arguments = parser.parse_args(own.split())
+    parser.add_argument("assets", nargs="*", type=Path)
+    parser.add_argument("--rigs", type=int, default=0, metavar="N", help="valid rigs from seeds 0 to N - 1")
+    end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
+    arguments, options = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     worlds = processors()
     print(f"own kernel: {_kernel('')}; Zen runs {_kernel('Zen')}'s; numpy dispatches {DISPATCHED or 'nothing'}")
     print(f"| asset | {' | '.join(worlds)} |\n|---|{'---|' * len(worlds)}")
     differs = False
     for asset in arguments.assets:
-        layers = [layer(asset, world, options.split()) for world in worlds.values()]
+        layers = [layer(asset, world, options) for world in worlds.values()]
         cells = ["same" if each == layers[0] else difference(layers[0], each) for each in layers[1:]]
         print(f"| {asset.stem} | {len(layers[0])} bytes | {' | '.join(cells)} |", flush=True)
         differs |= len(set(layers)) > 1
+    if arguments.rigs:
+        digests = [rig_digests(arguments.rigs, world) for world in worlds.values()]
+        others = [[seed for seed, own in digests[0].items() if each.get(seed) != own] for each in digests[1:]]
+        cells = [f"differ: {', '.join(seeds)}" if seeds else "same" for seeds in others]
+        print(f"| {arguments.rigs} valid rigs | {len(set(digests[0].values()))} layers | {' | '.join(cells)} |")
+        differs |= any(others)
     print("LAYERS DIFFER" if differs else "the same bytes on every processor")
     return int(differs)
 
@@ -57,6 +68,13 @@ def layer(asset: Path, world: dict[str, str], options: list[str]) -> bytes:
         command = [sys.executable, "-m", "usdrigui", "process", str(asset), "-o", str(target), "--bare", "--quiet"]
         run = subprocess.run([*command, *options], env={**os.environ, **world}, capture_output=True, check=False)
         return target.read_bytes() if target.exists() else run.stderr
+
+
+def rig_digests(count: int, world: dict[str, str]) -> dict[str, str]:
+    """A digest of the layer of each valid rig, by its seed, in an environment."""
+    command = [sys.executable, str(MANY), "--small", "--digests", "--count", str(count)]
+    run = subprocess.run(command, env={**os.environ, **world}, capture_output=True, check=False)
+    return dict(json.loads(run.stdout)["layers"])
 
 
 def difference(one: bytes, other: bytes) -> str:

@@ -3,7 +3,8 @@
     python tests/valid/many_rigs.py --count 1000
 
 The commands run in this process, as `usdrigui.cli.main`, with readers that are forked (tests/fuzz/zygote.py).
-Prints one JSON document: how each command ended, and every end that is not exit 0.  Rigs are made again from their
+Prints one JSON document: how each command ended, every end that is not exit 0, and with ``--digests`` a digest of
+every layer, by which runs on other processors are compared (benchmarks/processors.py).  Rigs are made again from their
 seed: ``--first SEED --count 1 --keep FOLDER``.
 """
 
@@ -11,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import hashlib
 import json
 import sys
 import tempfile
@@ -53,8 +55,14 @@ def run(asset: Path) -> dict[str, tuple[int, str]]:
     return ends
 
 
+def digest(layer: Path) -> str:
+    """Of a layer; empty where there is none."""
+    return hashlib.blake2b(layer.read_bytes(), digest_size=8).hexdigest() if layer.exists() else ""
+
+
 def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None) -> dict[str, object]:
     """Run many; returns the figures."""
+    digests: dict[int, str] = {}
     tally: collections.Counter[str] = collections.Counter()
     others, slowest = [], (0.0, -1)
     zygote = Zygote(reader_process._environment())
@@ -63,16 +71,23 @@ def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None) -> dict[s
         for seed in seeds:
             start = time.monotonic()
             asset = make_rig(seed, (keep or Path(place)) / f"rig{seed}.usdc", counts)
-            ends = run(asset)
+            found = run(asset)
+            digests[seed] = digest(asset.with_suffix(".rigui.usda"))
             slowest = max(slowest, (round(time.monotonic() - start, 1), seed))
-            tally.update(f"{name}: exit {code}" for name, (code, _) in ends.items())
-            others += [{"seed": seed, "command": name, "said": said} for name, (code, said) in ends.items() if code]
+            tally.update(f"{name}: exit {code}" for name, (code, _) in found.items())
+            others += [{"seed": seed, "command": name, "said": said} for name, (code, said) in found.items() if code]
             for each in () if keep else Path(place).iterdir():
                 each.unlink()
             if seed % 50 == 49:
                 print(f"{seed + 1 - seeds.start} rigs: {dict(tally)}", file=sys.stderr, flush=True)
     zygote.close()
-    return {"rigs": len(seeds), "ends": dict(sorted(tally.items())), "slowest": slowest, "not exit 0": others}
+    return {
+        "rigs": len(seeds),
+        "ends": dict(sorted(tally.items())),
+        "slowest": slowest,
+        "not exit 0": others,
+        "layers": digests,
+    }
 
 
 if __name__ == "__main__":
@@ -80,9 +95,12 @@ if __name__ == "__main__":
     parser.add_argument("--count", type=int, default=30)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--small", action="store_true", help="24 controls at most")
+    parser.add_argument("--digests", action="store_true", help="tell a digest of every layer")
     parser.add_argument("--keep", type=Path, help="an existing folder for the rigs, layers and pages")
     asked = parser.parse_args()
     span = range(asked.first, asked.first + asked.count)
     found = campaign(span, SMALL if asked.small else COUNTS, asked.keep)
+    if not asked.digests:
+        del found["layers"]
     print(json.dumps(found, indent=2))
     sys.exit(any("exit 5" in end or "exit -1" in end for end in found["ends"]))
