@@ -35,11 +35,24 @@ export function dragTo(drag, dx, dy) {
   return changed;
 }
 
+/**
+ * [control, value] pairs of one axis, moved by a share of its range from where it is; an opposed pair is two ranges
+ * long, and one end of it at most is away from its default.
+ */
+export function movedAlong(element, axis, by, controls, rest, values) {
+  const ends = endsOf(element, element.axes[axis], controls, rest);
+  const at = coordinateOf(ends, (control) => values[control]) + by;
+  return ends.map((end) => [end.control, valueOf(end, at)]);
+}
+
 // --- axes ------------------------------------------------------------------------------------------
+
+const endsOf = (element, members, controls, rest) =>
+  members.map((m, k) => axisEnd(element.members[m].control, members.length > 1 ? 2 * k - 1 : 0, controls, rest));
 
 /** Corners of an axis: ascending coordinates `at`, and pixels from the handle's place in the base pose. */
 function screenAxis(element, members, tracks, controls, rest) {
-  const ends = members.map((m, k) => axisEnd(element.members[m].control, members.length > 1 ? 2 * k - 1 : 0, controls, rest));
+  const ends = endsOf(element, members, controls, rest);
   const base = coordinateOf(ends, (control) => rest[control]);
   const corners = ends.flatMap((end, k) => element.members[members[k]].values.map((value) => end.sign * shareOf(end, value)));
   const sorted = [base, ...ends.flatMap(({ sign }) => [0, sign]), ...corners].sort((a, b) => a - b);

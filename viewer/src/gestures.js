@@ -1,7 +1,7 @@
 // One gesture system without modes.  A press takes what is under the pointer: a handle, else the skin,
 // else the empty space, which orbits.  Moves are handled once per drawn frame.
 
-import { beginDrag, dragTo } from './drag.js';
+import { beginDrag, dragTo, movedAlong } from './drag.js';
 import { Pull } from './pull.js';
 
 const SLOP = 3; // pixels that a click may wander
@@ -171,25 +171,22 @@ export class Gestures {
       },
       drag: (hand) => {
         const changed = dragTo(drag, hand.x - this.active.start.x, hand.y - this.active.start.y);
-        session.set(this.withSelection(element, changed, before));
+        session.set(this.withSelection(element, drag, changed, before));
       },
       drop: () => session.endEdit(`Drag ${element.label}`, before),
       undo: () => session.set([...before.entries()]),
     };
   }
 
-  /** The other selected elements move by the same share of their ranges. */
-  withSelection(element, changed, before) {
-    const { session } = this;
+  /** The other selected elements move by the same share of their ranges, axis by axis. */
+  withSelection(element, drag, changed, before) {
+    const { controls, rest, selectedElements } = this.session;
     const out = new Map(changed);
-    const range = (control) => session.controls[control].maximum - session.controls[control].minimum;
-    for (const other of session.selectedElements) {
-      if (other === element) continue;
-      other.members.forEach(({ control }, m) => {
-        const leader = element.members[m]?.control;
-        if (leader === undefined || out.has(control)) return;
-        const share = (changed.get(leader) - before[leader]) / range(leader);
-        out.set(control, before[control] + share * range(control));
+    for (const other of selectedElements.filter((each) => each !== element)) {
+      other.axes.slice(0, drag.axes.length).forEach((_, axis) => {
+        const by = drag.current[axis] - drag.start[axis];
+        const moved = by ? movedAlong(other, axis, by, controls, rest, before) : [];
+        if (!moved.some(([control]) => out.has(control))) moved.forEach(([control, value]) => out.set(control, value));
       });
     }
     return out;

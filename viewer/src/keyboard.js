@@ -1,6 +1,7 @@
 // Keys: shortcuts for the whole page, and every element reachable by Tab and moved by the arrow keys.
 
 import { make, shownValue } from './dom.js';
+import { movedAlong } from './drag.js';
 import { sideName } from './view.js';
 
 const STEP = 0.02;
@@ -73,32 +74,13 @@ export class Stops {
     event.stopPropagation();
   }
 
-  /** Move along one axis by a share of its range; an opposed pair is one axis through rest. */
+  /** Move along one axis by a share of its range. */
   nudge(element, axis, share) {
     const { session } = this;
-    const controls = element.axes[axis].map((member) => element.members[member].control);
-    const changes = controls.length === 1 ? [this.nudged(controls[0], share)] : this.nudgedPair(controls, share);
+    const changes = movedAlong(element, axis, share, session.controls, session.rest, session.values);
     session.edit(`Nudge ${element.label}`, () => session.set(changes), `nudge ${element.index}`);
   }
-
-  nudged(control, share) {
-    const { minimum, maximum } = this.session.controls[control];
-    return [control, clamp(this.session.values[control] + share * (maximum - minimum), minimum, maximum)];
-  }
-
-  nudgedPair([negative, positive], share) {
-    const { values, rest, controls } = this.session;
-    const room = (control) => controls[control].maximum - rest[control];
-    const out = (control) => (values[control] - rest[control]) / room(control);
-    const at = clamp(out(positive) - out(negative) + share, -1, 1);
-    return [
-      [negative, rest[negative] + Math.max(0, -at) * room(negative)],
-      [positive, rest[positive] + Math.max(0, at) * room(positive)],
-    ];
-  }
 }
-
-const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 /** Shortcuts of the page; `actions` maps names of keys to functions. */
 export function listenToKeys(actions) {

@@ -2,15 +2,20 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { beginDrag, dragTo } from '../src/drag.js';
+import { beginDrag, dragTo, movedAlong } from '../src/drag.js';
 
 const VECTORS = JSON.parse(readFileSync(new URL('../../tests/drag_vectors.json', import.meta.url)));
 
-/** One drag from its start; calls `seen` with each step and the member values after it. */
-function replayed(vector, { start, steps }, seen) {
+/** The element of a vector and its controls, as the viewer has them. */
+function records(vector) {
   const members = vector.values.map((values, control) => ({ control, values }));
   const controls = members.map((_, i) => ({ minimum: vector.minimum[i], default: vector.default[i], maximum: vector.maximum[i] }));
-  const element = { members, tracks: vector.tracks, axes: vector.axes };
+  return { element: { members, tracks: vector.tracks, axes: vector.axes }, controls };
+}
+
+/** One drag from its start; calls `seen` with each step and the member values after it. */
+function replayed(vector, { start, steps }, seen) {
+  const { element, controls } = records(vector);
   const drag = beginDrag(element, controls, vector.base, start, (point) => point);
   for (const step of steps) {
     const changed = dragTo(drag, ...step.to);
@@ -32,3 +37,21 @@ for (const [name, vector] of Object.entries(VECTORS)) {
     for (const drag of vector.drags) replayed(vector, drag, (step, values) => check(vector, step, values));
   });
 }
+
+test('an axis moved by a share of its range sets one end', () => {
+  for (const vector of Object.values(VECTORS)) {
+    const { element, controls } = records(vector);
+    vector.axes.forEach((axis, number) => {
+      for (const by of [0.3, -0.7, Infinity, -Infinity]) {
+        const values = [...vector.base];
+        for (const [control, value] of movedAlong(element, number, by, controls, vector.base, values)) values[control] = value;
+        check({ ...vector, axes: [axis] }, { to: by }, values);
+      }
+    });
+  }
+  const { element, controls } = records(VECTORS['straight two-way slider']);
+  const along = (by, values) => movedAlong(element, 0, by, controls, [0, 0], values).map(([, value]) => value);
+  assert.deepEqual(along(0.5, [0.25, 0]), [0, 0.25]);
+  assert.deepEqual(along(-0.5, [0.25, 0]), [0.75, 0]);
+  assert.deepEqual(along(-Infinity, [0, 0.5]), [1, 0]);
+});
