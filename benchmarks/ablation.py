@@ -29,11 +29,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from usdrigui.layout.elements import layout
-from usdrigui.layout.problem import layout_problem
+from usdrigui.layout.place.problem import placement_problem
 from usdrigui.model import Assignment, Candidates, Floats, Indices, Layout, LayoutProblem, Variable
 from usdrigui.overlap import total_cost
-from usdrigui.pipeline import Posed, posed
+from usdrigui.pipeline.stages import ProblemInputs, build_problem, layout_of
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import solve
 from usdrigui.solve.clusters import Linkage
@@ -45,7 +44,7 @@ MOST = 3
 WIDTH = 1800
 CELL = (760, 640)
 
-Rule = Callable[[Posed, SolveSettings], Indices]
+Rule = Callable[[ProblemInputs, SolveSettings], Indices]
 """Chooses one label per variable of the full problem."""
 
 
@@ -75,16 +74,16 @@ def main() -> None:
 def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None:
     """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and picture."""
     settings = load({"solve": {"time_limit": seconds}})
-    ready = posed(read_rigs_isolated(asset, settings).rigs[0], settings)
+    inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], settings)
     print(head(asset.stem), flush=True)
     rows: list[Row] = []
-    for row in ablation(ready, words):
+    for row in ablation(inputs, words):
         print(line(row), flush=True)
         rows = sorted([*rows, row], key=lambda each: ORDER.index((each.figure, each.name)))
         (folder / f"ablation_{asset.stem}.csv").write_text(as_csv(rows), encoding="utf-8")
         (folder / f"ablation_{asset.stem}.md").write_text(as_markdown(rows), encoding="utf-8")
     target = folder / f"ablation_{asset.stem}.png"
-    picture(ready, rows).save(target)
+    picture(inputs, rows).save(target)
     print(target, flush=True)
 
 
@@ -100,59 +99,61 @@ def _arguments() -> argparse.Namespace:
     return arguments
 
 
-def ablation(ready: Posed, words: list[str] | None = None) -> Iterator[Row]:
+def ablation(inputs: ProblemInputs, words: list[str] | None = None) -> Iterator[Row]:
     """The rows of one character as they are made; the full row comes first and always, for its bound."""
-    limits = ready.context.settings.solve
+    limits = inputs.settings.solve
     start = time.perf_counter()
-    full = solve(ready.problem, limits)
-    yield _row(ready, *FULL, full.labels, full.bound, time.perf_counter() - start)
+    full = solve(inputs.placement.problem, limits)
+    yield _row(inputs, *FULL, full.labels, full.bound, time.perf_counter() - start)
     for figure, name, rule in RULES:
         if words and not any(word in f"figure {figure}: {name}" for word in words):
             continue
         start = time.perf_counter()
-        labels = rule(ready, limits)
-        yield _row(ready, figure, name, labels, full.bound, time.perf_counter() - start)
+        labels = rule(inputs, limits)
+        yield _row(inputs, figure, name, labels, full.bound, time.perf_counter() - start)
 
 
 # --- the rules ---------------------------------------------------------------------------------------
 
 
-def at_random(ready: Posed, limits: SolveSettings) -> Indices:
+def at_random(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
     """Any candidate of each element (figure 6a)."""
     rng = np.random.default_rng(limits.seed)
-    return np.array([rng.integers(len(each.cost)) if len(each.cost) else -1 for each in ready.problem.variables])
+    return np.array(
+        [rng.integers(len(each.cost)) if len(each.cost) else -1 for each in inputs.placement.problem.variables]
+    )
 
 
-def at_centroid(ready: Posed, _: SolveSettings) -> Indices:
+def at_centroid(inputs: ProblemInputs, _: SolveSettings) -> Indices:
     """The candidate nearest to the middle of what the element's controls move, arc length times area as weight."""
-    context = ready.context
-    motions = {each.control: each for each in context.trajectories.motions}
+    face = inputs.face
+    motions = {each.control: each for each in face.trajectories.motions}
     labels = []
-    for choice in ready.choices:
+    for choice in inputs.placement.choices:
         moving = [motions[control] for control in choice.controls[0]]
         points = np.concatenate([each.points for each in moving])
-        weight = np.concatenate([each.arc_length * context.areas[each.points] for each in moving])
-        middle = np.average(context.trajectories.base[points], axis=0, weights=weight + 1e-30)
-        apart = np.linalg.norm(context.trajectories.base[choice.anchors[:, 0]] - middle, axis=1)
+        weight = np.concatenate([each.arc_length * face.trajectories.areas[each.points] for each in moving])
+        middle = np.average(face.trajectories.base[points], axis=0, weights=weight + 1e-30)
+        apart = np.linalg.norm(face.trajectories.base[choice.anchors[:, 0]] - middle, axis=1)
         labels.append(int(apart.argmin()) if len(apart) else -1)
     return np.array(labels)
 
 
-def by_displacement(ready: Posed, _: SolveSettings) -> Indices:
-    """The peak of each element, whatever stands there already (figure 6b)."""
-    return np.array([_least(cost) for cost in displacement_costs(ready)])
+def by_displacement(inputs: ProblemInputs, _: SolveSettings) -> Indices:
+    """The peak of each element, whatever stands there alinputs (figure 6b)."""
+    return np.array([_least(cost) for cost in displacement_costs(inputs)])
 
 
-def by_overlap(ready: Posed, limits: SolveSettings) -> Indices:
+def by_overlap(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
     """As far apart as the candidates allow: no displacement, no occlusion, no price of the plane (figure 6c)."""
-    return solve(_on_face(bare_problem(ready, 0.0)), limits).labels
+    return solve(_on_face(bare_problem(inputs, 0.0)), limits).labels
 
 
 def by_weight(weight: float) -> Rule:
     """The default objective with another lambda (figure 9)."""
 
-    def rule(ready: Posed, limits: SolveSettings) -> Indices:
-        return solve(_with_settings(ready, ready.candidates, weight, 1.0), limits).labels
+    def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
+        return solve(_with_settings(inputs, inputs.candidates, weight, 1.0), limits).labels
 
     return rule
 
@@ -160,9 +161,9 @@ def by_weight(weight: float) -> Rule:
 def by_paper(share: float, clusters: int, linkage: Linkage = "single") -> Rule:
     """The paper's reductions: a share of the candidates, clusters in sequence (figures 10 and 11)."""
 
-    def rule(ready: Posed, limits: SolveSettings) -> Indices:
+    def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
         reduced = replace(limits, method="paper", sample=share, clusters=clusters, linkage=linkage)
-        return solve(ready.problem, reduced).labels
+        return solve(inputs.placement.problem, reduced).labels
 
     return rule
 
@@ -185,28 +186,28 @@ ORDER = [(figure, name) for figure, name, _ in RULES[:4]] + [FULL] + [(figure, n
 """Figure and name of all rows as tables list them."""
 
 
-def displacement_costs(ready: Posed) -> list[Floats]:
+def displacement_costs(inputs: ProblemInputs) -> list[Floats]:
     """(R,) per variable: minus the displacement of each candidate of the full problem, all copies."""
-    return [each.cost for each in bare_problem(ready, 1.0).variables]
+    return [each.cost for each in bare_problem(inputs, 1.0).variables]
 
 
-def bare_problem(ready: Posed, weight: float) -> LayoutProblem:
+def bare_problem(inputs: ProblemInputs, weight: float) -> LayoutProblem:
     """The full problem's candidates under displacement and overlap alone, weighed by lambda."""
-    free = tuple(replace(each, cost=np.zeros(len(each.cost))) for each in ready.candidates.sets)
-    return _with_settings(ready, replace(ready.candidates, sets=free), weight, 0.0)
+    free = tuple(replace(each, cost=np.zeros(len(each.cost))) for each in inputs.candidates.sets)
+    return _with_settings(inputs, replace(inputs.candidates, sets=free), weight, 0.0)
 
 
-def _with_settings(ready: Posed, candidates: Candidates, weight: float, plane: float) -> LayoutProblem:
+def _with_settings(inputs: ProblemInputs, candidates: Candidates, weight: float, plane: float) -> LayoutProblem:
     """The problem under other settings, its labels those of the full one; `plane` scales the plane's price."""
-    settings = ready.context.settings
+    settings = inputs.settings
     changed = replace(
         settings,
         objective=replace(settings.objective, displacement_weight=weight),
         symmetry=replace(settings.symmetry, plane_price=plane * settings.symmetry.plane_price),
     )
-    other, _ = layout_problem(replace(ready.context, settings=changed), candidates, ready.groups)
-    same = tuple(map(_same_labels, ready.problem.variables, other.variables))
-    return replace(other, variables=same, extra=ready.problem.extra)
+    other = placement_problem(inputs.face, candidates, inputs.placement.groups, inputs.requests, changed).problem
+    same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))
+    return replace(other, variables=same, extra=inputs.placement.problem.extra)
 
 
 def _same_labels(full: Variable, other: Variable) -> Variable:
@@ -229,14 +230,12 @@ def _least(cost: Floats) -> int:
 # --- the figures -------------------------------------------------------------------------------------
 
 
-def _row(ready: Posed, figure: str, name: str, labels: Indices, bound: float, seconds: float) -> Row:
-    soft = replace(ready.problem, separation=0.0)
+def _row(inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: float, seconds: float) -> Row:
+    soft = replace(inputs.placement.problem, separation=0.0)
     cost = total_cost(soft, labels)
     chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name)
-    made = layout(
-        ready.context, ready.candidates, ready.groups, ready.problem, ready.choices, chosen, ready.base_values
-    )
-    points = anchors_of(ready, labels)
+    made = layout_of(inputs, chosen)
+    points = anchors_of(inputs, labels)
     return Row(
         figure=figure,
         name=name,
@@ -244,16 +243,16 @@ def _row(ready: Posed, figure: str, name: str, labels: Indices, bound: float, se
         cost=cost,
         bound=bound,
         seconds=seconds,
-        nearest=nearest_handles(ready.context.trajectories.base[points]) / ready.context.handle_width,
-        visible=float(ready.context.views.visible[:, points].mean()) if len(points) else 1.0,
-        kept=displacement_kept(ready, labels),
+        nearest=nearest_handles(inputs.face.trajectories.base[points]) / inputs.face.handle_width,
+        visible=float(inputs.face.views.visible[:, points].mean()) if len(points) else 1.0,
+        kept=displacement_kept(inputs, labels),
         beside=int((labels < 0).sum()),
     )
 
 
-def anchors_of(ready: Posed, labels: Indices) -> Indices:
+def anchors_of(inputs: ProblemInputs, labels: Indices) -> Indices:
     """(elements on the face,) anchor points, all copies."""
-    chosen = [c.anchors[label] for c, label in zip(ready.choices, labels, strict=True) if label >= 0]
+    chosen = [c.anchors[label] for c, label in zip(inputs.placement.choices, labels, strict=True) if label >= 0]
     return np.concatenate([np.zeros(0, dtype=np.int64), *chosen])
 
 
@@ -263,13 +262,13 @@ def nearest_handles(positions: Floats) -> float:
     return float(apart[np.triu_indices(len(positions), 1)].min(initial=np.inf))
 
 
-def displacement_kept(ready: Posed, labels: Indices) -> float:
+def displacement_kept(inputs: ProblemInputs, labels: Indices) -> float:
     """Mean over the controls on the face of the arc length at the anchor over the control's peak."""
-    motions = {each.control: each for each in ready.context.trajectories.motions}
+    motions = {each.control: each for each in inputs.face.trajectories.motions}
     shares = [
         motions[control].arc_length[np.searchsorted(motions[control].points, choice.sources[label, copy])]
         / motions[control].arc_length.max()
-        for choice, label in zip(ready.choices, labels, strict=True)
+        for choice, label in zip(inputs.placement.choices, labels, strict=True)
         if label >= 0
         for copy, controls in enumerate(choice.controls)
         for control in controls
@@ -325,12 +324,12 @@ def as_markdown(rows: list[Row]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def picture(ready: Posed, rows: list[Row]) -> Image.Image:
+def picture(inputs: ProblemInputs, rows: list[Row]) -> Image.Image:
     """One strip of fronts per figure, below each other."""
     strips = []
     for figure in dict.fromkeys(row.figure for row in rows):
         mine = [row for row in rows if row.figure == figure]
-        fronts = [render(ready.context.rig, row.layout, views=("front",), size=CELL, title=row.name) for row in mine]
+        fronts = [render(inputs.face.rig, row.layout, views=("front",), size=CELL, title=row.name) for row in mine]
         titles = [f"figure {figure}: {row.name}, cost {row.cost:.2f}, {row.seconds:.1f} s" for row in mine]
         strips.append(contact_sheet(fronts, titles, columns=len(mine), width=WIDTH))
     page = Image.new("RGB", (WIDTH, sum(strip.height for strip in strips)))

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from usdrigui.layout.handles import KEPT, around, fitting_width
+from usdrigui.layout.place.handle_width import KEPT, around, fitting_width
 from usdrigui.model import Floats, Indices, LayoutProblem, Overlap, Rig, RigMesh, Shape, Variable
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ObjectiveSettings

@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel, Vt
 
-from usdrigui.layout.trajectory import trajectories
+from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.settings import Settings
 from usdrigui.usd.rig import read_rigs
 

@@ -39,7 +39,7 @@ from usdrigui.solve.assignment import assignment, forbidden_price
 from usdrigui.solve.blocks import Labels, Pool, all_labels, block_pool, singles
 from usdrigui.solve.highs import solve_part
 from usdrigui.solve.paper import solve_by_clusters
-from usdrigui.solve.search import whole_part
+from usdrigui.solve.subproblem import whole_part
 from usdrigui.solve.tables import Table, near_blocks, pair_tables
 from usdrigui.solve.watch import Watch
 
@@ -117,12 +117,12 @@ def _wanted(name: str, words: list[str]) -> bool:
 
 
 def _rig_problem(asset: Path, *, fold: bool, finer: bool) -> LayoutProblem:
-    from usdrigui.pipeline import posed
+    from usdrigui.pipeline import build_problem
     from usdrigui.usd.reader_process import read_rigs_isolated
 
     settings = load({"symmetry": {"fold": fold}})
     rig = read_rigs_isolated(asset, settings).rigs[0]
-    return posed(subdivided(rig) if finer else rig, settings).problem
+    return build_problem(subdivided(rig) if finer else rig, settings).placement.problem
 
 
 def _saved(folder: Path, problem: LayoutProblem) -> Path:

@@ -5,58 +5,96 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from usdrigui.layout.candidates import candidates
-from usdrigui.layout.elements import layout
-from usdrigui.layout.groups import find_groups
-from usdrigui.layout.levels import levelled
-from usdrigui.layout.posed_symmetry import symmetry_at_pose
-from usdrigui.layout.precedent import NONE
-from usdrigui.layout.problem import layout_problem
-from usdrigui.layout.terms import Context
-from usdrigui.layout.trajectory import trajectories
-from usdrigui.layout.visibility import find_views
+import numpy as np
+
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.place.candidates import find_candidates
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR
+from usdrigui.pipeline.progress import Clock
+from usdrigui.pipeline.stages import References, layout_of, measure, problem_at
 from usdrigui.settings import Settings, load
 from usdrigui.solve import solve
+
+
+@dataclass(frozen=True)
+class Placing:
+    """A run up to the candidates."""
+
+    face: Any
+    candidates: Any
 
 
 @dataclass(frozen=True)
 class Line:
     """Every record of one run."""
 
-    context: Any
-    candidates: Any
-    groups: Any
-    problem: Any
-    choices: Any
+    inputs: Any
     assignment: Any = None
     layout: Any = None
 
+    @property
+    def face(self):
+        return self.inputs.face
 
-def context_of(rig, settings=None, base_values=None, camera=None):
-    settings = settings or Settings()
-    found = trajectories(rig, settings.trajectories, base_values)
-    symmetry = symmetry_at_pose(rig, found, settings, base_values)
-    views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
-    return Context(rig, found, symmetry, views, settings)
+    @property
+    def candidates(self):
+        return self.inputs.candidates
+
+    @property
+    def groups(self):
+        return self.inputs.placement.groups
+
+    @property
+    def problem(self):
+        return self.inputs.placement.problem
+
+    @property
+    def choices(self):
+        return self.inputs.placement.choices
+
+    @property
+    def grouping(self):
+        """What the stage of groups reads."""
+        return self.face, self.candidates, self.inputs.similarity, self.inputs.requests, self.inputs.settings
 
 
-def posed(rig, settings=None, base_values=None, precedent=NONE):
+def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR):
     """Up to the problem."""
-    context = replace(context_of(rig, settings, base_values), precedent=precedent)
-    chosen = candidates(context)
-    groups = levelled(context, find_groups(context, chosen))
-    problem, choices = layout_problem(context, chosen, groups)
-    return Line(context, chosen, groups, problem, choices)
+    return Line(problem_at(*_start(rig, settings or Settings(), base_values), References(prior)))
 
 
-def lay_out(rig, settings=None, base_values=None, precedent=NONE):
-    """All the way, solved to optimality."""
+def measured(rig, settings=None, base_values=None, camera=None):
+    """Up to the classification."""
+    return measure(*_start(rig, settings or Settings(), base_values), References(), Clock(), camera)
+
+
+def face_of(rig, settings=None, base_values=None, camera=None):
+    """The face as measured."""
+    return measured(rig, settings, base_values, camera).face
+
+
+def with_candidates(rig, settings=None):
+    """A face and the candidates on it."""
     settings = settings or Settings()
-    line = posed(rig, settings, base_values, precedent)
-    solving = replace(settings.solve, gap=1e-9, threads=1)
-    assignment = solve(line.problem, solving)
-    made = layout(line.context, line.candidates, line.groups, line.problem, line.choices, assignment, base_values)
-    return replace(line, assignment=assignment, layout=made)
+    found = measured(rig, settings)
+    return Line(Placing(found.face, find_candidates(found.face, found.classification, found.requests, settings)))
+
+
+def _start(rig, settings, base_values):
+    values = np.array([each.default for each in rig.controls]) if base_values is None else base_values
+    return rig, trajectories(rig, settings.trajectories, values), settings, values
+
+
+def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR):
+    """All the way, solved to optimality."""
+    line = problem_of(rig, settings, base_values, prior)
+    return solved(line, replace(line.inputs.settings.solve, gap=1e-9, threads=1))
+
+
+def solved(line, settings):
+    """The line with its problem solved by these settings of the solver."""
+    assignment = solve(line.problem, settings)
+    return replace(line, assignment=assignment, layout=layout_of(line.inputs, assignment))
 
 
 def settings(**parts):
@@ -70,6 +108,6 @@ def by_name(line):
 
 def set_of(line, name):
     """The candidate set of a control."""
-    names = [control.name for control in line.context.rig.controls]
-    motions = line.context.trajectories.motions
+    names = [control.name for control in line.face.rig.controls]
+    motions = line.face.trajectories.motions
     return next(each for each in line.candidates.sets if names[motions[each.motion].control] == name)

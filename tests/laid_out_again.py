@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from usdrigui import pipeline
 from usdrigui.examples import Examples
-from usdrigui.layout.elements import layout as elements_of
+from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.settings import load
 from usdrigui.solve import solve
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -27,9 +26,6 @@ def read(name):
 
 def lay_out(rig, settings=SETTINGS, **examples):
     """The problem, its solution and the layout; `examples` as of `usdrigui.examples.Examples`."""
-    ready = pipeline.posed(rig, settings, examples=Examples(**examples))
-    found = solve(ready.problem, settings.solve)
-    made = elements_of(
-        ready.context, ready.candidates, ready.groups, ready.problem, ready.choices, found, ready.base_values
-    )
-    return ready, found, made
+    inputs = build_problem(rig, settings, examples=Examples(**examples))
+    found = solve(inputs.placement.problem, settings.solve)
+    return inputs, found, layout_of(inputs, found)

@@ -11,10 +11,8 @@ import makers
 import numpy as np
 from pxr import Gf, Usd, UsdGeom, UsdSkel, Vt
 
-from usdrigui.layout.elements import layout
 from usdrigui.model import Channel
 from usdrigui.settings import Settings
-from usdrigui.solve import solve
 from usdrigui.usd.rig import read_rigs
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
@@ -40,10 +38,7 @@ def line_of(name):
 def laid_out(rig, work=WORK):
     """Every record of the layout of `rig`."""
     settings = replace(Settings(), solve=replace(Settings().solve, work_limit=work))
-    line = chain.posed(rig, settings)
-    assignment = solve(line.problem, settings.solve)
-    made = layout(line.context, line.candidates, line.groups, line.problem, line.choices, assignment)
-    return replace(line, assignment=assignment, layout=made)
+    return chain.solved(chain.problem_of(rig, settings), settings.solve)
 
 
 def on_face(line):
@@ -53,8 +48,8 @@ def on_face(line):
 
 def point_of(line, element):
     """The element's anchor as a point of the rig."""
-    starts = line.context.rig.starts
-    paths = [mesh.path for mesh in line.context.rig.meshes]
+    starts = line.face.rig.starts
+    paths = [mesh.path for mesh in line.face.rig.meshes]
     return int(starts[paths.index(element.anchor.mesh)] + element.anchor.point)
 
 

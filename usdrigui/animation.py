@@ -1,22 +1,24 @@
 """What animations say of a character: which controls they use, how often, and which together.
 
-`heeded` turns that into settings for the objective, `animation_facts` into what `usdrigui inspect` tells,
+`weighted` turns that into importances for the objective, `animation_facts` into what `usdrigui inspect` prints,
 configuration lines included.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from usdrigui.errors import Issue
 from usdrigui.inspection import AnimationFacts, TogetherFacts, UseFacts
-from usdrigui.layout.activity import Activity, activity, importances, together, with_importances
-from usdrigui.layout.groups import share_a_place
-from usdrigui.layout.terms import Context
+from usdrigui.layout.face import Face
+from usdrigui.layout.group.grouping import share_a_place
+from usdrigui.layout.motion.activity import Activity, activity, importances, together, with_importances
+from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Performance, Rig, Symmetry
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
 
 _ACTIVE = 0.05
@@ -30,24 +32,36 @@ def performances(paths: Sequence[Path], settings: Settings) -> tuple[Performance
     return tuple(each for path in paths for each in read_performances_isolated(path, settings))
 
 
-def heeded(rig: Rig, symmetry: Symmetry, settings: Settings, clips: tuple[Performance, ...]) -> Settings:
-    """The settings with the importance that its use in the animations gives to every control.
+def weighted(
+    rig: Rig,
+    symmetry: Symmetry,
+    overrides: tuple[ControlSettings, ...],
+    clips: tuple[Performance, ...],
+    weight: float,
+) -> tuple[ControlSettings, ...]:
+    """(controls,) the overrides with the importance that its use in the animations gives to every control.
 
-    What the configuration says is stronger.  Raises CLIP_FOREIGN where none is of this character.
+    A configured importance is stronger; `weight` is that of use.  Raises CLIP_FOREIGN where no clip is of
+    this character.
     """
     if not clips:
-        return settings
-    found = importances(activity(rig, clips), _twins(rig, symmetry), settings.animation.weight)
-    return with_importances(settings, found)
+        return overrides
+    found = importances(activity(rig, clips), _twins(rig, symmetry), weight)
+    return with_importances(rig, overrides, found)
 
 
 def animation_facts(
-    context: Context, candidates: Candidates, clips: tuple[Performance, ...]
+    face: Face,
+    candidates: Candidates,
+    similarity: Similarity,
+    requests: Requests,
+    settings: Settings,
+    clips: tuple[Performance, ...],
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
-    """What the animations tell of a character, and what is odd about them; raises as `heeded`."""
-    rig, said = context.rig, context.settings.animation
-    done, twins = activity(rig, clips), _twins(rig, context.symmetry)
-    worth = importances(done, twins, said.weight)
+    """What the animations say of a character, and what is odd about them; raises as `weighted`."""
+    rig = face.rig
+    done, twins = activity(rig, clips), _twins(rig, face.symmetry)
+    worth = importances(done, twins, settings.animation.weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
         UseFacts(name, float(done.use[i]), float(active[i]), worth[name])
@@ -55,9 +69,13 @@ def animation_facts(
         if name in worth
     ]
     uses.sort(key=lambda each: (-round(each.use, 9), each.control))
+
+    def one_place(names: Sequence[str]) -> bool:
+        return share_a_place(face, candidates, similarity, requests, settings, names)
+
     sets = [
-        _suggestion(context, candidates, controls, agreement, twins)
-        for controls, agreement in together(done, twins, said.together)
+        _suggestion(rig, controls, agreement, twins, one_place)
+        for controls, agreement in together(done, twins, settings.animation.together)
     ]
     text = "\n".join([*_group_lines(sets, twins), *_pose_lines(sets, done, rig), *_importance_lines(uses)])
     return AnimationFacts(done.clips, len(done.values), tuple(uses), tuple(sets), text), done.issues
@@ -80,12 +98,16 @@ def _sides(controls: Sequence[str], twins: Mapping[str, str]) -> list[tuple[str,
 
 
 def _suggestion(
-    context: Context, candidates: Candidates, controls: tuple[str, ...], agreement: float, twins: Mapping[str, str]
+    rig: Rig,
+    controls: tuple[str, ...],
+    agreement: float,
+    twins: Mapping[str, str],
+    one_place: Callable[[Sequence[str]], bool],
 ) -> TogetherFacts:
     sides = _sides(controls, twins)
-    if all(len(side) > 1 and share_a_place(context, candidates, side) for side in sides):
+    if all(len(side) > 1 and one_place(side) for side in sides):
         return TogetherFacts(controls, agreement, "group")
-    shapes = [each for each in context.rig.controls if each.name in controls and each.kind == "blendShape"]
+    shapes = [each for each in rig.controls if each.name in controls and each.kind == "blendShape"]
     return TogetherFacts(controls, agreement, "pose" if len(shapes) > 1 else "")
 
 

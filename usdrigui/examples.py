@@ -1,7 +1,7 @@
-"""Layouts that already exist and that a run is told to heed: fixed ones, and the one before.
+"""Layouts that exist and that a run uses as references: fixed ones, the previous one, another character's, the base.
 
-Reads their layers and says what they mean for one character: settings that fix anchors, and a precedent
-that the stages weigh against everything else.
+Reads their layers and works out what they ask for one character: settings that fix anchors, and a prior layout
+that the stages weigh against every other cost.
 """
 
 from __future__ import annotations
@@ -12,25 +12,26 @@ from pathlib import Path
 
 from usdrigui.animation import performances
 from usdrigui.errors import issue, meant, refuse
-from usdrigui.layout.additions import standing_layout
-from usdrigui.layout.partial import fixed_by
-from usdrigui.layout.precedent import NONE, Precedent, joined, kept_groups, of_previous
-from usdrigui.layout.trajectory import trajectories as find_trajectories
-from usdrigui.layout.transfer import of_another
+from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
+from usdrigui.layout.reuse.existing_layout import layout_of
+from usdrigui.layout.reuse.partial_layout import fixed_by
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
+from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
-from usdrigui.usd.reader_process import LayoutsResult, asset_below, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import asset_below, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_records import LayoutsResult
 from usdrigui.usd.source import SourceFile
 
 
 @dataclass(frozen=True, slots=True)
 class ExampleLayers:
-    """Paths of the layers to heed."""
+    """Paths of the layers to use."""
 
     fixed: Path | None = None
     """Its anchors and groups are kept to the point."""
     previous: Path | None = None
-    """Its anchors and groups are kept unless leaving them gains more than ``objective.keep_price``."""
+    """Its anchors and groups are kept unless leaving them saves more than ``objective.keep_price``."""
     like: Path | None = None
     """The layout of another character, over that character, to be imitated; not together with `previous`."""
     animations: tuple[Path, ...] = ()
@@ -50,15 +51,15 @@ class Examples:
     like: tuple[tuple[Rig, Layout], ...] = ()
     """Other characters with their layouts."""
     clips: tuple[Performance, ...] = ()
-    """Animations to heed."""
+    """Animations that weigh the controls."""
     base: LayoutsResult | None = None
-    """Layouts that stand, with the paths of their own layer."""
+    """Existing layouts, with the paths of their own layer."""
     sources: tuple[SourceFile, ...] = ()
     """Every file that composed those layers and characters."""
 
-    def standing(self, rig: Rig) -> Layout | None:
-        """The layout that stands for this character, with its paths; none where there is none."""
-        return standing_layout(self.base.layouts, rig) if self.base is not None else None
+    def existing(self, rig: Rig) -> Layout | None:
+        """The existing layout of this character, with its paths; none where there is none."""
+        return layout_of(self.base.layouts, rig) if self.base is not None else None
 
 
 def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
@@ -90,24 +91,24 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
     if len(rigs) != 1 or len(examples.previous) != 1 or rigs[0].root in examples.previous:
         return examples, rigs
     (rig,), (before,) = rigs, examples.previous.values()
-    layout = standing_layout((before,), rig)
+    layout = layout_of((before,), rig)
     if layout is None:
         return examples, rigs
     edited = {rig.root: examples.edited[before.root]} if before.root in examples.edited else {}
-    told = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
-    return replace(examples, previous={rig.root: layout}, edited=edited), (replace(rig, issues=(*rig.issues, told)),)
+    renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
+    return replace(examples, previous={rig.root: layout}, edited=edited), (replace(rig, issues=(*rig.issues, renamed)),)
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
-    """The characters to lay out: all, or those whose layout stands.
+    """The characters to lay out: all, or those with an existing layout.
 
-    Raises BASE_MISMATCH where no layout of `base` stands, PREVIOUS_MISMATCH where none of `previous` is of any of them.
+    Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of them.
     """
     if examples.previous and not any(_shares_controls(examples.previous.get(rig.root), rig) for rig in rigs):
         raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
     if examples.base is None:
         return rigs
-    found = tuple(rig for rig in rigs if examples.standing(rig) is not None)
+    found = tuple(rig for rig in rigs if examples.existing(rig) is not None)
     if not found:
         theirs = ", ".join(layout.root for layout in examples.base.layouts)
         raise refuse(
@@ -129,8 +130,8 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
 def _shares_controls(layout: Layout | None, rig: Rig) -> bool:
     """Whether a layout can be an earlier one of this character."""
     names = {control.name for control in rig.controls}
-    laid = [] if layout is None else [member.control for element in layout.elements for member in element.members]
-    return not names.isdisjoint(laid)
+    placed = [] if layout is None else [member.control for element in layout.elements for member in element.members]
+    return not names.isdisjoint(placed)
 
 
 def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
@@ -148,23 +149,23 @@ def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
     return settings
 
 
-def precedent_of(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Precedent:
+def prior_layout_of(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
     """What the examples ask of one character besides fixed anchors.
 
     Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when none of several
     characters to imitate has the path of this one.
     """
-    precedent = NONE
+    prior = NO_PRIOR
     if examples.like and settings.like.price > 0.0:
-        precedent = _imitating(examples, rig, trajectories, settings)
+        prior = _imitating(examples, rig, trajectories, settings)
     if rig.root in examples.previous:
-        precedent = of_previous(examples.previous[rig.root], rig, settings.objective.keep_price)
+        prior = of_previous(examples.previous[rig.root], rig, settings.objective.keep_price)
     if rig.root in examples.fixed:
-        precedent = joined(Precedent(kept_groups(examples.fixed[rig.root], rig)), precedent)
-    return precedent
+        prior = joined(PriorLayout(kept_groups(examples.fixed[rig.root], rig)), prior)
+    return prior
 
 
-def _imitating(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Precedent:
+def _imitating(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
     by_root = {other.root: (other, layout) for other, layout in examples.like}
     if rig.root not in by_root and len(by_root) > 1:
         raise refuse("CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}")

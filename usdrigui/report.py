@@ -53,7 +53,7 @@ class CharacterReport:
     notes: tuple[LeftOff, ...] = ()
     """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
-    """`usdrigui.layout.difference.Difference` from the previous layout, where one was given."""
+    """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was given."""
     added: frozenset[str] = frozenset()
     """Names of the elements that this run placed: all, but for those that stand in the layer of `--base`."""
 
@@ -142,7 +142,7 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
 
 
 def difference_json(before: str, after: str, found: Sequence[Any], only_in_one: Sequence[str]) -> str:
-    """The outcome of `usdrigui diff` as a JSON document; `found` are `usdrigui.layout.difference` records."""
+    """The outcome of `usdrigui diff` as a JSON document; `found` are `usdrigui.layout.review.difference` records."""
     document = {
         "format": "usdrigui.difference",
         "version": VERSION,

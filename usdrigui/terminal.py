@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
     from usdrigui.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
-    from usdrigui.layout.difference import Change, Difference
-    from usdrigui.layout.review import ElementReview
+    from usdrigui.layout.review.difference import Change, Difference
+    from usdrigui.layout.review.review import ElementReview
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
 

@@ -29,7 +29,7 @@ from usdrigui import pipeline, rays
 from usdrigui.cli import main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue, refuse
-from usdrigui.layout import trajectory
+from usdrigui.layout.motion import trajectory
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
 
@@ -277,10 +277,11 @@ def _over_another(folder: Path) -> Path:
 def _job(script: str, timeout: float = 0.0) -> Occasion:
     """A job of a batch whose process is another one."""
     from usdrigui.clients.batch import jobs
+    from usdrigui.clients.batch.job import Job
 
     def occasion(folder: Path, patch: Any) -> Found:
         _impersonated(folder, patch, jobs.sys, script)
-        row = jobs.run_job(jobs.Job(str(folder / "char.usda"), str(folder / "out.usda"), "", (), "", timeout))
+        row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", (), "", timeout))
         return row.exit, [asdict(issue(row.code, row.asset, row.message))]
 
     return occasion
@@ -316,7 +317,7 @@ def _no_animation(folder: Path, _: Any) -> Found:
 
 def _problem(folder: Path) -> Any:
     (found,) = rig.read_rigs(smallest.character(folder), Settings())
-    return pipeline.posed(found, Settings()).problem
+    return pipeline.build_problem(found, Settings()).placement.problem
 
 
 def _solved(method: str, **settings: Any) -> Occasion:
@@ -354,7 +355,7 @@ def _without(package: str, occasion: Occasion) -> Occasion:
 
 
 def _bad_term(*_: object) -> Found:
-    from usdrigui.layout import extensions
+    from usdrigui.layout.place import extensions
 
     return refused(lambda: extensions._checked("studio", [1.0, -1.0], 2))
 

@@ -68,7 +68,7 @@ def test_the_order_of_controls_changes_nothing(plain):
 
 def test_a_mirrored_character_gets_the_mirrored_layout(plain):
     mirrored = chain.lay_out(makers.moved(makers.face(), MIRROR))
-    partner = plain.context.symmetry.partner
+    partner = plain.face.symmetry.partner
     there, here = anchors(mirrored), anchors(plain)
     # In the mirror "brow_L" sits on the other side, so the same point must carry it or its image.
     assert there.keys() == here.keys()
@@ -93,8 +93,8 @@ def test_a_symmetric_element_off_the_plane_takes_the_left_of_its_two_places(matr
     puff = chain.by_name(line)["puff"]
     # Its place as seen from the character: the same point, or in the mirror that point's image.
     back = np.linalg.inv(matrix) @ puff.anchor.position
-    left = line.context.symmetry.normal
-    assert puff.anchor.position @ left - line.context.symmetry.origin @ left > 0.3
+    left = line.face.symmetry.normal
+    assert puff.anchor.position @ left - line.face.symmetry.origin @ left > 0.3
     plain = chain.by_name(chain.lay_out(rig))["puff"].anchor.position
     assert back == pytest.approx(plain * ([-1.0, 1.0, 1.0] if matrix is MIRROR else [1.0, 1.0, 1.0]), abs=1e-5)
 
@@ -116,8 +116,8 @@ def test_displacement_alone_takes_every_peak():
     # Without the jaw's twins: both peak at one point of the mirror plane, and a point holds one element.
     line = chain.lay_out(makers.rig(points, quads, shapes), alone)
     peaks = {
-        line.context.rig.controls[motion.control].name: motion.arc_length.max()
-        for motion in line.context.trajectories.motions
+        line.face.rig.controls[motion.control].name: motion.arc_length.max()
+        for motion in line.face.trajectories.motions
     }
     members = [member for element in line.layout.elements for member in element.members]
     assert {member.control for member in members} == set(shapes)

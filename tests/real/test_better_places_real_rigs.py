@@ -2,7 +2,7 @@
 
 from laid_out_again import lay_out, read
 
-from usdrigui.layout import review as reviewing
+from usdrigui.layout.review import review as reviewing
 from usdrigui.settings import load
 
 EXACT = load({"solve": {"gap": 1e-4, "threads": 1}})
@@ -12,7 +12,7 @@ def test_a_pair_is_judged_as_one(monkeypatch):
     ready, _, made = lay_out(read("godette.usdc"), EXACT)
 
     def named():
-        found = reviewing.review(ready.context, ready.candidates, made).issues
+        found = reviewing.review(ready.face, ready.candidates, ready.requests, ready.settings, made).issues
         return {each.path for each in found if each.code == "LAYOUT_BETTER_PLACE"}
 
     assert named() == set()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from laid_out_again import lay_out, read
 
-from usdrigui.layout.difference import difference
+from usdrigui.layout.review.difference import difference
 from usdrigui.model import RigMesh, Shape
 from usdrigui.settings import load
 
@@ -105,7 +105,7 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     now = {member.control: element.anchor for element in ours.elements for member in element.members}
     # Meshes without skin or transform: root space is their own.
     assert all(
-        np.allclose(ready.context.trajectories.base[s : s + len(m.points)], m.points, atol=1e-4)
+        np.allclose(ready.face.trajectories.base[s : s + len(m.points)], m.points, atol=1e-4)
         for s, m in zip(rig.starts, rig.meshes, strict=False)
     )
     apart = []
@@ -116,6 +116,6 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
                 apart.append(0.0 if anchor.beside else np.inf)
             else:
                 place = reshaped(element.anchor.position[None], box)[0]
-                off = np.linalg.norm(anchor.position - place) / context.context.handle_width
+                off = np.linalg.norm(anchor.position - place) / context.face.handle_width
                 apart.append(np.inf if anchor.beside else off)
     assert np.mean(np.array(apart) <= 2.0) >= 0.9

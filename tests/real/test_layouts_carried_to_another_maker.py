@@ -87,20 +87,20 @@ def carried_by_hand():
     return RBFInterpolator(source, target, kernel="thin_plate_spline")
 
 
-def place_at(context, across_and_up):
+def place_at(face, across_and_up):
     """(3,) the foremost visible point there; the other maker's head has Z up and faces -Y."""
-    base = context.trajectories.base
+    base = face.trajectories.base
     off = np.linalg.norm(base[:, [0, 2]] - across_and_up, axis=1)
-    near = np.flatnonzero(context.views.anywhere & (off < 2.0 * context.handle_width))
+    near = np.flatnonzero(face.views.anywhere & (off < 2.0 * face.handle_width))
     return base[near[np.argmin(base[near, 1] + off[near])]]
 
 
 def candidates_of(ready):
     """Where each control may stand, by name."""
-    base, names = ready.context.trajectories.base, [control.name for control in ready.context.rig.controls]
+    base, names = ready.face.trajectories.base, [control.name for control in ready.face.rig.controls]
     return {
         names[control]: base[choice.anchors[:, copy]]
-        for choice in ready.choices
+        for choice in ready.placement.choices
         for copy, controls in enumerate(choice.controls)
         for control in controls
     }
@@ -111,7 +111,7 @@ def test_nine_in_ten_of_the_mapped_controls_stand_within_two_handle_widths():
     _, _, theirs = lay_out(one)
     settings = load({"solve": {"gap": 1e-2, "work_limit": 600_000}, "like": {"names": NAMES}})
     ready, _, ours = lay_out(other, settings, like=((one, theirs),))
-    context, by_hand, allowed = ready.context, carried_by_hand(), candidates_of(ready)
+    face, by_hand, allowed = ready.face, carried_by_hand(), candidates_of(ready)
     now = {member.control: element.anchor for element in ours.elements for member in element.members}
     off = {}
     for element in theirs.elements:
@@ -120,10 +120,10 @@ def test_nine_in_ten_of_the_mapped_controls_stand_within_two_handle_widths():
             if element.anchor.beside or anchor.beside:
                 off[name] = 0.0 if element.anchor.beside == anchor.beside else np.inf
                 continue
-            place = place_at(context, by_hand(element.anchor.position[None, :2])[0])
+            place = place_at(face, by_hand(element.anchor.position[None, :2])[0])
             spots = allowed[NAMES[name]]
             place = spots[np.argmin(np.linalg.norm(spots - place, axis=1))]
-            off[name] = np.linalg.norm(anchor.position - place) / context.handle_width
+            off[name] = np.linalg.norm(anchor.position - place) / face.handle_width
     assert len(off) == len(NAMES)
     far = sorted(((distance, name) for name, distance in off.items() if distance > 2.0), reverse=True)
     assert len(far) <= len(off) / 10, far

@@ -17,8 +17,8 @@ def test_every_control_is_laid_out_or_left_off(name):
     line = line_of(name)
     laid = [member.control for element in line.layout.elements for member in element.members]
     left = {each.control: each for each in line.layout.left_off}
-    controls = [control.name for control in line.context.rig.controls]
-    moving = {controls[motion.control] for motion in line.context.trajectories.motions}
+    controls = [control.name for control in line.face.rig.controls]
+    moving = {controls[motion.control] for motion in line.face.trajectories.motions}
     assert sorted(laid) == sorted(moving), "one member each, and only for what moves something"
     assert set(controls) - moving <= set(left)
     assert not moving & set(left)
@@ -30,7 +30,7 @@ def test_every_control_is_laid_out_or_left_off(name):
 @pytest.mark.parametrize("name", RIGS)
 def test_pairs_mirror_where_the_mesh_does(name):
     line = line_of(name)
-    symmetry, elements = line.context.symmetry, {element.name: element for element in line.layout.elements}
+    symmetry, elements = line.face.symmetry, {element.name: element for element in line.layout.elements}
     pairs = [(e, elements[e.mirror]) for e in on_face(line) if e.mirror]
     assert len(pairs) >= 2
     for one, other in pairs:
@@ -38,14 +38,14 @@ def test_pairs_mirror_where_the_mesh_does(name):
         assert other.mirror == one.name
         apart = float((one.anchor.position - symmetry.origin) @ symmetry.normal)
         image = one.anchor.position - 2.0 * apart * symmetry.normal
-        missed = float(np.linalg.norm(image - other.anchor.position)) / line.context.trajectories.face_size
+        missed = float(np.linalg.norm(image - other.anchor.position)) / line.face.trajectories.face_size
         assert missed <= 1e-5, "the meshes of these rigs mirror everywhere"
 
 
 @pytest.mark.parametrize("name", RIGS)
 def test_no_anchor_is_invisible_from_front_and_three_quarters(name):
     line = line_of(name)
-    seen = line.context.views.anywhere
+    seen = line.face.views.anywhere
     assert all(seen[point_of(line, element)] for element in on_face(line))
 
 
@@ -60,7 +60,7 @@ def test_no_two_handles_on_the_face_are_nearer_than_a_handle(name):
 @pytest.mark.parametrize(("name", "least"), [(rig, 0.92 if rig == "ict_face57" else 0.85) for rig in RIGS])
 def test_controls_on_the_face_keep_their_displacement(name, least):
     line = line_of(name)
-    peaks = {line.context.rig.controls[m.control].name: m.arc_length.max() for m in line.context.trajectories.motions}
+    peaks = {line.face.rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
     kept = [member.arc_length / peaks[member.control] for element in on_face(line) for member in element.members]
     assert np.mean(kept) >= least
     assert len(kept) >= 0.7 * len(peaks)
@@ -117,7 +117,7 @@ def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
 def test_blink_on_the_lid_jaw_on_the_chin_brows_on_the_brows(name, control, low, high):
     """Heights of anchors between the lowest and the highest handle of the face."""
     line = line_of(name)
-    up = line.context.rig.up
+    up = line.face.rig.up
     heights = [float(element.anchor.position @ up) for element in on_face(line)]
     own = float(homes(line)[control].anchor.position @ up)
     share = (own - min(heights)) / (max(heights) - min(heights))

@@ -71,11 +71,11 @@ def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_u
 @cache
 def with_whole_head(name):
     plain = line_of(name)
-    base = plain.context.trajectories.base
+    base = plain.face.trajectories.base
     moved = np.zeros(len(base), dtype=bool)
     for candidate_set in plain.candidates.sets:
-        if not candidate_set.globally:
-            moved[plain.context.trajectories.motions[candidate_set.motion].points] = True
+        if candidate_set.category != "global":
+            moved[plain.face.trajectories.motions[candidate_set.motion].points] = True
     (rig,) = read_rigs(asset(name), Settings())
     return laid_out(with_whole_head_shapes(rig, base, moved))
 
@@ -92,7 +92,7 @@ def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
 def test_their_board_stands_clear_of_the_head(name):
     """No element of the board lies in front of the head or of another element, seen from the front."""
     line = with_whole_head(name)
-    context, width = line.context, line.layout.handle_width
+    context, width = line.face, line.layout.handle_width
     across = np.cross(context.rig.up, FRONTS[name])
     beside = [element for element in line.layout.elements if element.anchor.beside]
     spots = np.array([element.anchor.position for element in beside])
@@ -111,7 +111,7 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
     """Every triangle is tried, from a quarter of a handle before the surface: no caster, no normal, no view
     of the product's own."""
     line = line_of(name)
-    rig, base = line.context.rig, line.context.trajectories.base
+    rig, base = line.face.rig, line.face.trajectories.base
     triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
     spots = np.array([element.anchor.position for element in on_face(line)])
     seen = np.zeros(len(spots), dtype=bool)
@@ -123,9 +123,9 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
 
 def test_what_lies_behind_the_head_is_hidden_from_all_three():
     line = line_of("godette")
-    rig, base = line.context.rig, line.context.trajectories.base
+    rig, base = line.face.rig, line.face.trajectories.base
     triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
-    size = line.context.trajectories.face_size
+    size = line.face.trajectories.face_size
     behind = np.array([e.anchor.position for e in on_face(line)]) - size * np.array(FRONTS["godette"])
     for toward in viewers(np.array(FRONTS["godette"]), rig.up):
         assert free(behind, toward, triangles).mean() < 0.5
@@ -180,4 +180,4 @@ def test_a_joystick_drives_all_its_ways_from_one_handle():
     assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("patch", 3, 1)
     for element in (gaze, jaw):
         starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
-        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").context.trajectories.face_size
+        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.face_size

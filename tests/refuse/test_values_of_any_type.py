@@ -23,7 +23,7 @@ from usdrigui.errors import CODES, RigUIError
 from usdrigui.settings import Settings, load
 from usdrigui.usd import author, faults, reader_main, schema, serialization
 from usdrigui.usd.clips import read_performances
-from usdrigui.usd.reader_process import Limits, Request, Response
+from usdrigui.usd.reader_records import Limits, Request, Response
 
 SETTINGS = load(
     {

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import scripts
 
-from usdrigui.pipeline import posed
+from usdrigui.pipeline import build_problem
 from usdrigui.settings import load
 
 SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "ablation.py"
@@ -24,7 +24,7 @@ def ablation():
 
 @pytest.fixture(scope="module")
 def ready():
-    return posed(makers.face(17, 21), load({"objective": {"handle_size": 0.1}}))
+    return build_problem(makers.face(17, 21), load({"objective": {"handle_size": 0.1}}))
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +81,7 @@ def test_every_row_has_its_place_in_the_table(ablation):
 
 
 def test_one_command_leaves_table_and_picture(ablation, ready, tmp_path, capsys, monkeypatch):
-    found = SimpleNamespace(rigs=(ready.context.rig,))
+    found = SimpleNamespace(rigs=(ready.face.rig,))
     monkeypatch.setattr(ablation, "read_rigs_isolated", lambda *_: found)
     ablation.compare(Path("face.usda"), ["random", "peak"], 2.0, tmp_path)
     assert sorted(each.name for each in tmp_path.iterdir()) == [f"ablation_face.{end}" for end in ("csv", "md", "png")]

@@ -18,7 +18,7 @@ from scipy.interpolate import BSpline
 
 from usdrigui.deform import deform
 from usdrigui.errors import Exit, RigUIError
-from usdrigui.layout import glyphs as fitting
+from usdrigui.layout import glyph_fitting as fitting
 from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
 from usdrigui.settings import OutputSettings, load

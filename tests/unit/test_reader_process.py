@@ -21,7 +21,8 @@ from skel_stages import character, head
 from usdrigui.errors import Exit, RigUIError
 from usdrigui.settings import Settings, load
 from usdrigui.usd import reader_main, reader_process, serialization
-from usdrigui.usd.reader_process import Limits, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_records import Limits, Request
 from usdrigui.usd.rig import read_rigs
 from usdrigui.usd.source import check_unchanged
 
@@ -268,7 +269,7 @@ def _is_bound(process):
 
 def test_the_reader_has_an_alarm_of_its_own(tmp_path):
     """Even where nothing watches it any more."""
-    request = reader_process.Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
+    request = Request("rigs", str(hanging(tmp_path)), Settings(), Limits(seconds=0.2), os.getpid())
     done = subprocess.run(
         [sys.executable, "-m", "usdrigui.usd.reader_main"],
         input=b"".join(serialization.encode(request)),
@@ -284,7 +285,7 @@ def test_the_reader_has_an_alarm_of_its_own(tmp_path):
 
 def in_bounds(code, tmp_path):
     """Run code in a process that is bound as the reader is; what it prints."""
-    imports = "from usdrigui.usd import reader_main\nfrom usdrigui.usd.reader_process import Limits"
+    imports = "from usdrigui.usd import reader_main\nfrom usdrigui.usd.reader_records import Limits"
     program = f"{imports}\nreader_main.bound(Limits())\n{code}"
     done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, check=False)
     return done.stdout + done.stderr
@@ -328,7 +329,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
         raise IndexError("of ours")
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = reader_process.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     found = reader_main.respond(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.exit_code) == ("BUG", Exit.BUG)
@@ -347,7 +348,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
         raise error
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
-    request = reader_process.Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
+    request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     assert reader_main.respond(request).refusal.code == code
 
 
@@ -455,7 +456,7 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
         return rigs
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
-    request = reader_process.Request("rigs", str(layered), Settings(), Limits(), os.getpid())
+    request = Request("rigs", str(layered), Settings(), Limits(), os.getpid())
     found = reader_main.respond(request)
     assert found.refusal is not None
     assert (found.refusal.code, found.refusal.path) == ("SOURCE_CHANGED", os.path.realpath(below))
@@ -469,10 +470,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
         return read_rigs(path, settings)
 
     monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
-    assert (
-        reader_main.respond(reader_process.Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs
-        is not None
-    )
+    assert reader_main.respond(Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
 
 
 @pytest.mark.parametrize("referenced", [False, True])

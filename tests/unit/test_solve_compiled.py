@@ -16,7 +16,8 @@ from usdrigui.settings import SolveSettings
 from usdrigui.solve import compiled, search, sweeps
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.compiled import CompiledPart, Loops, compiled_loops, compiled_part
-from usdrigui.solve.search import Found, Part, Search
+from usdrigui.solve.search import Found, Search
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.tables import Table
 from usdrigui.solve.watch import Watch
 

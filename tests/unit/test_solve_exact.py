@@ -38,7 +38,7 @@ from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
 from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.memory import planned_for_prices
 from usdrigui.solve.residual import Residual, bounded_blocks
-from usdrigui.solve.search import Part
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.watch import Watch
 
 Way = Callable[[pytest.MonkeyPatch], None]

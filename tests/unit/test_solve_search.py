@@ -13,7 +13,8 @@ from usdrigui.solve import highs, search, sweeps
 from usdrigui.solve.bounds import Dual
 from usdrigui.solve.groups import decode, group_gains
 from usdrigui.solve.polish import polished
-from usdrigui.solve.search import Part, Search, whole_part
+from usdrigui.solve.search import Search
+from usdrigui.solve.subproblem import Part, whole_part
 from usdrigui.solve.tables import Table
 from usdrigui.solve.watch import Watch
 

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from usdrigui import __version__, worker
+from usdrigui import worker
 from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
@@ -20,6 +20,7 @@ from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
 from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.version import __version__
 
 
 def main(argv: Sequence[str] | None = None) -> int:

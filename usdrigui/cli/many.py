@@ -18,7 +18,7 @@ from usdrigui.cli.outcomes import say, screen_of
 from usdrigui.errors import Exit, refuse
 
 if TYPE_CHECKING:
-    from usdrigui.clients.batch import jobs as batch_jobs
+    from usdrigui.clients.batch.job import Job
 
 
 def add_batch(commands: Any) -> None:
@@ -68,7 +68,7 @@ def _check_names(arguments: argparse.Namespace) -> None:
         raise refuse("CONFIG_VALUE", "--sheet", f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}")
 
 
-def _check_apart(jobs: Sequence[batch_jobs.Job], read: Sequence[Path], arguments: argparse.Namespace) -> None:
+def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> None:
     """Nothing that a batch writes may take the place of something that it reads, or else writes."""
     from usdrigui import pipeline
     from usdrigui.clients.batch import places, state
@@ -85,7 +85,7 @@ def _check_apart(jobs: Sequence[batch_jobs.Job], read: Sequence[Path], arguments
     pipeline.check_outputs((path for path, _ in files if path not in layers), read)
 
 
-def _all_of(jobs: Sequence[batch_jobs.Job], read: Sequence[Path], arguments: argparse.Namespace) -> Exit:
+def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.clients.batch import run, sheet
 
@@ -159,9 +159,10 @@ def _openjd(arguments: argparse.Namespace) -> Exit:
     return Exit.OK
 
 
-def _jobs(arguments: argparse.Namespace) -> tuple[list[batch_jobs.Job], list[Path]]:
+def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     """One job per asset, each with the settings that its own configuration gives, and the files named to be read."""
-    from usdrigui.clients.batch import jobs, places
+    from usdrigui.clients.batch import places
+    from usdrigui.clients.batch.job import Job
 
     assets = places.find_assets(arguments.patterns)
     threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
@@ -172,7 +173,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[batch_jobs.Job], list[Pat
         arguments.asset = asset
         digest = settings_digest(arguments)
         read += files_read(arguments)
-        found.append(jobs.Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
+        found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
     del arguments.asset
     return found, read
 

@@ -1,12 +1,7 @@
-"""From a `Rig` to a `LayoutProblem`, and from its solution to a `Layout`; pure functions, no USD.
+"""From a `Rig` to a layout problem, and from its solution to a `Layout`; pure functions, no USD.
 
-found = trajectory.trajectories(rig, settings.trajectories, base_values)
-symmetry = symmetry.find_symmetry(rig, found, settings)
-views = visibility.find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
-context = terms.Context(rig, found, symmetry, views, settings)
-candidates = candidates.candidates(context)
-groups = groups.find_groups(context, candidates)
-problem, choices = problem.layout_problem(context, candidates, groups)
-...an Assignment of `problem`, from usdrigui.solve...
-layout = elements.layout(context, candidates, groups, problem, choices, assignment, base_values)
+Each stage is a function whose signature says what it reads; `usdrigui.pipeline.stages` calls them in order:
+
+    trajectories → displacement fields → symmetry → views → classification → handle width → Face
+    Face → Candidates → Groups → PlacementProblem → ... Assignment, of usdrigui.solve ... → Layout
 """

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.layout.facing import front, three_quarter
+from usdrigui.layout.symmetry.front import front, three_quarter
 from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
 from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
 from usdrigui.settings import view_angles
@@ -59,6 +59,10 @@ class Views(Record):
         """(n,) points that at least one view sees."""
         return np.asarray(self.visible.any(axis=0))
 
+    def flat_direction(self, space: str) -> Floats | None:
+        """(3,) direction to the viewer of a layout in ``view`` space, which is flat; none in ``object`` space."""
+        return self.directions[0] if space == "view" else None
+
     def one_sided(self, normal: Floats) -> bool:
         """Whether the only view looks across the plane of symmetry, of which it may see one side only."""
         return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
@@ -78,7 +82,7 @@ def find_views(
     given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every point of a
     visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be understood.
     """
-    ahead = front(rig, trajectories, symmetry.normal)
+    ahead = front(rig.up, trajectories, symmetry.normal)
     directions = _directions(view, ahead, rig.up, camera)
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
     frame = _frame(trajectories, symmetry, ahead, rig.up)

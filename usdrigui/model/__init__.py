@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from usdrigui.model.animation import Clip, Performance
 from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
-from usdrigui.model.candidates import Candidates, CandidateSet, ElementKind, Group
+from usdrigui.model.candidates import Candidates, CandidateSet, Category, ElementKind, Group
 from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
 from usdrigui.model.layout import Anchor, Element, Layout, Member, Side
 from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
 from usdrigui.model.motion import Motion, Symmetry, Trajectories
-from usdrigui.model.problem import ExtraPairs, LayoutProblem, Overlap, Variable
+from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
 from usdrigui.model.rig import Glyph, LeftOff, Rig
 
@@ -27,7 +27,9 @@ __all__ = [
     "Assignment",
     "CandidateSet",
     "Candidates",
+    "Category",
     "Channel",
+    "Choice",
     "Clip",
     "Control",
     "ControlKind",

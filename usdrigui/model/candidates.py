@@ -9,6 +9,9 @@ from usdrigui.model.record import Floats, Indices, Record
 from usdrigui.model.rig import LeftOff
 
 ElementKind = Literal["slider", "patch", "fan"]
+Category = Literal["", "global", "hidden", "composite", "requested"]
+"""Why a control does not stand on the face: it moves the face as a whole, moves only what no view shows, repeats what
+atomic controls do together, or the configuration says so; empty for a control that is to stand there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,21 +33,14 @@ class CandidateSet(Record):
     cost: Floats
     """(p,) linear cost besides displacement and overlap (occlusion, plane, locality...), >= 0, in the
     units of the objective."""
-    globally: bool
-    """True when the control moves the face as a whole: laid out beside it."""
-    hidden: bool
-    """True when the control moves only what no view shows: laid out beside the face."""
-    composite: bool
-    """True when it repeats what atomic controls do together: laid out beside the face."""
     coverage: float
     """Share of the visible places of the face that it moves."""
     sources: Indices
     """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control is shown
     at a visible proxy of a hidden region."""
-    reason: str = ""
-    """Why it is laid out beside the face; else empty."""
-    requested: bool = False
-    """True when the configuration alone sends it beside the face."""
+    category: Category = ""
+    off_face_reason: str = ""
+    """Why it does not stand on the face; else empty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,10 +57,8 @@ class Group:
     """The twins of `controls` in the same order, if the element is one of a symmetric pair; else empty."""
     reason: str
     """Why they are grouped; empty for a single control."""
-    beside: bool = False
-    """True when it goes beside the face whatever the costs."""
-    family: str = ""
-    """Heading under which it then stands: ``global``, ``hidden``, ``composite`` or ``requested``."""
+    category: Category = ""
+    """That of its controls; a group with a category goes to the board whatever the costs."""
     images: tuple[tuple[int, ...], ...] = ()
     """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
     tuples for an n-fold orbit."""
@@ -76,6 +70,11 @@ class Group:
     """True for a slider of its own of controls that another, coarse, group holds too."""
     states: frozenset[int] = frozenset({0})
     """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""
+
+    @property
+    def copies(self) -> tuple[tuple[int, ...], ...]:
+        """The controls of the element and of its images."""
+        return (self.controls, *self.images)
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:

@@ -19,6 +19,8 @@ class Trajectories(Record):
     """(n, 3) unit outward normals at the base pose; zero where undefined."""
     places: Indices
     """(n,) index of the first point at the same position: points split at seams share one place."""
+    areas: Floats
+    """(n,) area of the surface around each place; zero for points that are not the first of a place."""
     motions: tuple[Motion, ...]
     """One per control that moves something; others stand in `left_off`."""
     face_size: float

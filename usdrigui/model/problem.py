@@ -92,3 +92,17 @@ class ExtraPairs(Record):
     second_labels: Indices
     costs: Floats
     """(q,) >= 0; each (label, label) pair at most once."""
+
+
+@dataclass(frozen=True, eq=False)
+class Choice(Record):
+    """What the labels of one variable mean: anchors and drawn points of every copy of the element."""
+
+    group: int
+    """Index into the groups."""
+    controls: tuple[tuple[int, ...], ...]
+    """(copies, members) indices into `Rig.controls`."""
+    anchors: Indices
+    """(R, copies) anchor points."""
+    sources: Indices
+    """(R, copies) points whose trajectories are drawn."""

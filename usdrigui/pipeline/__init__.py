@@ -12,7 +12,7 @@ from usdrigui.pipeline.inspecting import inspect
 from usdrigui.pipeline.laying_out import process
 from usdrigui.pipeline.progress import Event, Watch
 from usdrigui.pipeline.reviewing import LayerDifference, LayerReview, Loaded, check, diff, load_layer
-from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.pipeline.stages import ProblemInputs, build_problem
 from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
 
 __all__ = [
@@ -20,15 +20,15 @@ __all__ = [
     "LayerDifference",
     "LayerReview",
     "Loaded",
-    "Posed",
+    "ProblemInputs",
     "Watch",
+    "build_problem",
     "check",
     "check_outputs",
     "default_output",
     "diff",
     "inspect",
     "load_layer",
-    "posed",
     "process",
     "stage_file",
     "write_file",

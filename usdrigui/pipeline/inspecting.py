@@ -8,9 +8,9 @@ from pathlib import Path
 
 from usdrigui import animation
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
-from usdrigui.layout import groups as groups_stage
+from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.pipeline.stages import ProblemInputs, build_problem
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 
@@ -25,41 +25,37 @@ def inspect(
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         clips = animation.performances(animations, settings)
-    found = [posed(rig, settings, clock, source.cameras) for rig in source.rigs]
-    issues = [each for ready in found for each in ready.issues]
+    found = [build_problem(rig, settings, clock, source.cameras) for rig in source.rigs]
+    issues = [each for inputs in found for each in inputs.issues]
     characters = []
-    for ready in found:
-        facts = _facts(ready)
+    for inputs in found:
+        facts = _facts(inputs)
         if clips:
-            told, heard = animation.animation_facts(ready.context, ready.candidates, clips)
-            facts = replace(facts, animation=told)
-            issues += heard
+            uses, odd = animation.animation_facts(
+                inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings, clips
+            )
+            facts = replace(facts, animation=uses)
+            issues += odd
         characters.append(facts)
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
 
-def _facts(ready: Posed) -> CharacterFacts:
-    rig, trajectories, symmetry = ready.context.rig, ready.context.trajectories, ready.context.symmetry
-    sets = {trajectories.motions[each.motion].control: each for each in ready.candidates.sets}
+def _facts(inputs: ProblemInputs) -> CharacterFacts:
+    rig, trajectories, symmetry = inputs.face.rig, inputs.face.trajectories, inputs.face.symmetry
+    sets = {trajectories.motions[each.motion].control: each for each in inputs.candidates.sets}
     motions = {each.control: each for each in trajectories.motions}
-    twins = ready.twin_names
-    said: dict[str, list[str]] = {}
-    for note in (*rig.left_off, *ready.notes):
-        said.setdefault(note.control, []).append(note.reason)
+    twins = inputs.twin_names
+    remarks: dict[str, list[str]] = {}
+    for note in (*rig.left_off, *inputs.left_off):
+        remarks.setdefault(note.control, []).append(note.reason)
     for found in trajectories.issues:
-        said.setdefault(found.path, []).append(found.message)
+        remarks.setdefault(found.path, []).append(found.message)
     rows = []
     for index, control in enumerate(rig.controls):
         chosen, motion = sets.get(index), motions.get(index)
-        flags = list(said.get(control.name, ()))
-        if chosen is not None:
-            marks = (
-                ("global", chosen.globally),
-                ("hidden", chosen.hidden),
-                ("composite", chosen.composite),
-                ("beside by request", chosen.requested),
-            )
-            flags += [name for name, on in marks if on]
+        flags = list(remarks.get(control.name, ()))
+        if chosen is not None and chosen.category:
+            flags.append("beside by request" if chosen.category == "requested" else chosen.category)
         rows.append(
             ControlFacts(
                 control=control.name,
@@ -84,17 +80,19 @@ def _facts(ready: Posed) -> CharacterFacts:
         joints=len(rig.joints),
         symmetric=float((symmetry.partner >= 0).mean()),
         controls=tuple(rows),
-        groups=_group_lines(ready),
+        groups=_group_lines(inputs),
     )
 
 
-def _group_lines(ready: Posed) -> tuple[str, ...]:
-    names = [control.name for control in ready.context.rig.controls]
+def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
+    names = [control.name for control in inputs.face.rig.controls]
     return tuple(
         f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)} ({group.reason})"
-        for group in ready.groups
+        for group in inputs.placement.groups
         if len(group.controls) > 1
     ) + tuple(
         f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one element"
-        for found in groups_stage.suggested_groups(ready.context, ready.candidates)
+        for found in suggested_groups(
+            inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings
+        )
     )

@@ -2,7 +2,7 @@
 
     Usd.Stage → Rig → LayoutProblem → Assignment → Layout → Sdf.Layer
 
-What lies between a rig and its problem is told by `usdrigui.pipeline.stages`.
+The stages between a rig and its problem are those of `usdrigui.pipeline.stages`.
 """
 
 from __future__ import annotations
@@ -13,19 +13,19 @@ from pathlib import Path
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, rigs_over
-from usdrigui.layout import additions as additions_stage
-from usdrigui.layout import difference as difference_stage
-from usdrigui.layout import elements as elements_stage
-from usdrigui.layout import gain as gain_stage
+from usdrigui.layout.reuse import existing_layout
+from usdrigui.layout.review.difference import Difference, difference
+from usdrigui.layout.review.improvement import improvements
 from usdrigui.model import Assignment, Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import Posed, posed
+from usdrigui.pipeline.stages import ProblemInputs, build_problem, layout_of
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import stage_layer
 from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
-from usdrigui.usd.reader_process import ReadResult, read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated
+from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
 from usdrigui.usd.source import SourceFile, check_unchanged
 
@@ -46,7 +46,7 @@ def process(
 
     Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
     search, which then ends with the best layout so far; `examples` are existing layouts and animations to
-    heed; `read` are further files behind the settings, which no output replaces; `extras` stages more files, such as
+    use; `read` are further files behind the settings, which no output replaces; `extras` stages more files, such as
     the report, in one transaction with the layer.  Raises `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = Clock(progress)
@@ -57,20 +57,20 @@ def process(
         _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
         if not dry_run:
             check_replaceable(target, settings, asset if output is None else None)
-        heeded = read_examples(examples or ExampleLayers(), settings)
-    heeded, characters = followed(heeded, source.rigs)
-    rigs = rigs_over(heeded, characters)
-    laid = [_lay_out(rig, settings, clock, stop, source.cameras, heeded) for rig in rigs]
+        references = read_examples(examples or ExampleLayers(), settings)
+    references, characters = followed(references, source.rigs)
+    rigs = rigs_over(references, characters)
+    reports = [_lay_out(rig, settings, clock, stop, source.cameras, references) for rig in rigs]
     outcome: Outcome = "dry run"
-    with Transaction(_never_replaced(target, settings, source, heeded, examples or ExampleLayers(), read)) as files:
+    with Transaction(_never_replaced(target, settings, source, references, examples or ExampleLayers(), read)) as files:
         if not dry_run:
             # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
             with clock.stage("write", can_stop=True):
-                outcome = stage_layer(files, asset, target, settings, source, laid, heeded)
-        report = _report(asset, "" if dry_run else str(target), outcome, laid, clock, settings, source)
+                outcome = stage_layer(files, asset, target, settings, source, reports, references)
+        report = _report(asset, "" if dry_run else str(target), outcome, reports, clock, settings, source)
         if extras is not None:
             extras(report, files)
-        check_unchanged((*source.sources, *(heeded.base.sources if heeded.base else ())))
+        check_unchanged((*source.sources, *(references.base.sources if references.base else ())))
         files.commit()
     return report
 
@@ -79,7 +79,7 @@ def _report(
     asset: Path,
     output: str,
     outcome: Outcome,
-    laid: Sequence[CharacterReport],
+    reports: Sequence[CharacterReport],
     clock: Clock,
     settings: Settings,
     source: ReadResult,
@@ -88,8 +88,8 @@ def _report(
         asset=str(asset),
         output=output,
         outcome=outcome,
-        characters=tuple(laid),
-        issues=tuple(found for character in laid for found in character.issues),
+        characters=tuple(reports),
+        issues=tuple(found for character in reports for found in character.issues),
         seconds=clock.seconds,
         settings=settings_document(settings),
         sources=tuple(_source_row(each, asset) for each in source.sources),
@@ -100,7 +100,7 @@ def _never_replaced(
     target: Path,
     settings: Settings,
     source: ReadResult,
-    heeded: Examples,
+    references: Examples,
     layers: ExampleLayers,
     more: Sequence[Path],
 ) -> tuple[Path, ...]:
@@ -108,7 +108,7 @@ def _never_replaced(
     parts = [Path(each.path) for each in source.sources]
     earlier = [each for each in (layers.fixed, layers.previous) if each is not None]
     succeeded = {os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))}
-    read = (*parts, *(Path(each.path) for each in heeded.sources), *layers.animations, *more)
+    read = (*parts, *(Path(each.path) for each in references.sources), *layers.animations, *more)
     return tuple(each for each in read if not (os.path.realpath(each) in succeeded and same_file(each, target)))
 
 
@@ -139,60 +139,52 @@ def _lay_out(
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    ready = posed(rig, settings, clock, cameras, examples)
+    inputs = build_problem(rig, settings, clock, cameras, examples)
     with clock.stage("solve", can_stop=True):
-        assignment = solve(ready.problem, settings.solve, clock.solving, stop)
+        assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
     with clock.stage("layout"):
-        layout = elements_stage.layout(
-            ready.context,
-            ready.candidates,
-            ready.groups,
-            ready.problem,
-            ready.choices,
-            assignment,
-            ready.base_values,
-        )
-    standing = ready.context.standing
-    if standing is not None:
-        layout = additions_stage.joined(standing, additions_stage.told_apart(layout, standing))
+        layout = layout_of(inputs, assignment)
+    existing = inputs.requests.existing
+    if existing is not None:
+        layout = existing_layout.combined(existing, existing_layout.uniquify_names(layout, existing))
     previous = examples.previous.get(rig.root)
-    return _account(ready, layout, assignment, _changes(ready, previous, layout, assignment) if previous else None)
+    return _account(inputs, layout, assignment, _changes(inputs, previous, layout, assignment) if previous else None)
 
 
-def _changes(ready: Posed, previous: Layout, layout: Layout, assignment: Assignment) -> difference_stage.Difference:
-    gains = gain_stage.gains_of_leaving(ready.context, ready.groups, ready.problem, ready.choices, assignment.labels)
-    return difference_stage.difference(previous, layout, gains)
+def _changes(inputs: ProblemInputs, previous: Layout, layout: Layout, assignment: Assignment) -> Difference:
+    improved = improvements(inputs.face, inputs.requests, inputs.placement, assignment.labels)
+    return difference(previous, layout, improved)
 
 
 def _account(
-    ready: Posed, layout: Layout, assignment: Assignment, changes: difference_stage.Difference | None
+    inputs: ProblemInputs, layout: Layout, assignment: Assignment, changes: Difference | None
 ) -> CharacterReport:
-    rig = ready.context.rig
+    rig = inputs.face.rig
     controls = rig.controls
-    motions = ready.context.trajectories.motions
+    motions = inputs.face.trajectories.motions
     peaks = {controls[each.control].name: float(each.arc_length.max()) for each in motions}
-    laid = {member.control for element in layout.elements for member in element.members}
+    placed = {member.control for element in layout.elements for member in element.members}
     return CharacterReport(
         root=rig.root,
         rig=rig,
         layout=layout,
         assignment=assignment,
-        rows=rows_of(rig, layout, peaks, ready.twin_names),
-        notes=tuple(note for note in ready.notes if note.control in laid),
-        issues=(*ready.issues, *_nothing_added(ready, layout)),
+        rows=rows_of(rig, layout, peaks, inputs.twin_names),
+        notes=tuple(note for note in inputs.left_off if note.control in placed),
+        issues=(*inputs.issues, *_nothing_added(inputs, layout)),
         difference=changes,
-        added=_added(ready, layout),
+        added=_added(inputs, layout),
     )
 
 
-def _added(ready: Posed, layout: Layout) -> frozenset[str]:
+def _added(inputs: ProblemInputs, layout: Layout) -> frozenset[str]:
     """Names of the elements that do not stand in another layer."""
-    standing = ready.context.standing
-    return frozenset(e.name for e in layout.elements[len(standing.elements) if standing is not None else 0 :])
+    existing = inputs.requests.existing
+    return frozenset(e.name for e in layout.elements[len(existing.elements) if existing is not None else 0 :])
 
 
-def _nothing_added(ready: Posed, layout: Layout) -> tuple[Issue, ...]:
-    if ready.context.standing is None or _added(ready, layout):
+def _nothing_added(inputs: ProblemInputs, layout: Layout) -> tuple[Issue, ...]:
+    if inputs.requests.existing is None or _added(inputs, layout):
         return ()
     return (issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand"),)
 

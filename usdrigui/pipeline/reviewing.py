@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from usdrigui.errors import Issue, RigUIError, refuse
-from usdrigui.layout import difference as difference_stage
-from usdrigui.layout import review as review_stage
+from usdrigui.layout.review import difference as difference_stage
+from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import posed
+from usdrigui.pipeline.stages import build_problem
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import asset_below, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
 
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """A layer read back with the characters that it stands over."""
+    """A layer read back with the characters that it sublayers."""
 
     characters: tuple[tuple[Rig, Layout], ...]
     source: str
@@ -62,7 +62,7 @@ class LayerDifference:
 
 
 def load_layer(layer: Path, settings: Settings) -> Loaded:
-    """A layout layer and the rigs that it stands over, for viewers and checks.
+    """A layout layer and the rigs that it sublayers, for viewers and checks.
 
     Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING and everything that reading an asset can raise.
     """
@@ -90,9 +90,10 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     reviews = []
     for rig, layout in loaded.characters:
-        ready = posed(rig, settings, clock, loaded.cameras)
+        inputs = build_problem(rig, settings, clock, loaded.cameras)
         with clock.stage("review"):
-            reviews.append((rig.root, review_stage.review(ready.context, ready.candidates, layout)))
+            found = review_stage.review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, layout)
+            reviews.append((rig.root, found))
     return LayerReview(str(layer), tuple(reviews), clock.seconds)
 
 

@@ -1,6 +1,6 @@
-"""posed(): from a rig to its layout problem.
+"""build_problem(): from a rig to its layout problem.
 
-    Rig → Trajectories → Candidates → Groups → LayoutProblem
+    Rig → Trajectories → Symmetry → Views → Classification → Face → Candidates → Groups → PlacementProblem
 
 The order of these stages is known here and nowhere else.
 """
@@ -14,49 +14,88 @@ import numpy as np
 
 from usdrigui import animation
 from usdrigui.errors import Issue, meant, refuse
-from usdrigui.examples import Examples, precedent_of, with_fixed
-from usdrigui.layout import additions as additions_stage
-from usdrigui.layout import candidates as candidates_stage
-from usdrigui.layout import groups as groups_stage
-from usdrigui.layout import levels as levels_stage
-from usdrigui.layout import posed_symmetry as symmetry_stage
-from usdrigui.layout import problem as problem_stage
-from usdrigui.layout import review as review_stage
-from usdrigui.layout import trajectory as trajectory_stage
-from usdrigui.layout import visibility as visibility_stage
-from usdrigui.layout.terms import Context
-from usdrigui.model import Candidates, Floats, Group, LayoutProblem, LeftOff, Rig
+from usdrigui.examples import Examples, prior_layout_of, with_fixed
+from usdrigui.layout.classify.classification import Classification, classify
+from usdrigui.layout.control_overrides import control_overrides
+from usdrigui.layout.element.elements import layout
+from usdrigui.layout.face import Face
+from usdrigui.layout.group.coarse_groups import with_levels
+from usdrigui.layout.group.grouping import find_groups
+from usdrigui.layout.motion.similarity import Similarity, displacement_fields, similarity
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.place.candidates import find_candidates
+from usdrigui.layout.place.handle_width import handle_width, on_face
+from usdrigui.layout.place.problem import PlacementProblem, placement_problem
+from usdrigui.layout.reuse.existing_layout import of_new_controls, with_drawn_handles
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.review.review import refuse_stale
+from usdrigui.layout.symmetry.base_pose import symmetry_at_pose
+from usdrigui.layout.visibility import find_views
+from usdrigui.model import (
+    Assignment,
+    Candidates,
+    Floats,
+    Layout,
+    LeftOff,
+    Performance,
+    Rig,
+    Symmetry,
+    Trajectories,
+)
 from usdrigui.pipeline.progress import Clock
 from usdrigui.settings import Settings
 
 
 @dataclass(frozen=True, eq=False)
-class Posed:
-    """A layout problem with everything needed to turn its solution into a layout."""
+class References:
+    """Layouts and animations to which one character's layout refers."""
 
-    context: Context
+    prior: PriorLayout = NO_PRIOR
+    existing: Layout | None = None
+    clips: tuple[Performance, ...] = ()
+
+
+NO_REFERENCES = References()
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """What is known of a character before its elements are placed."""
+
+    face: Face
+    similarity: Similarity
+    requests: Requests
+    classification: tuple[Classification, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class ProblemInputs:
+    """A layout problem, and what it was built from."""
+
+    face: Face
+    similarity: Similarity
+    requests: Requests
+    settings: Settings
     candidates: Candidates
-    groups: tuple[Group, ...]
-    problem: LayoutProblem
-    choices: tuple[problem_stage.Choice, ...]
+    placement: PlacementProblem
     base_values: Floats
     """(controls,) the base pose."""
 
     @property
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
-        return (*self.context.rig.issues, *self.context.trajectories.issues)
+        return (*self.face.rig.issues, *self.face.trajectories.issues)
 
     @property
-    def notes(self) -> tuple[LeftOff, ...]:
-        """What the stages left off, and why."""
-        return (*self.context.trajectories.left_off, *self.candidates.left_off)
+    def left_off(self) -> tuple[LeftOff, ...]:
+        """Controls that the stages after reading left off, and why."""
+        return (*self.face.trajectories.left_off, *self.candidates.left_off)
 
     @property
     def twin_names(self) -> dict[str, str]:
         """Names of the controls that have a twin other than themselves, to its name."""
-        controls = self.context.rig.controls
-        twins = self.context.symmetry.twins
+        controls, twins = self.face.rig.controls, self.face.symmetry.twins
         return {
             control.name: controls[twin].name
             for control, twin in zip(controls, twins, strict=True)
@@ -64,48 +103,99 @@ class Posed:
         }
 
 
-def posed(
+def build_problem(
     rig: Rig,
     settings: Settings,
     clock: Clock | None = None,
     cameras: Mapping[str, Floats] | None = None,
     examples: Examples | None = None,
-) -> Posed:
+) -> ProblemInputs:
     """The layout problem of one rig: every stage between reading and solving."""
     clock, examples = clock or Clock(), examples or Examples()
-    view, camera = settings.candidates.view, (cameras or {}).get(rig.root)
-    if view.startswith("/") and camera is None:
-        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
+    camera = _camera(rig, settings.candidates.view, cameras or {})
     settings = with_fixed(examples, rig, settings)
     base_values = _base_values(rig, settings)
     with clock.stage("trajectories"):
-        found = trajectory_stage.trajectories(rig, settings.trajectories, base_values)
+        found = trajectories(rig, settings.trajectories, base_values)
+    existing = examples.existing(rig)
+    if existing is not None:
+        settings = with_drawn_handles(existing, found, settings)
+        refuse_stale(rig, found, existing, settings.read)
+    references = References(prior_layout_of(examples, rig, found, settings), existing, examples.clips)
+    return problem_at(rig, found, settings, base_values, references, clock, camera)
+
+
+def problem_at(
+    rig: Rig,
+    found: Trajectories,
+    settings: Settings,
+    base_values: Floats,
+    references: References = NO_REFERENCES,
+    clock: Clock | None = None,
+    camera: Floats | None = None,
+) -> ProblemInputs:
+    """The layout problem at a base pose (controls,) whose trajectories are found; `camera` (3,) is the direction to the
+    viewer of the camera that ``candidates.view`` names."""
+    clock = clock or Clock()
+    measured = measure(rig, found, settings, base_values, references, clock, camera)
+    face, requests, alike = measured.face, measured.requests, measured.similarity
+    with clock.stage("candidates"):
+        candidates = find_candidates(face, measured.classification, requests, settings)
+        candidates = of_new_controls(requests.existing, rig, found, candidates)
+    with clock.stage("problem"):
+        groups = find_groups(face, candidates, alike, requests, settings)
+        groups = with_levels(rig, groups, settings.levels, requests.existing_names)
+        placement = placement_problem(face, candidates, groups, requests, settings)
+    return ProblemInputs(face, alike, requests, settings, candidates, placement, base_values)
+
+
+def measure(
+    rig: Rig,
+    found: Trajectories,
+    settings: Settings,
+    base_values: Floats,
+    references: References,
+    clock: Clock,
+    camera: Floats | None,
+) -> Measured:
+    """The stages before placing; parameters as of `problem_at`."""
     if not found.motions:
         raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
-    standing = examples.standing(rig)
-    if standing is not None:
-        settings = additions_stage.as_drawn(standing, found, settings)
     with clock.stage("symmetry"):
-        symmetry = symmetry_stage.symmetry_at_pose(rig, found, settings, base_values)
-    settings = animation.heeded(rig, symmetry, settings, examples.clips)
+        fields = displacement_fields(found)
+        symmetry = symmetry_at_pose(rig, found, fields, settings, base_values)
     with clock.stage("candidates"):
-        views = visibility_stage.find_views(
-            rig,
-            found,
-            symmetry,
-            view,
-            settings.candidates.occlusion,
-            camera,
-        )
-        precedent = precedent_of(examples, rig, found, settings)
-        context = Context(rig, found, symmetry, views, settings, precedent, standing)
-        if standing is not None:
-            review_stage.refuse_stale(context, standing)
-        candidates = additions_stage.of_new_controls(context, candidates_stage.candidates(context))
-    with clock.stage("problem"):
-        groups = levels_stage.levelled(context, groups_stage.find_groups(context, candidates))
-        problem, choices = problem_stage.layout_problem(context, candidates, groups)
-    return Posed(context, candidates, groups, problem, choices, base_values)
+        views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
+        requests = _requests(rig, symmetry, settings, references)
+        alike = similarity(fields)
+        classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
+        toward = views.flat_direction(settings.candidates.space)
+        standing = on_face(found, classification, requests.overrides)
+        width = handle_width(found, views, standing, toward, settings.objective)
+    return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
+
+
+def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
+    """The layout that a solution of the problem means."""
+    left_off = (*inputs.face.rig.left_off, *inputs.left_off)
+    return layout(
+        inputs.face, inputs.placement, assignment, inputs.requests, inputs.settings, left_off, inputs.base_values
+    )
+
+
+def _requests(rig: Rig, symmetry: Symmetry, settings: Settings, references: References) -> Requests:
+    """The configuration and the existing layouts, as what they ask of each control."""
+    overrides = control_overrides(rig, settings)
+    overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
+    return Requests(overrides, references.prior, references.existing)
+
+
+def _camera(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
+    """(3,) direction to the viewer of the camera that the view names, if it names one."""
+    camera = cameras.get(rig.root)
+    if view.startswith("/") and camera is None:
+        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
+    return camera
 
 
 def _base_values(rig: Rig, settings: Settings) -> Floats:

@@ -60,21 +60,21 @@ def check_target(asset: Path, target: Path) -> None:
 def check_replaceable(target: Path, settings: Settings, asset: Path | None = None) -> None:
     """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a slip of the hand.
 
-    An asset with its layout attached, a shot over one and a layer of corrections are somebody's work.  With `asset`,
-    whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and ``char.usda``
-    share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
+    An asset with its layout attached, a shot over one and a layer of corrections hold work that cannot be made again.
+    With `asset`, whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and
+    ``char.usda`` share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
     """
     if not target.is_file() or not target.stat().st_size or not os.access(target, os.W_OK):
         return  # writing will refuse what may not be written
     try:
-        standing = read_layer_isolated(target, settings)
+        existing = read_layer_isolated(target, settings)
     except RigUIError as error:
         raise refuse("FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}") from error
-    if not standing.ours:
+    if not existing.ours:
         raise refuse("FILE_TARGET", str(target), "exists and is no layout layer that process wrote")
-    if asset is None or not standing.sublayers:
+    if asset is None or not existing.sublayers:
         return
-    source = target.parent / standing.sublayers[0]
+    source = target.parent / existing.sublayers[0]
     if source.is_file() and not source.samefile(asset):
         raise refuse("FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}")
 

@@ -1,4 +1,4 @@
-"""stage_layer(): the layer of laid out characters, over their asset or over a layout that stands."""
+"""stage_layer(): the layer of laid out characters, over their asset or over an existing layout."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from pathlib import Path
 
 from usdrigui.errors import refuse
 from usdrigui.examples import Examples
-from usdrigui.layout import additions as additions_stage
+from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
 from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import LayoutsResult, ReadResult
+from usdrigui.usd.reader_records import LayoutsResult, ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
 
 
@@ -20,7 +20,7 @@ def stage_layer(
     target: Path,
     settings: Settings,
     source: ReadResult,
-    laid: list[CharacterReport],
+    reports: list[CharacterReport],
     examples: Examples,
 ) -> Outcome:
     """Stage the layer among the files of the run.  Raises RigUIError."""
@@ -28,8 +28,8 @@ def stage_layer(
 
     make_folder(target)
     if examples.base is not None:
-        return _staged_over(files, examples.base, asset, target, settings, source, laid)
-    pairs = [(character.rig, character.layout) for character in laid]
+        return _staged_over(files, examples.base, asset, target, settings, source, reports)
+    pairs = [(character.rig, character.layout) for character in reports]
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata, write=files.stage)
 
 
@@ -40,9 +40,9 @@ def _staged_over(
     target: Path,
     settings: Settings,
     source: ReadResult,
-    laid: list[CharacterReport],
+    reports: list[CharacterReport],
 ) -> Outcome:
-    """Stage what a shot adds to a layout that stands."""
+    """Stage what a shot adds to an existing layout."""
     from usdrigui.usd.additions import Addition, write_additions
 
     layer = Path(base.sources[0].path)
@@ -50,8 +50,8 @@ def _staged_over(
         raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
     composed = any(each.path == base.sources[0].path for each in source.sources)
     additions = []
-    for character in laid:
-        root = additions_stage.root_in_base(base.layouts, character.rig)
+    for character in reports:
+        root = root_in_base(base.layouts, character.rig)
         if root != character.root and not composed and base.source and not settings.output.bare:
             raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")
         prims = tuple(prim for prim in base.prims if prim.root == root)

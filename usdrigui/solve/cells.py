@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.solve.blocks import Pool
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.search import Part
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.tables import Table
 
 GRAIN = 2.0**-30

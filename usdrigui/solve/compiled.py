@@ -18,7 +18,7 @@ from functools import cache
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Singles
-from usdrigui.solve.search import EPSILON, Part
+from usdrigui.solve.subproblem import EPSILON, Part
 
 LARGEST = 1e200
 """Costs beyond could overflow, and the loops do not treat what is not a number as numpy does."""

@@ -15,7 +15,8 @@ import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
 from usdrigui.solve.bounds import Dual
-from usdrigui.solve.search import Found, Part, Search
+from usdrigui.solve.search import Found, Search
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.watch import Watch
 
 TINY = 1e-9

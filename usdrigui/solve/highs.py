@@ -14,7 +14,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 
 from usdrigui.model import Floats
-from usdrigui.solve.search import Found, Part
+from usdrigui.solve.search import Found
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.watch import Watch
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ import itertools
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
-from usdrigui.solve.search import Part
+from usdrigui.solve.subproblem import Part
 
 RUNS = 12
 TRIES = 20

@@ -11,7 +11,8 @@ from usdrigui.model import Indices
 from usdrigui.solve import polish
 from usdrigui.solve.groups import LARGEST, group_gains, group_part
 from usdrigui.solve.residual import STEP, Residual
-from usdrigui.solve.search import Part, Search
+from usdrigui.solve.search import Search
+from usdrigui.solve.subproblem import Part
 from usdrigui.solve.watch import Watch
 
 MOST_NODES = 10**6

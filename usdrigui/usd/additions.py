@@ -32,7 +32,7 @@ from usdrigui.usd.layer import (
     relative_asset_path,
     solution,
 )
-from usdrigui.usd.reader_process import StandingPrim
+from usdrigui.usd.reader_records import StandingPrim
 from usdrigui.usd.safe_write import State
 
 

@@ -16,7 +16,6 @@ from typing import Any
 
 from pxr import Sdf, Tf, UsdGeom
 
-import usdrigui
 from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
 from usdrigui.model import Element, Layout, Rig
@@ -27,6 +26,7 @@ from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawn import Drawn, drawn_parts
 from usdrigui.usd.element_prims import author_part
 from usdrigui.usd.safe_write import State, commit, file_error
+from usdrigui.version import __version__
 
 SIGNATURE = "usdrigui"
 """Key in the customLayerData of every layout layer that we write."""
@@ -160,7 +160,7 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
             # Some exporters write metersPerUnit as float, which USD's own API then refuses to read.
             number = isinstance(value, (int, float)) and not isinstance(value, bool)
             root.SetInfo(key, float(value) if number else value)
-    root.SetInfo("customLayerData", {SIGNATURE: {"version": usdrigui.__version__}})
+    root.SetInfo("customLayerData", {SIGNATURE: {"version": __version__}})
 
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:

@@ -21,7 +21,7 @@ from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
-from usdrigui.usd.reader_process import FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request, Response
+from usdrigui.usd.reader_records import FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request, Response
 from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0

@@ -9,7 +9,7 @@ from pxr import Usd, UsdGeom, UsdSkel
 from usdrigui.usd import schema
 from usdrigui.usd.arrays import vector_count
 from usdrigui.usd.read_layout import layout_scopes, value_of
-from usdrigui.usd.reader_process import StandingPrim
+from usdrigui.usd.reader_records import StandingPrim
 from usdrigui.usd.shapes import shape_tokens
 
 

@@ -19,29 +19,12 @@ from time import perf_counter
 from typing import Any
 
 from usdrigui.clients.batch import state
+from usdrigui.clients.batch.job import Job
 from usdrigui.errors import CODES, Exit
 
 _PROCESSES: set[subprocess.Popen[bytes]] = set()
 _STARTING = threading.Lock()
 """Held while a process is started or all are ended, so that none is missed."""
-
-
-@dataclass(frozen=True, slots=True)
-class Job:
-    """One asset to lay out."""
-
-    asset: str
-    output: str
-    picture: str
-    """Where to draw the layout; empty for no picture."""
-    arguments: tuple[str, ...]
-    """Further options of `usdrigui process`."""
-    settings: str
-    """Digest of the settings that these options and the asset's own configuration give."""
-    timeout: float = 0.0
-    """Seconds after which the process is ended; 0 for never."""
-    again: bool = False
-    """Lay out even what has not changed."""
 
 
 @dataclass(frozen=True, slots=True)

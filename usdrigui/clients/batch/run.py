@@ -14,7 +14,8 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from usdrigui.clients.batch.jobs import Job, Row, end_all, run_job
+from usdrigui.clients.batch.job import Job
+from usdrigui.clients.batch.jobs import Row, end_all, run_job
 from usdrigui.errors import CODES, Exit, refuse
 
 FORMAT = "usdrigui.batch"

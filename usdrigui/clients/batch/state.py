@@ -10,15 +10,13 @@ import contextlib
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from usdrigui import __version__
+from usdrigui.clients.batch.job import Job
 from usdrigui.errors import RigUIError
 from usdrigui.usd.safe_write import commit
 from usdrigui.usd.source import hashed
-
-if TYPE_CHECKING:
-    from usdrigui.clients.batch.jobs import Job
+from usdrigui.version import __version__
 
 FORMAT = "usdrigui.batch.state"
 VERSION = 1

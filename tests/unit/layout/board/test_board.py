@@ -1,0 +1,88 @@
+"""The board."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+POINTS, QUADS = makers.mask()
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+def rig_with(**more):
+    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
+
+
+def test_the_board_is_tidy_and_outside_the_silhouette():
+    more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
+    line = chain.lay_out(rig_with(whole=np.full_like(POINTS, 0.2), **more))
+    board = [element for element in line.layout.elements if element.anchor.beside]
+    assert {element.family for element in board} == {"global", "composite"}
+    spots = np.array([element.anchor.position for element in board])
+    width = line.layout.handle_width
+    tracks = np.concatenate([m.track for e in board for m in e.members])
+    assert tracks[:, 0].min() > POINTS[:, 0].max() + width
+    apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + 9e9 * np.eye(len(spots))
+    assert apart.min() >= 1.6 * width
+    assert np.ptp(spots[:, 2]) < 1e-9
+    for element in board:
+        assert element.reason
+        for member in element.members:
+            drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
+            assert drawn == pytest.approx(member.gain * member.arc_length, rel=1e-6)
+    pairs = [element for element in board if element.mirror]
+    for element in pairs:
+        other = next(each for each in board if each.name == element.mirror)
+        assert element.anchor.position[1] == pytest.approx(other.anchor.position[1])
+
+
+def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own():
+    line = chain.lay_out(
+        rig_with(whole=np.full_like(POINTS, 0.2)),
+        chain.settings(controls={"chin": {"place": "beside"}, "whole": {"place": "beside"}}),
+    )
+    families = {name: element.family for name, element in chain.by_name(line).items() if element.anchor.beside}
+    assert families == {"chin": "requested", "whole": "global"}
+    assert "configuration" in chain.by_name(line)["chin"].reason
+    heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
+    # A heading stands between them: a row of 2.4 widths for it and one for the element.
+    assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.handle_width)
+
+
+def test_a_crowded_face_sends_the_least_telling_controls_to_the_board():
+    crowd = {
+        f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)
+    }
+    rig = makers.rig(POINTS, QUADS, {**SHAPES, **crowd})
+    line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"beside_composite": False}))
+    board = [element for element in line.layout.elements if element.anchor.beside]
+    assert board
+    assert {element.family for element in board} == {"crowded"}
+    assert all(element.reason for element in board)
+    peaks = {rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
+    left = [peaks[m.control] for e in board for m in e.members]
+    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.beside for m in e.members]
+    assert np.mean(left) < np.mean(stayed)
+    assert all(member.control.startswith("c") for element in board for member in element.members)
+
+
+def test_the_board_hangs_on_the_joint_that_holds_the_face():
+    from usdrigui.model import Joint, Skeleton, Skin
+
+    rig = rig_with(whole=np.full_like(POINTS, 0.2))
+    head = (POINTS[:, 1] > -0.9).astype(float)
+    skin = Skin(
+        np.tile([0, 1], (len(POINTS), 1)), np.stack([1.0 - head, head], axis=1), "classicLinear", np.eye(4), False
+    )
+    joints = tuple(
+        Joint(name, 0, parent, np.eye(4), np.eye(4), np.eye(4)) for name, parent in (("neck", -1), ("neck/head", 0))
+    )
+    mesh = replace(rig.meshes[0], skin=skin)
+    rig = replace(rig, meshes=(mesh,), joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
+    line = chain.lay_out(rig)
+    whole = chain.by_name(line)["whole"]
+    assert head[whole.anchor.point] == 1.0

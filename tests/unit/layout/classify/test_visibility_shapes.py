@@ -1,0 +1,35 @@
+"""Visibility shapes: controls that make parts disappear."""
+
+import chain
+import makers
+import numpy as np
+
+POINTS, QUADS = makers.mask()
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+def chosen(rig, **parts):
+    found = chain.with_candidates(rig, chain.settings(**parts))
+    return lambda name: chain.set_of(found, name)
+
+
+def test_parts_that_vanish_are_global():
+    hair = np.array([[0.9, 1.0, 0.3], [1.2, 1.0, 0.3], [1.2, 1.3, 0.3], [0.9, 1.3, 0.3]])
+    points, quads = np.vstack([POINTS, hair]), [*QUADS, [len(POINTS) + i for i in range(4)]]
+    still = {name: np.vstack([each, np.zeros((4, 3))]) for name, each in SHAPES.items()}
+
+    def hides(offsets):
+        shapes = {**still, "hide": np.vstack([np.zeros_like(POINTS), offsets])}
+        return chosen(makers.rig(points, quads, shapes))("hide")
+
+    collapsed, sunk, swung = (
+        hides(hair.mean(axis=0) - hair),
+        hides(np.tile([-1.0, -1.1, -0.2], (4, 1))),
+        hides(np.tile([0.0, 0.4, 0.0], (4, 1))),
+    )
+    assert collapsed.category == "global"
+    assert "disappear" in collapsed.off_face_reason
+    assert sunk.category == "global"
+    assert swung.category != "global"

@@ -1,0 +1,54 @@
+"""Elements: members, tracks, base pose."""
+
+import chain
+import makers
+import numpy as np
+
+POINTS, QUADS = makers.mask()
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+def rig_with(**more):
+    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
+
+
+def test_every_control_has_exactly_one_member():
+    line = chain.lay_out(rig_with(whole=np.full_like(POINTS, 0.2), empty=np.zeros_like(POINTS)))
+    members = [member.control for element in line.layout.elements for member in element.members]
+    assert sorted(members) == sorted({*SHAPES, "whole"})
+    assert [each.control for each in line.layout.left_off] == ["empty"]
+
+
+def test_tracks_pass_through_the_anchor_at_the_base_value():
+    line = chain.lay_out(makers.face(ranges={"pucker": (-0.5, 1.0)}))
+    for element in line.layout.elements:
+        for member in element.members:
+            at = member.track[np.argmin(np.abs(member.values))]
+            assert np.allclose(at, element.anchor.position, atol=1e-6)
+
+
+def test_proxies_draw_the_hidden_trajectory_at_the_visible_anchor():
+    teeth = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
+    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
+    meshes = [
+        makers.mesh(POINTS, QUADS, face),
+        makers.mesh(teeth, [[0, 1, 2, 3]], [makers.shape(len(SHAPES), np.full((4, 3), 0.1))], path="/Root/teeth"),
+    ]
+    rig = makers.rig_of_meshes(meshes, [*SHAPES, "teeth"])
+    line = chain.lay_out(rig, chain.settings(controls={"teeth": {"place": "proxy"}}))
+    element = chain.by_name(line)["teeth"]
+    assert element.anchor.mesh == "/Root/mesh"
+    assert np.allclose(element.members[0].track[1] - element.members[0].track[0], 0.1, atol=1e-6)
+
+
+def test_the_base_pose_moves_anchors_and_is_recorded():
+    values = np.zeros(12)
+    values[8] = 1.0
+    line = chain.lay_out(makers.face(), base_values=values)
+    pucker = chain.by_name(line)["pucker"]
+    moved = POINTS[pucker.anchor.point] + SHAPES["pucker"][pucker.anchor.point]
+    assert np.allclose(pucker.anchor.position, moved, atol=1e-6)
+    assert line.layout.base_values[8] == 1.0
+    assert np.allclose(pucker.members[0].track[-1], moved, atol=1e-6)

@@ -1,0 +1,151 @@
+"""Which controls share an element."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.group.grouping import find_groups, suggested_groups
+
+POINTS, QUADS = makers.mask()
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+def rig_with(**more):
+    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
+
+
+def eye(centre, sign=1.0):
+    """Four gaze controls about one eye."""
+    ways = {"In": (-sign, 0, 0), "Out": (sign, 0, 0), "Up": (0, 1, 0), "Down": (0, -1, 0)}
+    return {way: makers.bump(POINTS, centre, direction, 0.2, 0.06) for way, direction in ways.items()}
+
+
+def gazing():
+    eyes = {"L": eye((0.35, 0.3)), "R": eye((-0.35, 0.3), -1.0)}
+    looks = {f"look{way}_{side}": offsets for side, ways in eyes.items() for way, offsets in ways.items()}
+    return makers.rig(POINTS, QUADS, {**{k: v for k, v in SHAPES.items() if not k.startswith("blink")}, **looks})
+
+
+def groups_of(rig, **parts):
+    line = chain.problem_of(rig, chain.settings(**parts))
+    names = [control.name for control in rig.controls]
+    return {tuple(names[c] for c in group.controls): group for group in line.groups}, names
+
+
+def test_pairs_are_folded_and_middle_controls_stand_alone():
+    groups, names = groups_of(makers.face())
+    assert [names[c] for c in groups["brow_L",].mirror] == ["brow_R"]
+    assert ("brow_R",) not in groups
+    assert groups["pucker",].mirror == ()
+    unfolded, _ = groups_of(makers.face(), symmetry={"fold": False}, groups={"opposed": False})
+    assert len(unfolded) == len(names)
+
+
+def test_opposed_controls_become_one_slider_with_two_ends():
+    groups, _ = groups_of(makers.face())
+    jaw = groups["jawRight", "jawLeft"]
+    assert (jaw.kind, jaw.opposed, jaw.mirror) == ("slider", ((0, 1),), ())
+    apart, _ = groups_of(makers.face(), groups={"opposed": False})
+    assert ("jawRight", "jawLeft") not in apart
+    shy, _ = groups_of(makers.face(), groups={"opposed_cosine": -1.01})
+    assert ("jawRight", "jawLeft") in shy, "twins have some leeway"
+
+
+def test_the_opposite_of_like_amount_is_preferred():
+    rig = rig_with(jawBit=-0.2 * SHAPES["jawLeft"])
+    groups, _ = groups_of(rig, symmetry={"enabled": False})
+    assert ("jawRight", "jawLeft") in groups or ("jawLeft", "jawRight") in groups
+
+
+def test_two_crossing_axes_of_one_region_become_a_joystick():
+    groups, names = groups_of(gazing())
+    stick = groups["lookIn_L", "lookOut_L", "lookDown_L", "lookUp_L"]
+    assert (stick.kind, stick.opposed) == ("patch", ((0, 1), (2, 3)))
+    assert [names[c] for c in stick.mirror] == ["lookIn_R", "lookOut_R", "lookDown_R", "lookUp_R"]
+
+
+def swinging(lesser=1.0):
+    """Two controls of one region that go to both sides and cross."""
+    shapes = {
+        "across": makers.bump(POINTS, (0.0, 0.6), (1, 0, 0), 0.3, 0.1),
+        "upright": makers.bump(POINTS, (0.0, 0.6), (0, 1, 0), 0.3, 0.1 * lesser),
+    }
+    return makers.rig(POINTS, QUADS, shapes, ranges=dict.fromkeys(shapes, (-1.0, 1.0, 0.0)))
+
+
+def test_controls_that_swing_across_each_other_make_a_joystick_if_opposed_ones_may():
+    assert ("across", "upright") in groups_of(swinging())[0]
+    assert ("across", "upright") not in groups_of(swinging(), groups={"opposed": False})[0]
+
+
+def test_a_far_lesser_axis_makes_no_joystick():
+    assert ("across", "upright") in groups_of(swinging(0.2))[0]
+    assert ("across", "upright") not in groups_of(swinging(0.05))[0]
+
+
+@pytest.mark.parametrize(("turned", "shared"), [((0, 0), True), ((0, 1), False)])
+def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
+    line = chain.problem_of(swinging(), chain.settings())
+    controls = tuple(
+        replace(each, kind="joint", drive=replace(each.drive, joints=np.array([joint])))
+        for each, joint in zip(line.face.rig.controls, turned, strict=True)
+    )
+    face = replace(line.face, rig=replace(line.face.rig, controls=controls))
+    assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:])) == shared
+
+
+def test_an_axis_takes_a_crossing_single_control():
+    shapes = {name: offsets for name, offsets in SHAPES.items() if name != "chin"}
+    shapes["jawOpen"] = makers.bump(POINTS, (0.0, -0.7), (0, -1, 0), 0.45, 0.3)
+    groups, _ = groups_of(makers.rig(POINTS, QUADS, shapes))
+    stick = groups["jawRight", "jawLeft", "jawOpen"]
+    assert (stick.kind, stick.opposed) == ("patch", ((0, 1),))
+
+
+def test_patches_and_fans_by_the_jaccard_index():
+    third = makers.bump(POINTS, (0.0, -0.45), (0.0, 1.0, 0.0), 0.3, 0.1)
+    rig = rig_with(lipUp=third, lipOut=makers.bump(POINTS, (0.0, -0.45), (0.0, 1.0, 0.5), 0.3, 0.1))
+    off = {"opposed": False}
+    assert not any(len(key) > 1 for key in groups_of(rig, groups=off)[0])
+    pairs = [key for key in groups_of(rig, groups={**off, "patches": True})[0] if len(key) > 1]
+    assert all(len(key) == 2 for key in pairs)
+    assert len(pairs) >= 1
+    fans, _ = groups_of(rig, groups={**off, "patches": True, "fan_size": 3, "jaccard_min": 0.5})
+    fan = next(group for key, group in fans.items() if set(key) == {"pucker", "lipUp", "lipOut"})
+    assert fan.kind == "fan"
+    line = chain.problem_of(rig, chain.settings(groups=off))
+    assert any(set(names) <= {"pucker", "lipUp", "lipOut"} for names in suggested_groups(*line.grouping))
+    assert not any(len(k) > 1 for k in groups_of(rig, groups={**off, "patches": True, "jaccard_min": 1.0})[0])
+
+
+def test_the_users_groups_are_kept_and_their_image_is_made():
+    said = {"groups": {"mouth": ("smile_L", "sneer_L"), "middle": ("pucker", "chin")}}
+    rig = rig_with()
+    rig = makers.rig(POINTS, QUADS, {**SHAPES, "chin": 0.5 * SHAPES["pucker"] + SHAPES["chin"]})
+    line = chain.problem_of(rig, chain.settings(groups=said, candidates={"peak_share": 0.05, "prune_at": 0.1}))
+    found = {group.name: group for group in line.groups}
+    assert found["mouth"].reason == "grouped by the configuration"
+    assert [rig.controls[c].name for c in found["mouth"].mirror] == []
+    assert "smile_R" in found
+    assert found["middle"].kind == "patch"
+
+
+@pytest.mark.parametrize(
+    ("groups", "code"),
+    [
+        ({"a": ("pucker", "nobody")}, "CONFIG_UNKNOWN_CONTROL"),
+        ({"a": ("pucker",)}, "CONFIG_VALUE"),
+        ({"a": ("pucker", "pucker")}, "CONFIG_VALUE"),
+        ({"a": ("pucker", "chin"), "b": ("chin", "brow_L")}, "CONFIG_VALUE"),
+    ],
+)
+def test_wrong_groups_are_refused(groups, code):
+    with pytest.raises(RigUIError) as refused:
+        groups_of(makers.face(), groups={"groups": groups})
+    assert refused.value.issue.code == code

@@ -1,0 +1,104 @@
+"""What animation tells of controls: use, and what moves together, on clips whose answer is known."""
+
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.motion.activity import activity, agreement, importances, together, with_importances
+from usdrigui.model import Performance
+from usdrigui.settings import ControlSettings
+
+FACE = makers.face()
+TWINS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
+RAMP = np.array([0.0, 0.5, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
+LATER = RAMP[::-1]
+
+
+def clip(**weights):
+    tokens = tuple(weights)
+    table = np.stack([np.asarray(weights[token], dtype=np.float64) for token in tokens], axis=1)
+    rotations = np.zeros((len(table), 0, 3, 3))
+    return Performance("clip.usda", "/Anim", np.arange(len(table), dtype=np.float64), tokens, table, (), rotations)
+
+
+def column(done, name):
+    return done.controls.index(name)
+
+
+def test_activity_is_the_share_of_the_way_from_the_default():
+    done = activity(FACE, [clip(chin=2.0 * RAMP, pucker=0.5 * RAMP)])
+    assert done.amounts[:, column(done, "chin")] == pytest.approx(np.minimum(2.0 * RAMP, 1.0))
+    assert done.use[column(done, "pucker")] == pytest.approx(0.5 * RAMP.mean())
+    assert done.use[column(done, "smile_L")] == 0.0
+
+
+def test_agreement_is_the_weighted_jaccard_index():
+    table = agreement(np.stack([RAMP, 0.5 * RAMP, LATER, np.zeros(8)], axis=1))
+    assert table[0, 0] == pytest.approx(1.0)
+    assert table[0, 1] == pytest.approx(0.5)
+    assert table[0, 2] == pytest.approx(0.0)
+    assert table[0, 3] == table[3, 3] == 0.0
+    np.testing.assert_array_equal(table, table.T)
+
+
+def test_what_moves_together_is_found_and_what_does_not_is_not():
+    done = activity(FACE, [clip(chin=RAMP, pucker=0.9 * RAMP, jawLeft=LATER, brow_L=LATER, brow_R=LATER)])
+    found = together(done, TWINS, 0.8)
+    assert [set(controls) for controls, _ in found] == [{"brow_L", "brow_R", "jawLeft"}, {"chin", "pucker"}]
+    assert [value for _, value in found] == pytest.approx([1.0, 0.9])
+    assert together(done, TWINS, 0.95) == found[:1]
+
+
+def test_twins_alone_are_not_said_to_move_together():
+    assert together(activity(FACE, [clip(smile_L=RAMP, smile_R=RAMP)]), TWINS, 0.5) == ()
+
+
+def test_sets_grow_only_while_all_agree():
+    """a is like b and b like c, but a is not like c."""
+    a, b, c = np.array([1, 0.8, 0, 0]), np.array([1, 0.8, 0.5, 0]), np.array([0.9, 0.8, 0.8, 0.4])
+    done = activity(FACE, [clip(chin=a, pucker=b, jawLeft=c)])
+    table = agreement(np.stack([a, b, c], axis=1))
+    assert table[0, 1] > table[1, 2] > 0.7 > table[0, 2]
+    assert [set(controls) for controls, _ in together(done, {}, 0.7)] == [{"chin", "pucker"}]
+
+
+def test_importance_goes_with_use():
+    done = activity(FACE, [clip(chin=RAMP, pucker=0.5 * RAMP)])
+    found = importances(done, TWINS, 0.5)
+    mean = 1.5 / (len(FACE.controls) - len(makers.LEFT_BUMPS))  # of what pairs and single controls do
+    assert found["smile_L"] == found["smile_R"] == 0.5
+    assert found["pucker"] == round(1.0 + 0.5 * (0.5 / mean - 1.0), 2)
+    assert found["chin"] == 2.0  # more than three times the mean
+    assert set(importances(done, TWINS, 0.0).values()) == {1.0}
+
+
+def test_a_pair_matters_as_one():
+    found = importances(activity(FACE, [clip(smile_L=RAMP)]), TWINS, 0.5)
+    assert found["smile_L"] == found["smile_R"] > 1.0
+
+
+def test_what_the_configuration_says_is_stronger():
+    overrides = [ControlSettings(importance=3.0 if each.name == "chin" else None) for each in FACE.controls]
+    found = with_importances(FACE, overrides, {"chin": 0.5, "pucker": 1.5})
+    names = [each.name for each in FACE.controls]
+    assert found[names.index("chin")].importance == 3.0
+    assert found[names.index("pucker")] == ControlSettings(importance=1.5)
+
+
+def test_several_clips_are_one_after_the_other():
+    one, two = clip(chin=RAMP), clip(chin=LATER, pucker=LATER)
+    done = activity(FACE, [one, two])
+    assert len(done.values) == 16
+    assert done.clips == ("clip.usda/Anim", "clip.usda/Anim")
+    assert done.amounts[:8, column(done, "pucker")].max() == 0.0
+
+
+def test_animations_of_somebody_else_are_refused_and_strays_are_told():
+    with pytest.raises(RigUIError, match="CLIP_FOREIGN"):
+        activity(FACE, [clip(wing=RAMP)])
+    with pytest.raises(RigUIError, match="CLIP_FOREIGN"):
+        activity(FACE, [clip(chin=0.0 * RAMP)])
+    (told,) = activity(FACE, [clip(wing=RAMP, chin=RAMP)]).issues
+    assert (told.code, told.severity) == ("CLIP_UNKNOWN_CONTROL", "warning")
+    assert "wing" in told.message

@@ -1,0 +1,162 @@
+"""What a place costs: of a group the worst member counts, of a middle element the way to the plane."""
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.overlap import own_costs
+
+POINTS, QUADS = makers.mask()
+PLAIN = {"occlusion_price": 0.0, "beside_global": False, "beside_composite": False}
+
+
+def test_of_two_unlike_members_the_lesser_displacement_counts():
+    """Two bumps of unlike height, a little apart: which of the two moves less changes from place to place."""
+    shapes = {
+        "up": makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.4, 0.10),
+        "out": makers.bump(POINTS, (0.0, -0.5), (0, 0, 1), 0.4, 0.09),
+    }
+    line = chain.problem_of(
+        makers.rig(POINTS, QUADS, shapes),
+        chain.settings(
+            candidates={**PLAIN, "prune_at": 0.0, "peak_share": 0.2, "occlusion": False},
+            symmetry={"plane_price": 0.0},
+            objective={"relative_displacement": 0.0},
+            groups={"groups": {"both": ["up", "out"]}},
+        ),
+    )
+    (variable,) = line.problem.variables
+    arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in line.face.trajectories.motions])
+    assert (arcs[0] < arcs[1]).any()
+    assert (arcs[1] < arcs[0]).any()
+    unit = line.face.trajectories.typical_length
+    left = line.face.trajectories.base[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
+    assert variable.cost[left] == pytest.approx(-0.85 * arcs.min(axis=0)[left] / unit, rel=1e-6)
+    assert variable.displacement == pytest.approx(arcs.min(axis=0) / unit, rel=1e-6)
+
+
+@pytest.mark.parametrize(("price", "on_plane"), [(0.1, True), (0.0, False)])
+def test_a_middle_element_stands_on_the_plane_for_a_price(price, on_plane):
+    """It moves a little more at both sides than on the plane."""
+    both = sum(makers.bump(POINTS, (side * 0.3, -0.4), (0, 1, 0), 0.2, 0.10) for side in (-1.0, 1.0))
+    shape = both + makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.2, 0.09)
+    rig = makers.rig(POINTS, QUADS, {**makers.face_shapes(POINTS), "press": shape})
+    line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_price": price}))
+    anchor = chain.by_name(line)["press"].anchor
+    assert not anchor.beside
+    assert (abs(anchor.position[0]) < 1e-6) == on_plane
+
+
+@pytest.mark.parametrize("kept_apart", [True, False])
+def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_apart):
+    """With the whole weight on displacement no overlap costs anything: only the constraint parts them."""
+    shapes = {
+        "one": makers.bump(POINTS, (0.3, 0.3), (0, 1, 0), 0.3, 0.10),
+        "other": makers.bump(POINTS, (0.3, 0.35), (1, 0, 0), 0.3, 0.10),
+    }
+    line = chain.lay_out(
+        makers.rig(POINTS, QUADS, shapes),
+        chain.settings(
+            candidates=PLAIN,
+            groups={"opposed": False},
+            objective={"displacement_weight": 1.0, "separation": kept_apart, "handle_size": 0.3, "handle_crowd": 0.0},
+        ),
+    )
+    one, other = (each.anchor for each in line.layout.elements)
+    assert not one.beside
+    assert not other.beside
+    assert (np.linalg.norm(one.position - other.position) >= line.layout.handle_width) == kept_apart
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+def rig_with(**more):
+    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
+
+
+def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
+    flat = chain.settings(
+        candidates={"occlusion_price": 0.0}, objective={"relative_displacement": 0.0}, groups={"opposed": False}
+    )
+    line = chain.problem_of(makers.face(), flat)
+    index = [variable.name for variable in line.problem.variables].index("brow_L")
+    variable, choice = line.problem.variables[index], line.choices[index]
+    left, right = (next(m for m in line.face.trajectories.motions if m.control == c) for c in (0, 1))
+    arc = left.arc_length[np.searchsorted(left.points, choice.anchors[:, 0])]
+    arc = arc + right.arc_length[np.searchsorted(right.points, choice.anchors[:, 1])]
+    own = own_costs(variable.samples, variable.handles, line.problem.overlap, line.problem.separation)
+    expected = -0.85 * arc / line.face.trajectories.typical_length + own
+    assert np.allclose(variable.cost, expected, rtol=1e-6)
+    assert variable.beside == pytest.approx(0.6)
+
+
+def test_a_group_counts_its_worst_member():
+    both = chain.settings(
+        candidates={"occlusion_price": 0.0}, symmetry={"plane_price": 0.0}, objective={"relative_displacement": 0.0}
+    )
+    line = chain.problem_of(makers.face(), both)
+    index = [variable.name for variable in line.problem.variables].index("jawRight_jawLeft")
+    variable = line.problem.variables[index]
+    motions = [m for m in line.face.trajectories.motions if line.face.rig.controls[m.control].name.startswith("jaw")]
+    arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in motions])
+    worst = -0.85 * arcs.min(axis=0) / line.face.trajectories.typical_length
+    left = line.face.trajectories.base[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
+    assert np.allclose(variable.cost[left], worst[left], rtol=1e-6)
+    assert variable.samples.shape[2] == 10
+
+
+def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
+    cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
+    line = chain.lay_out(rig_with(cheeks=cheeks))
+    assert not chain.by_name(line)["cheeks"].anchor.beside
+    chin = chain.by_name(line)["chin"]
+    assert abs(chin.anchor.position[0]) < 1e-6
+    assert chin.side == "middle"
+
+
+def test_a_middle_control_may_be_doubled():
+    cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
+    line = chain.lay_out(rig_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": True}))
+    elements = chain.by_name(line)
+    one, other = elements["cheeks"], elements["cheeks_mirror"]
+    assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
+    assert one.mirror == "cheeks_mirror"
+
+
+def test_the_paper_preset_takes_the_constants_literally():
+    from usdrigui.settings import load
+    from usdrigui.surface import mean_edge_length, mesh_triangles
+
+    line = chain.problem_of(makers.face(), load(preset="paper"))
+    edge = mean_edge_length(POINTS, mesh_triangles(line.face.rig.meshes))
+    overlap = line.problem.overlap
+    assert overlap.radius == pytest.approx(edge)
+    assert (overlap.sharpness, overlap.maximum) == (2.0, 5.0)
+    assert np.isinf(overlap.reach)
+    assert line.problem.separation < 1e-6
+    assert all(np.isinf(variable.beside) for variable in line.problem.variables)
+    large = chain.problem_of(makers.moved(makers.face(), 10.0 * np.eye(3)), load(preset="paper"))
+    assert large.problem.overlap.sharpness == 2.0, "scene units: the paper's constants do not scale"
+
+
+def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
+    out = makers.bump(POINTS, (0.2, -0.2), (0, 0, 1), 0.2, 0.1)
+    up = makers.bump(POINTS, (0.2, -0.2), (0, 1, 0), 0.2, 0.1)
+    flat = chain.settings(candidates={"space": "view", "view": "front", "occlusion_price": 0.0})
+    line = chain.problem_of(rig_with(out=out, up=up), flat)
+    costs = {variable.name: variable.cost.min(initial=np.inf) for variable in line.problem.variables}
+    assert costs["up"] < -0.5
+    assert costs["out"] > -0.01 or "out" not in costs
+    for variable in line.problem.variables:
+        for flat_part in (variable.samples[..., 2], variable.handles[..., 2]):
+            assert flat_part.size == 0 or np.ptp(flat_part) < 1e-9
+    assert chain.lay_out(rig_with(up=up), flat).layout.space == "view"
+
+
+def test_a_control_kept_on_the_face_cannot_leave_it():
+    line = chain.problem_of(makers.face(), chain.settings(controls={"chin": {"place": "face"}}))
+    beside = {variable.name: variable.beside for variable in line.problem.variables}
+    assert np.isinf(beside["chin"])
+    assert np.isfinite(beside["pucker"])

@@ -1,0 +1,234 @@
+"""Layouts that heed earlier ones: fixed anchors, stability against a previous layout."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.reuse.partial_layout import fixed_by
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
+from usdrigui.layout.review.difference import difference
+from usdrigui.layout.review.improvement import improvements
+from usdrigui.settings import Settings
+
+
+def lay_out(rig, settings=None, prior=NO_PRIOR):
+    return chain.lay_out(rig, settings, prior=prior)
+
+
+def anchors(layout):
+    return {
+        member.control: "beside" if element.anchor.beside else element.anchor.point
+        for element in layout.elements
+        for member in element.members
+    }
+
+
+def partners(layout):
+    return {frozenset(member.control for member in element.members) for element in layout.elements}
+
+
+@pytest.fixture(scope="module")
+def face():
+    return makers.face()
+
+
+@pytest.fixture(scope="module")
+def before(face):
+    return chain.lay_out(face)
+
+
+def without(rig, *names):
+    return replace(rig, controls=tuple(control for control in rig.controls if control.name not in names))
+
+
+def at_another_place(line, name, column=0):
+    """The layout with one element moved to some other point that its control moves, beyond the candidates."""
+    element = chain.by_name(line)[name]
+    motion = next(
+        each
+        for each in line.face.trajectories.motions
+        if line.face.rig.controls[each.control].name == element.members[0].control
+    )
+    reach = np.linalg.norm(line.face.trajectories.base[motion.points] - element.anchor.position, axis=1)
+    point = int(motion.points[np.argsort(reach)[len(reach) // 2 + column]])
+    anchor = replace(element.anchor, point=point, position=np.array(line.face.trajectories.base[point]))
+    changed = tuple(replace(each, anchor=anchor) if each is element else each for each in line.layout.elements)
+    return replace(line.layout, elements=changed), point
+
+
+# --- fixed -------------------------------------------------------------------------------------------
+
+
+def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
+    settings = fixed_by(before.layout, face, Settings())
+    again = lay_out(face, settings, PriorLayout(kept_groups(before.layout, face)))
+    assert anchors(again.layout) == anchors(before.layout)
+    assert partners(again.layout) == partners(before.layout)
+    mirrors = {element.name: element.mirror for element in before.layout.elements}
+    assert {element.name: element.mirror for element in again.layout.elements} == mirrors
+
+
+def test_the_rest_is_optimal_given_what_is_fixed(face, before):
+    layout, point = at_another_place(before, "pucker")
+    partial = replace(layout, elements=tuple(each for each in layout.elements if each.name == "pucker"))
+    settings = fixed_by(partial, face, Settings())
+    line = lay_out(face, settings)
+    assert anchors(line.layout)["pucker"] == point
+    assert line.assignment.status == "optimal"
+    assert line.assignment.cost - line.assignment.bound <= 1e-9 * abs(line.assignment.cost) + 1e-12
+    # What the fixed handle is in the way of has moved aside; everything else solves the remaining problem.
+    (fixed,) = [i for i, variable in enumerate(line.problem.variables) if variable.name == "pucker"]
+    assert len(line.problem.variables[fixed].points) == 1
+    assert np.isinf(line.problem.variables[fixed].beside)
+
+
+def test_fixing_beside_keeps_a_control_off_the_face(face, before):
+    element = chain.by_name(before)["chin"]
+    beside = replace(element, anchor=replace(element.anchor, beside=True))
+    settings = fixed_by(replace(before.layout, elements=(beside,)), face, Settings())
+    assert anchors(lay_out(face, settings).layout)["chin"] == "beside"
+
+
+def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
+    settings = fixed_by(before.layout, face, chain.settings(controls={"chin": {"anchor": "/Root/mesh#20"}}))
+    assert settings.controls["chin"].anchor == "/Root/mesh#20"
+    assert settings.controls["pucker"].anchor == f"/Root/mesh#{anchors(before.layout)['pucker']}"
+
+
+def test_fixing_one_member_fixes_its_group(face):
+    settings = chain.settings(
+        groups={"groups": {"jaw": ["jawLeft", "jawRight"]}}, controls={"jawLeft": {"anchor": "/Root/mesh#181"}}
+    )
+    found = anchors(chain.lay_out(face, settings).layout)
+    assert found["jawLeft"] == found["jawRight"] == 181
+
+
+@pytest.mark.parametrize(
+    ("controls", "groups", "told"),
+    [
+        ({"chin": 16}, {}, None),
+        ({"chin": 1300}, {}, "does not move"),
+        ({"pucker": 382, "smile_L": 382}, {}, "least distance"),
+        ({"jawLeft": 181, "jawRight": 182}, {"jaw": ["jawLeft", "jawRight"]}, "and at"),
+        ({"pucker": 379}, {"odd": ["pucker", "brow_L"]}, "does not move"),
+    ],
+)
+def test_impossible_requests_are_refused_with_the_reason(face, controls, groups, told):
+    said = {name: {"anchor": f"/Root/mesh#{point}"} for name, point in controls.items()}
+    settings = chain.settings(controls=said, groups={"groups": groups})
+    if told is None:
+        chain.problem_of(face, settings)
+        return
+    with pytest.raises(RigUIError, match=told) as refused:
+        chain.problem_of(face, settings)
+    assert refused.value.issue.code == "FIXED_IMPOSSIBLE"
+
+
+def test_a_layer_fixed_on_other_points_is_refused(face, before):
+    other = makers.face(columns=31)
+    with pytest.raises(RigUIError, match="other points or faces"):
+        fixed_by(before.layout, other, Settings())
+    with pytest.raises(RigUIError) as refused:
+        fixed_by(before.layout, without(face, "chin"), Settings())
+    assert refused.value.issue.code == "CONFIG_UNKNOWN_CONTROL"
+
+
+# --- the layout before -------------------------------------------------------------------------------
+
+
+def test_nothing_moves_when_nothing_changed(face, before):
+    again = lay_out(face, prior=of_previous(before.layout, face, 0.1))
+    assert anchors(again.layout) == anchors(before.layout)
+    assert difference(before.layout, again.layout).changes == ()
+
+
+def test_a_place_is_kept_until_leaving_it_gains_more_than_the_price(face, before):
+    layout, point = at_another_place(before, "chin")
+    cheap = lay_out(face, prior=of_previous(layout, face, 1e-4))
+    dear = lay_out(face, prior=of_previous(layout, face, 5.0))
+    assert anchors(cheap.layout)["chin"] == anchors(before.layout)["chin"]
+    assert anchors(dear.layout)["chin"] == point
+    gains = improvements(cheap.face, cheap.inputs.requests, cheap.inputs.placement, cheap.assignment.labels)
+    (change,) = [each for each in difference(layout, cheap.layout, gains).changes if each.control == "chin"]
+    assert change.kind == "moved"
+    assert change.distance > 0.0
+    assert gains["chin"] > 1e-4
+    assert any("gains" in clause for clause in change.why)
+    # At the gain itself the balance tips.
+    assert anchors(lay_out(face, prior=of_previous(layout, face, 1.01 * gains["chin"])).layout)["chin"] == point
+
+
+def test_at_a_price_of_nothing_it_is_the_plain_optimum(face, before):
+    layout, _ = at_another_place(before, "chin")
+    assert of_previous(layout, face, 0.0) is NO_PRIOR
+
+
+def test_a_control_sent_beside_stays_there_at_the_price(face, before):
+    element = chain.by_name(before)["chin"]
+    beside = replace(element, anchor=replace(element.anchor, beside=True))
+    layout = replace(before.layout, elements=tuple(beside if e is element else e for e in before.layout.elements))
+    assert anchors(lay_out(face, prior=of_previous(layout, face, 5.0)).layout)["chin"] == "beside"
+    assert anchors(lay_out(face, prior=of_previous(layout, face, 1e-3)).layout)["chin"] != "beside"
+
+
+def test_an_edit_on_one_side_unfolds_the_pair(face, before):
+    layout, point = at_another_place(before, "brow_L")
+    again = lay_out(face, prior=of_previous(layout, face, 5.0))
+    assert anchors(again.layout)["brow_L"] == point
+    assert anchors(again.layout)["brow_R"] == anchors(before.layout)["brow_R"]
+
+
+def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
+    apart = chain.lay_out(face, chain.settings(groups={"opposed": False}))
+    again = lay_out(face, prior=of_previous(apart.layout, face, 0.1))
+    assert frozenset(["jawLeft"]) in partners(again.layout)
+    merged = lay_out(face)
+    assert frozenset(["jawLeft", "jawRight"]) in partners(merged.layout)
+    kept = lay_out(face, chain.settings(groups={"opposed": False}), of_previous(merged.layout, face, 0.1))
+    assert frozenset(["jawLeft", "jawRight"]) in partners(kept.layout)
+    (jaw,) = [element for element in kept.layout.elements if len(element.members) > 1]
+    assert jaw.opposed == ((0, 1),)
+
+
+def test_a_group_that_lost_a_member_is_its_survivors(face, before):
+    smaller = without(face, "jawRight")
+    again = lay_out(smaller, prior=of_previous(before.layout, smaller, 0.1))
+    assert frozenset(["jawLeft"]) in partners(again.layout)
+    assert anchors(again.layout)["jawLeft"] == anchors(before.layout)["jawLeft"]
+    found = difference(before.layout, again.layout)
+    assert [(change.control, change.kind) for change in found.changes] == [("jawRight", "removed")]
+
+
+def test_removing_and_adding_moves_few_of_the_others(face):
+    old, new = without(face, "sneer_L", "sneer_R", "pucker"), without(face, "chin", "blink_L", "blink_R")
+    first = chain.lay_out(old)
+    again = lay_out(new, prior=of_previous(first.layout, new, 0.1))
+    found = difference(first.layout, again.layout)
+    kinds = {change.control: change.kind for change in found.changes}
+    assert {name for name, kind in kinds.items() if kind == "removed"} == {"chin", "blink_L", "blink_R"}
+    assert {name for name, kind in kinds.items() if kind == "added"} == {"sneer_L", "sneer_R", "pucker"}
+    assert len(found.displaced) == 0
+
+
+def test_another_topology_keeps_the_nearest_places(before):
+    finer = makers.face(columns=41, rows=51)
+    again = lay_out(finer, prior=of_previous(before.layout, finer, 0.5))
+    width = again.face.handle_width
+    now = {element.name: element.anchor.position for element in again.layout.elements}
+    apart = [np.linalg.norm(now[element.name] - element.anchor.position) / width for element in before.layout.elements]
+    assert max(apart) < 1.5
+    why = [clause for change in difference(before.layout, again.layout).changes for clause in change.why]
+    assert any("has other points or faces" in clause for clause in why)
+
+
+def test_of_two_precedents_the_first_is_heard(face, before):
+    first = PriorLayout(kept_groups(replace(before.layout, elements=before.layout.elements[:2]), face))
+    both = joined(first, of_previous(before.layout, face, 0.3))
+    assert both.penalty == 0.3
+    assert both.groups[: len(first.groups)] == first.groups
+    members = [control for group in both.groups for control in group.controls]
+    assert len(members) == len(set(members)) == len(face.controls)

@@ -1,0 +1,43 @@
+"""A base pose that is not symmetric: pairs are still pairs, and stand on the face."""
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+
+def pose(rig, **values):
+    return np.array([values.get(control.name, control.default) for control in rig.controls])
+
+
+@pytest.fixture(scope="module")
+def rig():
+    return makers.face()
+
+
+def test_a_one_sided_pose_keeps_partners_and_twins(rig):
+    rest, one_sided = chain.face_of(rig), chain.face_of(rig, base_values=pose(rig, smile_L=1.0, brow_L=1.0))
+    assert np.array_equal(one_sided.symmetry.partner, rest.symmetry.partner)
+    assert np.array_equal(one_sided.symmetry.twins, rest.symmetry.twins)
+    moved = np.linalg.norm(one_sided.trajectories.base - rest.trajectories.base, axis=1)
+    assert one_sided.symmetry.distance[moved.argmax()] == pytest.approx(moved.max(), rel=1e-3)
+    assert one_sided.symmetry.distance[moved == 0.0].min() < 1e-9
+
+
+def test_pairs_stand_on_the_face_at_a_one_sided_pose(rig):
+    values = pose(rig, smile_L=1.0)
+    rest, line = chain.lay_out(rig), chain.lay_out(rig, base_values=values)
+    assert not any(element.anchor.beside for element in line.layout.elements)
+    assert {element.name for element in line.layout.elements} == {element.name for element in rest.layout.elements}
+    left, right = chain.by_name(line)["smile_L"].anchor, chain.by_name(line)["smile_R"].anchor
+    assert line.face.symmetry.partner[left.point] == right.point
+
+
+def test_the_plane_is_that_of_the_pose(rig):
+    """A rigid motion of the whole face carries the plane along; the partners stay."""
+    points, quads = makers.mask()
+    rig = makers.rig(points, quads, {**makers.face_shapes(points), "aside": np.tile([0.3, 0.0, 0.0], (len(points), 1))})
+    rest, aside = chain.face_of(rig), chain.face_of(rig, base_values=pose(rig, aside=1.0))
+    assert abs((aside.symmetry.origin - rest.symmetry.origin) @ rest.symmetry.normal) == pytest.approx(0.3, abs=1e-6)
+    assert np.array_equal(aside.symmetry.partner, rest.symmetry.partner)
+    assert aside.symmetry.distance.max() < 1e-6

@@ -1,0 +1,53 @@
+"""Which way a character looks: where its controls move it, each with one vote."""
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.layout.symmetry.front import front
+
+POINTS, QUADS = makers.mask()
+MIRROR = np.array([1.0, 1.0, -1.0])
+
+
+def with_hair(shapes):
+    """The mask, and hair behind it: twice as large, facing back; `shapes` are given for the mask's points."""
+    hair = 2.0 * POINTS * MIRROR - [0.0, 0.0, 0.1]
+    behind = [[at + len(POINTS) for at in quad[::-1]] for quad in QUADS]
+    both = {name: np.vstack([each, each if name.startswith("whole") else 0.0 * each]) for name, each in shapes.items()}
+    return makers.rig(np.vstack([POINTS, hair]), [*QUADS, *behind], both)
+
+
+@pytest.mark.parametrize("wholes", [0, 1, 4])
+def test_controls_of_the_whole_head_do_not_outvote_the_face(wholes):
+    local = {name: makers.face_shapes(POINTS)[name] for name in ("smile_L", "smile_R", "chin")}
+    rig = with_hair({**local, **{f"whole{k}": np.full_like(POINTS, 0.1 + 0.1 * k) for k in range(wholes)}})
+    face = chain.face_of(rig)
+    assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
+    assert front(rig.up, face.trajectories, np.zeros(3))[2] > 0.9
+
+
+def test_large_controls_have_no_more_votes_than_small_ones():
+    """One control moves all of the hair and looks back; three small ones on the face decide."""
+    rig = with_hair({name: makers.face_shapes(POINTS)[name] for name in ("smile_L", "smile_R", "chin")})
+    hair = np.vstack([np.zeros_like(POINTS), np.full_like(POINTS, 0.3)])
+    mesh = rig.meshes[0]
+    shapes = [*(shape_of(rig, k) for k in range(3)), hair]
+    rig = makers.rig(mesh.points, mesh.face_indices.reshape(-1, 4).tolist(), dict(zip("abcd", shapes, strict=True)))
+    assert chain.face_of(rig).views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
+
+
+def shape_of(rig, index):
+    offsets = np.zeros_like(rig.meshes[0].points)
+    shape = rig.meshes[0].shapes[index]
+    offsets[shape.points] = shape.offsets[-1]
+    return offsets
+
+
+@pytest.mark.parametrize("matrix", [np.eye(3), np.diag([-1.0, 1, -1]), np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])])
+def test_the_face_looks_where_it_moves(matrix):
+    rig = makers.moved(makers.face(), matrix)
+    face = chain.face_of(rig)
+    assert front(rig.up, face.trajectories, face.symmetry.normal) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0)
+    assert front(rig.up, face.trajectories, np.zeros(3)) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0, abs=1e-3)

@@ -1,0 +1,240 @@
+"""The mirror plane, partner points and twins, on faces whose symmetry is known by construction."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.motion.similarity import displacement_fields
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.names import common_label, has_side, hints_at_twin
+from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
+from usdrigui.pose import direct
+from usdrigui.settings import Settings
+
+ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
+ROTATION *= np.sign(np.linalg.det(ROTATION))
+
+
+def symmetry_of(rig, settings=None):
+    settings = settings or Settings()
+    found = trajectories(rig, settings.trajectories)
+    return find_symmetry(rig, found, displacement_fields(found), settings)
+
+
+def names(rig, symmetry):
+    controls = [control.name for control in rig.controls]
+    return {name: controls[twin] if twin >= 0 else "" for name, twin in zip(controls, symmetry.twins, strict=True)}
+
+
+@pytest.mark.parametrize(
+    ("matrix", "offset"),
+    [(np.eye(3), (0, 0, 0)), (ROTATION, (5.0, 6.0, -7.0)), (100.0 * ROTATION, (0.0, 900.0, 0.0))],
+    ids=["as-made", "rotated", "rotated-and-large"],
+)
+def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
+    rig = makers.moved(makers.face(), matrix, offset)
+    symmetry = symmetry_of(rig)
+    scale = np.linalg.norm(matrix[0])
+    left = matrix @ [1.0, 0.0, 0.0] / scale
+    assert symmetry.normal @ left == pytest.approx(1.0, abs=1e-9)
+    assert abs(plane_distance(np.asarray(offset, dtype=float), symmetry)) < 1e-6 * scale
+    assert (symmetry.partner >= 0).all()
+    assert symmetry.distance.max() < 1e-5 * scale
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_controls_decide_where_the_face_is_as_symmetric_upside_down(seed):
+    # The mask itself has both planes to the last bit, and which one rounding favours differs by turn and processor.
+    turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    face = makers.moved(makers.face(17, 21), turn)
+    for up in (turn[:, 1], turn[:, 0]):
+        assert abs(symmetry_of(replace(face, up=up)).normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("up", [0, 1])
+def test_the_up_axis_decides_where_the_controls_leave_it_open(up):
+    points, quads = makers.mask(17, 21)
+    alike = makers.rig(points, quads, {"pout": makers.bump(points, (0, 0), (0, 0, 1), 0.6)}, up=np.eye(3)[up])
+    assert abs(symmetry_of(alike).normal[1 - up]) == pytest.approx(1.0, abs=1e-9)
+
+
+def test_hair_on_one_side_does_not_tilt_the_plane():
+    points, quads = makers.mask()
+    hair = np.random.default_rng(2).uniform([0.9, 0.5, -1.0], [1.6, 1.8, 0.0], size=(150, 3))
+    faces = quads + (len(points) + np.arange(150).reshape(-1, 3)).tolist()
+    shapes = {name: np.vstack([each, np.zeros_like(hair)]) for name, each in makers.face_shapes(points).items()}
+    shapes["hair"] = np.vstack([np.zeros_like(points), np.full_like(hair, 0.1)])
+    symmetry = symmetry_of(makers.rig(np.vstack([points, hair]), faces, shapes))
+    assert symmetry.normal @ [1.0, 0.0, 0.0] == pytest.approx(1.0, abs=1e-9)
+    assert (symmetry.distance[: len(points)] < 1e-6).all()
+
+
+def test_partners_are_images_and_come_in_twos():
+    rig = makers.face()
+    symmetry = symmetry_of(rig)
+    points = rig.meshes[0].points
+    assert np.allclose(reflected(points, symmetry), points[symmetry.partner], atol=1e-6)
+    assert np.array_equal(symmetry.partner[symmetry.partner], np.arange(len(points)))
+
+
+def test_lips_that_touch_find_the_partner_that_moves_alike():
+    points, quads = makers.mask(17, 21)
+    shapes = {
+        "up_L": makers.bump(points, (0.3, 0), (0, 1, 0), 0.5),
+        "up_R": makers.bump(points, (-0.3, 0), (0, 1, 0), 0.5),
+    }
+    doubled = np.vstack([points, points])
+    second = [[i + len(points) for i in face] for face in quads]
+    moving = {name: np.vstack([each, -each]) for name, each in shapes.items()}
+    symmetry = symmetry_of(makers.rig(doubled, quads + second, moving))
+    moved = np.abs(moving["up_L"]).sum(axis=1) > 1e-3
+    upper = np.flatnonzero(moved[: len(points)])
+    lower = upper + len(points)
+    assert (symmetry.partner[upper] < len(points)).all()
+    assert (symmetry.partner[lower] >= len(points)).all()
+
+
+def test_a_shapeless_lump_has_no_plane():
+    random = np.random.default_rng(4)
+    points = random.normal(size=(300, 3)) * [1.0, 2.0, 3.0]
+    rig = makers.rig(points, np.arange(300).reshape(-1, 3).tolist(), {"a": random.normal(size=(300, 3))})
+    symmetry = symmetry_of(rig)
+    assert not symmetry.normal.any()
+    assert (symmetry.partner == -1).all()
+    assert symmetry.twins.tolist() == [-1]
+
+
+def test_twins_come_from_geometry_and_directions_are_twins_too():
+    rig = makers.face()
+    symmetry = symmetry_of(rig)
+    found = names(rig, symmetry)
+    assert found["brow_L"] == "brow_R"
+    assert found["jawLeft"] == "jawRight"
+    assert found["pucker"] == "pucker"
+    assert set(symmetry.sources) == {"geometry"}
+
+
+def test_twins_need_no_names():
+    points, quads = makers.mask()
+    shapes = {f"{i:02d}": each for i, each in enumerate(makers.face_shapes(points).values())}
+    found = names(None or makers.rig(points, quads, shapes), symmetry_of(makers.rig(points, quads, shapes)))
+    assert found["00"] == "01"
+    assert found["08"] == "08"
+
+
+def test_a_control_that_swings_both_ways_is_symmetric():
+    points, quads = makers.mask()
+    shapes = {
+        "swing": makers.bump(points, (0, -0.7), (1, 0, 0), 0.45, 0.15),
+        "pucker": makers.bump(points, (0, 0), (0, 0, 1)),
+    }
+    one_way, both = (makers.rig(points, quads, shapes, ranges={"swing": (low, 1.0)}) for low in (0.0, -1.0))
+    assert names(one_way, symmetry_of(one_way))["swing"] == ""
+    assert names(both, symmetry_of(both))["swing"] == "swing"
+
+
+def eyes(low):
+    """Two eyes that both look to the character's left as their control rises, and a mouth."""
+    points, quads = makers.mask()
+    shapes = {f"yaw_{side}": makers.bump(points, (x, 0.3), (1, 0, 0), 0.2) for side, x in (("L", 0.35), ("R", -0.35))}
+    shapes["mid"] = makers.bump(points, (0, -0.5), (0, 0, 1))
+    return makers.rig(points, quads, shapes, ranges={"yaw_L": (low, 1.0), "yaw_R": (low, 1.0)})
+
+
+def test_twins_of_opposite_sign_are_found_where_both_go_both_ways():
+    symmetry = symmetry_of(eyes(-1.0))
+    assert names(eyes(-1.0), symmetry) == {"yaw_L": "yaw_R", "yaw_R": "yaw_L", "mid": "mid"}
+    assert symmetry.reversed.tolist() == [True, True, False]
+    assert names(eyes(0.0), symmetry_of(eyes(0.0)))["yaw_L"] == ""
+    assert not symmetry_of(makers.face()).reversed.any()
+
+
+def test_elements_of_reversed_twins_mirror_each_other_and_say_so():
+    line = chain.lay_out(eyes(-1.0))
+    left, right = (chain.by_name(line)[name] for name in ("yaw_L", "yaw_R"))
+    assert (left.mirror, right.mirror) == ("yaw_R", "yaw_L")
+    assert (left.reversed, right.reversed) == ((0,), (0,))
+    assert np.abs(left.anchor.position * [-1.0, 1.0, 1.0] - right.anchor.position).max() < 1e-6
+    assert np.abs(left.members[0].track * [-1.0, 1.0, 1.0] - right.members[0].track[::-1]).max() < 1e-5
+    # A symmetric pull does not tie them: it would make the eyes squint.
+    assert direct.twins_of(line.face.rig, line.layout).tolist() == [0, 1, 2]
+    forced = chain.lay_out(eyes(-1.0), chain.settings(controls={"yaw_L": {"twin": "none"}}))
+    assert chain.by_name(forced)["yaw_L"].reversed == ()
+
+
+def test_left_and_right_shapes_may_differ_and_weak_ones_need_the_name():
+    points, quads = makers.mask()
+    left = makers.bump(points, (0.35, 0.5), (0, 1, 0), 0.3)
+    right = makers.bump(points, (-0.35, 0.5), (0, 1, 0), 0.3) * 0.7
+    other = makers.bump(points, (-0.5, 0.6), (0.8, 1, 0), 0.3) * 0.5
+    shapes = {"a_L": left, "a_R": right, "mid": makers.bump(points, (0, -0.5), (0, 0, 1))}
+    rig = makers.rig(points, quads, shapes)
+    assert names(rig, symmetry_of(rig))["a_L"] == "a_R"
+    shapes["a_R"] = other
+    named = makers.rig(points, quads, shapes)
+    found = symmetry_of(named)
+    assert names(named, found)["a_L"] == "a_R"
+    assert found.sources[0] == "name"
+    nameless = makers.rig(points, quads, {"p": left, "q": other, "mid": shapes["mid"]})
+    assert names(nameless, symmetry_of(nameless))["p"] == ""
+
+
+def test_the_configuration_has_the_last_word():
+    rig = makers.face()
+    said = {"brow_L": {"twin": "none"}, "pucker": {"twin": "chin"}, "jawLeft": {"twin": "self"}}
+    symmetry = symmetry_of(rig, chain.settings(controls=said))
+    found = names(rig, symmetry)
+    assert found["brow_L"] == ""
+    assert found["pucker"] == "chin"
+    assert found["chin"] == "pucker"
+    assert found["jawLeft"] == "jawLeft"
+    assert symmetry.sources[[c.name for c in rig.controls].index("chin")] == "config"
+    with pytest.raises(RigUIError) as refused:
+        symmetry_of(rig, chain.settings(controls={"pucker": {"twin": "nobody"}}))
+    assert refused.value.issue.code == "CONFIG_UNKNOWN_CONTROL"
+
+
+def test_symmetry_can_be_switched_off():
+    symmetry = symmetry_of(makers.face(), chain.settings(symmetry={"enabled": False}))
+    assert not symmetry.normal.any()
+    assert (symmetry.twins == -1).all()
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("browDown_L", "browDown_R"),
+        ("eye-left-slit", "eye-right-slit"),
+        ("l-brow", "r-brow"),
+        ("Look_In_Left", "Look_In_Right"),
+        ("face.Lsmile", "face.Rsmile"),
+        ("mouthLeft", "mouthRight"),
+    ],
+)
+def test_names_hint_at_twins(one, other):
+    assert hints_at_twin(one, other)
+    assert hints_at_twin(other, one)
+
+
+def test_names_without_sides_hint_at_nothing():
+    assert not has_side("mouthRollLower")
+    assert not hints_at_twin("jawOpen", "jawOpen")
+    assert not hints_at_twin("browDown_L", "browUp_R")
+    assert not hints_at_twin("mouthRoll", "mouthRolr")
+
+
+@pytest.mark.parametrize(
+    ("labels", "expected"),
+    [
+        (["eyeLookIn_L", "eyeLookOut_L"], "eyeLook In/Out L"),
+        (["jawLeft", "jawRight"], "jaw Left/Right"),
+        (["mouthOpen", "browUp"], "mouthOpen / browUp"),
+        (["one"], "one"),
+    ],
+)
+def test_labels_of_shared_elements_say_what_is_common(labels, expected):
+    assert common_label(labels) == expected

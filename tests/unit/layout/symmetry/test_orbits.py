@@ -1,0 +1,53 @@
+"""Orbits of an n-fold symmetry."""
+
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.symmetry.orbits import orbit_points
+
+
+def star(arms=5):
+    """A disc with one bump in each of `arms` directions."""
+    angles = np.arange(60) * 2.0 * np.pi / 60
+    rings = np.linspace(0.1, 1.0, 10)
+    points = np.array([[r * np.cos(a), r * np.sin(a), 0.0] for r in rings for a in angles])
+    faces = [
+        [r * 60 + i, r * 60 + (i + 1) % 60, (r + 1) * 60 + (i + 1) % 60, (r + 1) * 60 + i]
+        for r in range(9)
+        for i in range(60)
+    ]
+    turns = 2.0 * np.pi * np.arange(arms) / arms
+    shapes = {
+        f"arm{k}": makers.bump(points, (0.6 * np.cos(a), 0.6 * np.sin(a)), (0, 0, 1), 0.3) for k, a in enumerate(turns)
+    }
+    return makers.rig(points, faces, shapes)
+
+
+@pytest.mark.parametrize("arms", [2, 3, 5])
+def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
+    rig = star(arms)
+    orbit = {"orbit": tuple(f"arm{k}" for k in range(arms))}
+    said = chain.settings(controls={"arm0": orbit}, candidates={"occlusion": False})
+    if arms == 2:
+        rig = replace(rig, up=np.array([0.0, 0.0, 1.0]))
+    line = chain.lay_out(rig, said)
+    assert len(line.problem.variables) == 1
+    assert line.problem.variables[0].handles.shape[1] == arms
+    anchors = np.stack([chain.by_name(line)[f"arm{k}"].anchor.position for k in range(arms)])
+    assert np.allclose(np.linalg.norm(anchors, axis=1), np.linalg.norm(anchors[0]))
+    angle = 2.0 * np.pi / arms
+    turn = np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    assert np.allclose(anchors[0] @ turn, anchors[1], atol=1e-6)
+    found = line.face.trajectories
+    assert (orbit_points(found, found.motions, rig.up, 0.01 * found.face_size, np.arange(60)) >= 0).all()
+
+
+@pytest.mark.parametrize("orbit", [("arm0",), ("arm0", "nobody"), ("arm0", "arm0")])
+def test_wrong_orbits_are_refused(orbit):
+    with pytest.raises(RigUIError):
+        chain.problem_of(star(3), chain.settings(controls={"arm0": {"orbit": orbit}}))

@@ -1,0 +1,93 @@
+"""Views, and what they see."""
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.errors import RigUIError
+from usdrigui.layout.visibility import find_views, mostly_hidden, screen
+
+POINTS, QUADS = makers.mask()
+
+
+SHAPES = makers.face_shapes(POINTS)
+
+
+TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
+
+
+def rig_with_teeth(skin_moves=0.0, visible=True):
+    """The face with teeth behind it, and a control that moves the teeth, and the skin by `skin_moves`."""
+    names = [*SHAPES, "teeth"]
+    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
+    face.append(makers.shape(len(SHAPES), skin_moves * SHAPES["pucker"]))
+    meshes = [
+        makers.mesh(POINTS, QUADS, face),
+        makers.mesh(
+            TEETH,
+            [[0, 1, 2, 3]],
+            [makers.shape(len(SHAPES), np.full((4, 3), 0.1))],
+            path="/Root/teeth",
+            visible=visible,
+        ),
+    ]
+    return makers.rig_of_meshes(meshes, names)
+
+
+def test_views_are_named_or_angles_or_a_camera():
+    face = chain.face_of(makers.face())
+
+    def directions(view, camera=None):
+        return find_views(face.rig, face.trajectories, face.symmetry, view, True, camera).directions
+
+    assert len(directions("")) == 3
+    assert np.allclose(directions("front"), [[0, 0, 1]])
+    assert np.allclose(directions("side"), [[1, 0, 0]])
+    assert np.allclose(directions("90,0"), directions("side"))
+    assert np.allclose(directions("0,90"), [[0, 1, 0]])
+    assert np.allclose(directions("/cam", np.array([0.0, 0.0, 5.0])), [[0, 0, 1]])
+    for view in ("nowhere", "1,2,3", "/cam"):
+        with pytest.raises(RigUIError) as refused:
+            directions(view)
+        assert refused.value.issue.code == "CONFIG_VALUE"
+
+
+def test_the_screen_is_upright_even_from_above():
+    face = chain.face_of(makers.face())
+    for view, right, up in (("front", [1, 0, 0], [0, 1, 0]), ("0,90", [1, 0, 0], [0, 0, -1])):
+        views = find_views(face.rig, face.trajectories, face.symmetry, view)
+        assert np.allclose(screen(views), [right, up], atol=1e-6)
+
+
+def test_what_lies_behind_the_face_is_not_seen_unless_occlusion_is_off():
+    face = chain.face_of(rig_with_teeth())
+    assert not face.views.anywhere[-4:].any()
+    assert face.views.anywhere[: len(POINTS)].mean() > 0.8
+    without = chain.face_of(rig_with_teeth(), chain.settings(candidates={"occlusion": False}))
+    assert without.views.anywhere.all()
+    hidden = chain.face_of(rig_with_teeth(visible=False), chain.settings(candidates={"occlusion": False}))
+    assert not hidden.views.anywhere[-4:].any()
+
+
+def test_tracks_inside_the_model_are_hidden_and_shallow_ones_are_not():
+    face = chain.face_of(makers.face())
+    point = np.argmin(np.linalg.norm(POINTS[:, :2], axis=1))
+    steps = np.linspace(0.0, 1.0, 5)[:, None] * face.trajectories.normals[point]
+    deep, out, shallow = (POINTS[point] + length * steps for length in (-0.3, 0.3, -0.01))
+    normals = np.repeat(face.trajectories.normals[[point]], 3, axis=0)
+    found = mostly_hidden(face.views, np.stack([deep, out, shallow]), normals, depth=0.02)
+    assert found.tolist() == [True, False, False]
+
+
+def test_a_copy_of_the_face_that_is_not_shown_hides_nothing():
+    shapes = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
+    shown = makers.mesh(POINTS, QUADS, shapes)
+    unseen = makers.mesh(POINTS, QUADS, shapes, path="/Root/proxy", visible=False)
+    alone = chain.problem_of(makers.rig_of_meshes([shown], list(SHAPES)))
+    doubled = chain.problem_of(makers.rig_of_meshes([unseen, shown], list(SHAPES)))
+    assert [each.category == "hidden" for each in doubled.candidates.sets] == [
+        each.category == "hidden" for each in alone.candidates.sets
+    ]
+    for with_copy, without in zip(doubled.candidates.sets, alone.candidates.sets, strict=True):
+        assert (with_copy.points - len(POINTS)).tolist() == without.points.tolist()

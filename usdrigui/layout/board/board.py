@@ -1,0 +1,232 @@
+"""The board: a tidy grid beside the face for elements that do not stand on it (paper section 3.3, global
+deformations).
+
+It stands in the plane of the layout's own view, to the right of the silhouette at its own height, in
+columns no taller than the face; rows are grouped by category.  It is attached to the most head-like joint,
+so that it follows the head and nothing else.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.layout.board.board_place import anchor_point, face_middle, silhouette
+from usdrigui.layout.face import Face
+from usdrigui.layout.glyph_fitting import fitted_glyph
+from usdrigui.layout.names import common_label
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.visibility import screen
+from usdrigui.model import Anchor, Element, Floats, Group, Member, Rig, Side
+
+CATEGORIES = ("global", "hidden", "composite", "requested", "crowded")
+"""Headings, from top to bottom."""
+
+Adapt = Literal["deform", "static"]
+"""How an element follows the face."""
+
+_TRACK = 4.0
+"""Length of a slider, in handle widths."""
+_ROW = 2.4
+"""Height of a row; at least what keeps two handles apart."""
+_LETTER = 0.72
+"""Width of a letter of a label."""
+_MARGIN = 3.0
+"""Least distance from the silhouette."""
+_TALL = 1.1
+"""Greatest height of a column, in face sizes."""
+
+
+@dataclass(frozen=True)
+class BoardEntry:
+    """One element of the board."""
+
+    group: Group
+    controls: tuple[int, ...]
+    category: str
+    reason: str
+
+
+def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adapt: Adapt) -> list[Element]:
+    """Elements of the board, in the reading order of its rows."""
+    if not board:
+        return []
+    rows = _rows(face.rig, board)
+    width, height = face.handle_width, _TALL * face.trajectories.face_size
+    middle = face_middle(face.trajectories, face.symmetry)
+    frame = screen(face.views)
+    columns = _columns(rows, max(1, int(height / (_ROW * width))))
+    left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width
+    left = max([left, *(_right_end(each, frame, width) for each in _existing(requests))])
+    drawing = _Drawing(face, requests, frame, anchor_point(face, middle), adapt)
+    elements = []
+    for column in columns:
+        cells = _cell_widths(face.rig, [row for _, row in column])
+        for line, row in column:
+            down = 0.5 * height - (line + 0.5) * _ROW * width
+            for cell, entry in enumerate(row):
+                across = left + (sum(cells[:cell]) + _TRACK * _start(face.rig, entry)) * width
+                place = middle + frame[0] * (across - middle @ frame[0]) + frame[1] * down
+                elements.append(_element(drawing, entry, row, place))
+        left += sum(cells) * width
+    return elements
+
+
+def _existing(requests: Requests) -> list[Element]:
+    """The elements of a board that exists already."""
+    elements = requests.existing.elements if requests.existing is not None else ()
+    return [element for element in elements if element.anchor.beside]
+
+
+def _right_end(element: Element, frame: Floats, width: float) -> float:
+    """Where an existing element, its label included, ends across the screen, and a column may begin."""
+    across = max(float((member.track @ frame[0]).max()) for member in element.members)
+    return across + (2.0 + _LETTER * len(element.label)) * width
+
+
+def _cell_widths(rig: Rig, rows: list[tuple[BoardEntry, ...]]) -> list[float]:
+    """Widths of the cells of a column, in handle widths: sliders with the longest label below each other.
+
+    A lone element's label may run on over the cells to its right.
+    """
+    count = max(len(row) for row in rows)
+    widths = [_TRACK + 2.0] * count
+    for cell in range(count):
+        for row in rows:
+            if len(row) > cell + 1 or (len(row) == count and cell == count - 1):
+                widths[cell] = max(widths[cell], _width(rig, row[cell]))
+    lone = max((_width(rig, row[0]) for row in rows if len(row) == 1), default=0.0)
+    widths[-1] += max(0.0, lone - sum(widths))
+    return widths
+
+
+def _width(rig: Rig, entry: BoardEntry) -> float:
+    return _TRACK + 2.0 + _LETTER * len(_label(rig, entry))
+
+
+def _label(rig: Rig, entry: BoardEntry) -> str:
+    return common_label([rig.controls[control].label for control in entry.controls])
+
+
+def _rows(rig: Rig, board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
+    """Rows of one element or of a pair, sorted by category and then by name."""
+    ranked = sorted(board, key=lambda each: (CATEGORIES.index(each.category), each.group.name.lower(), each.group.name))
+    rows = []
+    for _, members in groupby(ranked, key=lambda each: (each.category, each.group.name)):
+        rows.append(tuple(sorted(members, key=lambda each: rig.controls[each.controls[0]].name)))
+    return rows
+
+
+def _columns(rows: list[tuple[BoardEntry, ...]], most: int) -> list[list[tuple[int, tuple[BoardEntry, ...]]]]:
+    """Rows with their line numbers, column by column; a heading takes a line above each category."""
+    columns: list[list[tuple[int, tuple[BoardEntry, ...]]]] = [[]]
+    line, category = 0, ""
+    for row in rows:
+        tall = _lines(row)
+        heading = 1 if row[0].category != category or line == 0 else 0
+        if line and line + heading + tall > most:
+            columns.append([])
+            line, heading = 0, 1
+        columns[-1].append((line + heading, row))
+        line += heading + tall
+        category = row[0].category
+    return columns
+
+
+def _lines(row: tuple[BoardEntry, ...]) -> int:
+    """Lines that a row takes: a joystick needs room above and below."""
+    return 3 if any(each.group.kind != "slider" for each in row) else 1
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawing:
+    """What all elements of a board are drawn with."""
+
+    face: Face
+    requests: Requests
+    frame: Floats
+    """(2, 3) right and up."""
+    carrier: int
+    """The point whose joint influences the board takes."""
+    adapt: Adapt
+
+
+def _element(drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], place: Floats) -> Element:
+    face, requests, group = drawing.face, drawing.requests, entry.group
+    if group.kind != "slider":
+        place = place - drawing.frame[1] * _ROW * face.handle_width
+    names = ["_".join(face.control_name(control) for control in each.controls) for each in row]
+    own = row.index(entry)
+    anchor, side = _anchor(drawing, place), _side(face, entry, own)
+    length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)
+    members = tuple(
+        _member(face, control, place, length, direction)
+        for control, direction in zip(entry.controls, _directions(group, drawing.frame), strict=True)
+    )
+    overrides = [requests.overrides[control] for control in entry.controls]
+    flipped = face.symmetry.reversed
+    return Element(
+        name=names[own],
+        label=_label(face.rig, entry),
+        kind=group.kind,
+        members=members,
+        opposed=group.opposed,
+        anchor=anchor,
+        side=side,
+        mirror=names[1 - own] if len(row) == 2 else "",
+        family=entry.category,
+        reason=entry.reason,
+        adapt=drawing.adapt,
+        glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
+        reversed=tuple(m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]),
+    )
+
+
+def _start(rig: Rig, entry: BoardEntry) -> float:
+    """Where the handle rests along its cell's slider, from 0 to 1."""
+    if len(entry.controls) > 1:
+        return 0.5
+    control = rig.controls[entry.controls[0]]
+    return (control.default - control.minimum) / (control.maximum - control.minimum)
+
+
+def _directions(group: Group, frame: Floats) -> list[Floats]:
+    """Directions in which the members' tracks run on the board: axes to the right, then up, their opposites
+    to the other side; the members of a fan spread over the half circle."""
+    found: list[Floats] = [frame[0]] * len(group.controls)
+    for number, axis in enumerate(group.axes):
+        angle = np.pi * number / max(len(group.axes), 2)
+        direction = np.cos(angle) * frame[0] + np.sin(angle) * frame[1]
+        found[axis[-1]] = direction
+        if len(axis) == 2:
+            found[axis[0]] = -direction
+    return found
+
+
+def _member(face: Face, control: int, place: Floats, length: float, direction: Floats) -> Member:
+    """A straight track through `place`, where the control stands at its base value; to one side only where the
+    control goes to one side only."""
+    ours = face.rig.controls[control]
+    values = np.unique([ours.minimum, ours.default, ours.maximum])
+    share = (values - ours.default) / (values[-1] - values[0])
+    peak = float(face.trajectories.motion_of(control).arc_length.max())
+    return Member(ours.name, values, place + length * share[:, None] * direction, peak, length / peak)
+
+
+def _anchor(drawing: _Drawing, place: Floats) -> Anchor:
+    rig = drawing.face.rig
+    index, local = rig.mesh_of(drawing.carrier)
+    mesh = rig.meshes[index]
+    toward = drawing.face.views.directions[0]
+    return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, place, toward, True)
+
+
+def _side(face: Face, entry: BoardEntry, own: int) -> Side:
+    if not face.symmetry.normal.any():
+        return "none"
+    if not entry.group.images:
+        return "middle"
+    return "left" if own == 0 else "right"

@@ -1,0 +1,72 @@
+"""Where the board stands: beside the silhouette, and carried by the joint that holds most of the face."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.face import Face
+from usdrigui.model import Floats, Indices, Rig, RigMesh, Symmetry, Trajectories
+
+
+def face_middle(trajectories: Trajectories, symmetry: Symmetry) -> Floats:
+    """(3,) middle of the moving region, on the mirror plane where there is one."""
+    points = trajectories.base[_face_points(trajectories)]
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    if symmetry.normal.any():
+        middle = middle - ((middle - symmetry.origin) @ symmetry.normal) * symmetry.normal
+    return np.asarray(middle, dtype=np.float64)
+
+
+def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
+    """Rightmost extent of the character on the screen, no further than `half` above or below the middle.
+
+    `frame` (2, 3) are right and up on the screen.
+    """
+    drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in face.rig.meshes])
+    flat = face.trajectories.base[drawn] @ frame.T
+    near = flat[np.abs(flat[:, 1] - middle @ frame[1]) <= half, 0]
+    return float(near.max()) if len(near) else float(middle @ frame[0])
+
+
+def anchor_point(face: Face, middle: Floats) -> int:
+    """The point whose joint influences the board takes: of the joint that holds most of the face, the point
+    that it holds most firmly and that moves least, nearest to the middle of the face."""
+    trajectories = face.trajectories
+    total = np.zeros(len(trajectories.base))
+    for motion in trajectories.motions:
+        total[motion.points] += motion.arc_length
+    firmness = _firmness(face.rig, _face_points(trajectories))
+    apart = np.linalg.norm(trajectories.base - middle, axis=1)
+    unit = trajectories.face_size
+    order = np.lexsort((np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3)))
+    return int(order[0])
+
+
+def _face_points(trajectories: Trajectories) -> Indices:
+    """Points that controls move notably."""
+    moved = np.zeros(len(trajectories.base), dtype=bool)
+    for motion in trajectories.motions:
+        moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
+    return np.flatnonzero(moved)
+
+
+def _firmness(rig: Rig, face_points: Indices) -> Floats:
+    """(n,) weight of the joint that holds most of the face; 1 throughout without skins."""
+    if not rig.joints:
+        return np.ones(sum(len(mesh.points) for mesh in rig.meshes))
+    tables = [_joint_weights(mesh, len(rig.joints)) for mesh in rig.meshes]
+    face = np.zeros(sum(len(table) for table in tables), dtype=bool)
+    face[face_points] = True
+    parts = (face[start : start + len(table)] for start, table in zip(rig.starts, tables, strict=False))
+    totals = sum(table[part].sum(axis=0) for table, part in zip(tables, parts, strict=True))
+    strongest = int(np.argmax(totals))
+    return np.concatenate([table[:, strongest] for table in tables])
+
+
+def _joint_weights(mesh: RigMesh, joints: int) -> Floats:
+    """(points, joints) influence of every joint on every point of a mesh."""
+    found = np.zeros((len(mesh.points), joints))
+    if mesh.skin is not None:
+        rows = np.repeat(np.arange(len(mesh.points)), mesh.skin.joints.shape[1])
+        np.add.at(found, (rows, mesh.skin.joints.ravel()), mesh.skin.weights.ravel())
+    return found

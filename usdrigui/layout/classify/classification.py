@@ -1,0 +1,111 @@
+"""Which controls do not stand on the face, and why (paper sections 3.3 and 4.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.layout.classify.composites import composites
+from usdrigui.layout.classify.visibility_shapes import visibility_shapes
+from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
+from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.visibility import Views
+from usdrigui.model import Category, Flags, Motion, Rig, Symmetry, Trajectories
+from usdrigui.settings import CandidateSettings
+
+_UNMOVED_SHARE = 0.1
+"""Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
+
+
+@dataclass(frozen=True)
+class Classification:
+    """Whether a control stands on the face, and if not, in which category it falls and why."""
+
+    category: Category = ""
+    """Empty for a control that is to stand on the face."""
+    off_face_reason: str = ""
+    coverage: float = 0.0
+    """Share of the visible face that it moves notably."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Evidence:
+    """What speaks for one control leaving the face."""
+
+    coverage_of_smaller: float
+    moves_everything: bool
+    vanishes: bool
+    visible_share: float
+    composite: str
+    """Which controls it repeats; empty where it repeats none."""
+
+
+def classify(
+    rig: Rig,
+    trajectories: Trajectories,
+    symmetry: Symmetry,
+    views: Views,
+    similarity: Similarity,
+    requests: Requests,
+    settings: CandidateSettings,
+) -> tuple[Classification, ...]:
+    """One per motion.
+
+    Whether one is global does not depend on which others the configuration excludes: those still count for
+    what the face is.
+    """
+    visible_areas = np.where(views.anywhere, trajectories.areas, 0.0)
+    every = (*trajectories.motions, *trajectories.excluded)
+    covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
+    vanish, repeated = visibility_shapes(rig, trajectories, views), composites(rig, trajectories, symmetry, similarity)
+    found = []
+    for index, motion in enumerate(trajectories.motions):
+        evidence = _Evidence(
+            coverage_of_smaller=float(covered[index]),
+            moves_everything=_moves_everything(trajectories, motion),
+            vanishes=bool(vanish[index]),
+            visible_share=_visible_share(trajectories, views.anywhere, motion),
+            composite=repeated.get(index, ""),
+        )
+        category, reason = _category(evidence, motion.control, requests, settings)
+        found.append(Classification(category, reason, float(shares[index])))
+    return tuple(found)
+
+
+def _category(
+    evidence: _Evidence, control: int, requests: Requests, settings: CandidateSettings
+) -> tuple[Category, str]:
+    """Category and reason, both empty for a control that is to stand on the face."""
+    override = requests.overrides[control]
+    if override.place in ("face", "proxy") or override.anchor:
+        return "", ""
+    if settings.beside_global:
+        if evidence.vanishes:
+            return "global", "makes parts of the character disappear"
+        if evidence.coverage_of_smaller > settings.global_coverage or evidence.moves_everything:
+            return "global", "moves the face as a whole"
+    if settings.beside_hidden and evidence.visible_share < settings.hidden_share:
+        return "hidden", "moves only what no view shows"
+    # A control that stands on the face already is not sent away because another one was added.
+    if settings.beside_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
+        return "composite", evidence.composite
+    if override.place == "beside":
+        return "requested", "placed beside the face by the configuration"
+    return "", ""
+
+
+def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:
+    """Share of the control's motion, area times distance, that some view sees."""
+    weight = trajectories.areas[motion.points] * motion.arc_length
+    total = float(weight.sum())
+    seen = visible[motion.points]
+    return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
+
+
+def _moves_everything(trajectories: Trajectories, motion: Motion) -> bool:
+    """The paper's own criterion for a global control."""
+    count = len(trajectories.base)
+    still = motion.arc_length < 0.999 * motion.arc_length.mean()
+    return bool(count - len(motion.points) + still.sum() < _UNMOVED_SHARE * count)

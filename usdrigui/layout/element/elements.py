@@ -1,0 +1,195 @@
+"""From the chosen labels to the elements that the animator sees (paper section 3.2)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.board.board import BoardEntry, board_elements
+from usdrigui.layout.element.fans import fan_order
+from usdrigui.layout.face import Face
+from usdrigui.layout.glyph_fitting import fitted_glyph
+from usdrigui.layout.group.coarse_groups import with_inner
+from usdrigui.layout.motion.tracks import arc_lengths, magnification, paths
+from usdrigui.layout.names import common_label
+from usdrigui.layout.place.labels import own_mirror_image
+from usdrigui.layout.place.problem import PlacementProblem
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.mirror_plane import plane_distance
+from usdrigui.model import (
+    Anchor,
+    Assignment,
+    Choice,
+    Element,
+    Floats,
+    Group,
+    Layout,
+    LayoutProblem,
+    LeftOff,
+    Member,
+    Rig,
+    Side,
+)
+from usdrigui.settings import Settings
+
+_ON_PLANE = 1e-3
+"""An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
+
+
+def layout(
+    face: Face,
+    placement: PlacementProblem,
+    assignment: Assignment,
+    requests: Requests,
+    settings: Settings,
+    left_off: tuple[LeftOff, ...],
+    base_values: Floats,
+) -> Layout:
+    """The elements of every group, on the face where the assignment says so and on the board otherwise.
+
+    `left_off` are the controls without an element, `base_values` (controls,) the base pose.
+    """
+    elements: list[Element] = []
+    board = [
+        BoardEntry(group, copy, group.category, group.reason)
+        for group in placement.groups
+        if group.category
+        for copy in group.copies
+    ]
+    for choice, label in zip(placement.choices, assignment.labels, strict=True):
+        group = placement.groups[choice.group]
+        if label < 0:
+            reason = "left the face to more telling elements" if len(choice.anchors) else "no place on the face"
+            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in group.copies)
+        else:
+            elements.extend(_on_face(face, group, choice, int(label), requests, settings))
+    elements.extend(board_elements(face, board, requests, settings.output.adapt))
+    return Layout(
+        root=face.rig.root,
+        elements=with_inner(elements, placement.groups, face.rig),
+        left_off=left_off,
+        handle_width=face.handle_width,
+        space=settings.candidates.space,
+        view=face.views.directions[0],
+        plane_origin=face.symmetry.origin,
+        plane_normal=face.symmetry.normal,
+        base_values=base_values,
+        method=assignment.method,
+        status=assignment.status,
+        cost=assignment.cost,
+        bound=assignment.bound,
+        in_play=assignment.in_play,
+        weights=_weights(placement.problem, face.trajectories.typical_length, settings.objective.samples),
+    )
+
+
+def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
+    """Names of the element and of its images, each unique."""
+    given = [group.name, *group.image_names]
+    names = [given[copy] or element_name(rig, controls) for copy, controls in enumerate(choice.controls)]
+    if len(set(names)) < len(names):
+        # The same controls on both sides: a double element in the middle.
+        names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
+    return names
+
+
+def element_name(rig: Rig, controls: tuple[int, ...]) -> str:
+    """Name of the element of these controls."""
+    return "_".join(rig.controls[control].name for control in controls)
+
+
+def _weights(problem: LayoutProblem, typical_length: float, samples: int) -> tuple[tuple[str, float], ...]:
+    overlap = problem.overlap
+    return (
+        ("displacement_weight", problem.unit_cost),
+        ("overlap_max", overlap.maximum),
+        ("overlap_radius", overlap.radius),
+        ("overlap_sharpness", overlap.sharpness),
+        ("overlap_reach", overlap.reach),
+        ("separation", problem.separation),
+        ("typical_length", typical_length),
+        ("samples", float(samples)),
+    )
+
+
+def _on_face(
+    face: Face, group: Group, choice: Choice, label: int, requests: Requests, settings: Settings
+) -> list[Element]:
+    """The element of a group and of its mirror images."""
+    names = names_of_copies(face.rig, group, choice)
+    least = settings.output.min_track * face.handle_width
+    made = []
+    for copy, controls in enumerate(choice.controls):
+        point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
+        overrides = [requests.overrides[control] for control in controls]
+        drawn = tuple(_member(face, control, point, source, least) for control in controls)
+        members, opposed = _ordered(group, drawn, _normal(face, point))
+        middle = own_mirror_image(face, group, settings)
+        anchor, side = anchor_at(face, point), "middle" if middle else _side(face, point)
+        mirror = names[1 - copy] if len(names) == 2 else ""
+        made.append(
+            Element(
+                name=names[copy],
+                label=common_label([face.rig.controls[control].label for control in controls]),
+                kind=group.kind,
+                members=members,
+                opposed=opposed,
+                anchor=anchor,
+                side=side,
+                mirror=mirror,
+                family="",
+                reason=group.reason,
+                adapt=overrides[0].adapt or settings.output.adapt,
+                glyph=fitted_glyph(face, overrides, anchor, members, bool(mirror) and side == "right"),
+                reversed=_reversed(face, members) if mirror else (),
+            )
+        )
+    return made
+
+
+def _reversed(face: Face, members: tuple[Member, ...]) -> tuple[int, ...]:
+    names = {control.name: i for i, control in enumerate(face.rig.controls)}
+    return tuple(m for m, member in enumerate(members) if face.symmetry.reversed[names[member.control]])
+
+
+def _normal(face: Face, point: int) -> Floats:
+    normal = face.trajectories.normals[point]
+    return np.array(normal if normal.any() else face.views.directions[0])
+
+
+def _ordered(
+    group: Group, members: tuple[Member, ...], normal: Floats
+) -> tuple[tuple[Member, ...], tuple[tuple[int, int], ...]]:
+    """Members of a fan by their angle about the anchor (paper section 3.2), and its opposed pairs so numbered."""
+    if group.kind != "fan":
+        return members, group.opposed
+    order = fan_order(np.stack([member.track[-1] - member.track[0] for member in members]), normal)
+    place = {old: new for new, old in enumerate(order)}
+    return tuple(members[i] for i in order), tuple((place[a], place[b]) for a, b in group.opposed)
+
+
+def _member(face: Face, control: int, point: int, source: int, least: float) -> Member:
+    """The control's own trajectory at the source, drawn from the anchor, enlarged where it is shorter than `least`."""
+    motion = face.trajectories.motion_of(control)
+    one = np.array([source])
+    length = arc_lengths(motion, one)
+    factor = float(magnification(length, least)[0])
+    track = face.trajectories.base[point] + factor * paths(motion, one)[0]
+    return Member(face.control_name(control), motion.values, track, float(length[0]), factor)
+
+
+def anchor_at(face: Face, point: int) -> Anchor:
+    """The anchor on a point of the face."""
+    index, local = face.rig.mesh_of(point)
+    mesh = face.rig.meshes[index]
+    base, normal = face.trajectories.base[point], face.trajectories.normals[point]
+    return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, base, normal, False)
+
+
+def _side(face: Face, point: int) -> Side:
+    """The side of the character on which a point lies."""
+    if not face.symmetry.normal.any():
+        return "none"
+    apart = float(plane_distance(face.trajectories.base[point], face.symmetry))
+    if abs(apart) <= _ON_PLANE * face.trajectories.face_size:
+        return "middle"
+    return "left" if apart > 0.0 else "right"

@@ -1,0 +1,181 @@
+"""Two levels: which groups are coarse, which are their members, and which of them are visible together.
+
+A coarse group is shown first, and its members in its place when it is opened (`usdrigui.levels`).  A level
+configured for one side of the character holds for the other, since a group stands for both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from usdrigui.errors import meant, refuse
+from usdrigui.model import Element, Group, Rig
+from usdrigui.settings import LevelSettings
+
+
+def with_levels(
+    rig: Rig, groups: tuple[Group, ...], settings: LevelSettings, existing: frozenset[str] = frozenset()
+) -> tuple[Group, ...]:
+    """The groups on their levels, and a group of its own for every axis of those that `levels.groups` opens.
+
+    `existing` are the names in a layout to which this one adds: they may be configured, and have no group here.
+
+    Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element without
+    members or one that is a member itself.
+    """
+    if settings == LevelSettings():
+        return groups
+    parts = {group.name: tuple(_parts(rig, group)) for group in groups if settings.groups and _has_axes(group)}
+    inner = {name: {part.name for part in made} for name, made in parts.items()}
+    inner |= _of_poses(rig, groups) if settings.poses else {}
+    configured = _configured(rig, groups, settings, existing)
+    inner = {name: members for name, members in inner.items() if name not in configured} | configured
+    everything = (*groups, *(part for name, made in parts.items() if name not in configured for part in made))
+    _check(inner, configured)
+    return tuple(sorted(_with_states(everything, inner), key=lambda group: group.name))
+
+
+def with_inner(elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig) -> tuple[Element, ...]:
+    """The elements of all groups, the coarse ones with the names of their members on their own side."""
+    names = [control.name for control in rig.controls]
+    made = tuple(elements)
+    by_controls: dict[frozenset[str], list[str]] = {}
+    for element in made:
+        by_controls.setdefault(frozenset(member.control for member in element.members), []).append(element.name)
+    inner: dict[str, list[str]] = {}
+    by_name = {group.name: group for group in groups}
+    for group in groups:
+        members = [by_name[name] for name in group.inner]
+        copies = _elements_of(group, names, by_controls)
+        for copy, name in enumerate(copies):
+            for member in members:
+                theirs = _elements_of(member, names, by_controls)
+                own = theirs[copy : copy + 1] if len(theirs) == len(copies) else theirs
+                inner.setdefault(name, []).extend(own)
+    return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
+
+
+def _elements_of(group: Group, names: list[str], by_controls: dict[frozenset[str], list[str]]) -> list[str]:
+    """Names of the elements of a group, one per copy."""
+    found: list[str] = []
+    for controls in group.copies:
+        same = by_controls.get(frozenset(names[control] for control in controls), [])
+        found += [name for name in same if name not in found][: 1 if len(same) > 1 else None]
+    return found
+
+
+# --- which are coarse --------------------------------------------------------------------------------
+
+
+def _has_axes(group: Group) -> bool:
+    return len(group.axes) > 1 and not group.category
+
+
+def _parts(rig: Rig, group: Group) -> Iterator[Group]:
+    """One group per axis."""
+    for axis in group.axes:
+        images = tuple(tuple(copy[i] for i in axis) for copy in group.images)
+        yield Group(
+            name="_".join(rig.controls[group.controls[i]].name for i in axis),
+            kind="slider",
+            controls=tuple(group.controls[i] for i in axis),
+            opposed=((0, 1),) if len(axis) == 2 else (),
+            mirror=images[0] if group.mirror else (),
+            reason=f"one axis of {group.name}",
+            images=images,
+            image_names=("",) * len(images),
+            part=True,
+        )
+
+
+def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
+    """Members of every pose: the groups of the other controls that set what it sets."""
+    found: dict[str, set[str]] = {}
+    driven = {group.name: _driven(rig, group, poses=False) for group in groups}
+    for group in groups:
+        posed = _driven(rig, replace(group, images=()), poses=True)
+        members = {other.name for other in groups if other is not group and posed & driven[other.name]}
+        if members:
+            found[group.name] = members
+    return found
+
+
+def _driven(rig: Rig, group: Group, *, poses: bool) -> frozenset[tuple[str, int]]:
+    """Channels and joints that the group's poses set, or that its other controls set."""
+    controls = [rig.controls[i] for copy in group.copies for i in copy]
+    drives = [control.drive for control in controls if (control.kind == "pose") == poses]
+    channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
+    return frozenset(channels | {("joint", int(joint)) for drive in drives for joint in drive.joints})
+
+
+def _configured(
+    rig: Rig, groups: tuple[Group, ...], settings: LevelSettings, existing: frozenset[str]
+) -> dict[str, set[str]]:
+    """Members as the configuration names them."""
+    found: dict[str, set[str]] = {}
+    for name, members in settings.members.items():
+        where = f'levels.members."{name}"'
+        coarse = _named(rig, groups, name, where)
+        if coarse is None and name in existing:
+            continue
+        if coarse is None:
+            raise refuse("CONFIG_VALUE", where, f"{name} has no element")
+        inner = {group.name for each in members for group in [_named(rig, groups, each, where)] if group}
+        if not inner:
+            raise refuse("CONFIG_VALUE", where, "none of its members has an element")
+        found.setdefault(coarse.name, set()).update(inner)
+    return found
+
+
+def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group | None:
+    """The group of that name or with the control of that name; None for a control that has no element."""
+    for group in groups:
+        if name in (group.name, *group.image_names):
+            return group
+    index = next((i for i, control in enumerate(rig.controls) if control.name == name), -1)
+    if index < 0:
+        if name in {left.control for left in rig.left_off}:
+            return None
+        known = (*(group.name for group in groups if group.name), *(each.name for each in rig.controls))
+        what = f"{rig.root} has no control or element {name!r}{meant(name, known)}"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+    return next((group for group in groups if any(index in copy for copy in group.copies)), None)
+
+
+def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
+    """Two levels: what the configuration names contradicts itself, what is derived gives way."""
+    for name, members in inner.items():
+        if name in members:
+            raise refuse("CONFIG_VALUE", f'levels.members."{name}"', f"{name} is a member of itself")
+    for name in sorted(inner):
+        holders = sorted(other for other, members in inner.items() if name in members)
+        if not holders:
+            continue
+        if name in configured and any(other in configured for other in holders):
+            raise refuse(
+                "CONFIG_VALUE", f'levels.members."{name}"', f"is a member of {holders[0]}; there are two levels only"
+            )
+        if name in configured:
+            for other in holders:
+                inner[other].discard(name)
+        else:
+            inner[name].clear()
+
+
+def _with_states(groups: Iterable[Group], inner: dict[str, set[str]]) -> Iterator[Group]:
+    """The groups with their members and the states in which they are visible: none opened, each one, all of them."""
+    coarse = sorted(name for name, members in inner.items() if members)
+    holders: dict[str, set[int]] = {}
+    for state, name in enumerate(coarse, start=1):
+        for member in inner[name]:
+            holders.setdefault(member, set()).add(state)
+    all_open = len(coarse) + 1
+    every = frozenset(range(all_open + 1))
+    for group in groups:
+        members = tuple(sorted(inner.get(group.name, ())))
+        own = every - {coarse.index(group.name) + 1, all_open} if members else every
+        if group.part and group.name not in holders:
+            continue
+        inside = frozenset({*holders.get(group.name, ()), all_open})
+        yield replace(group, inner=members, states=inside if group.name in holders else own)

@@ -1,0 +1,182 @@
+"""What animation says of controls: how much each is used, and which move together.
+
+The activity of a control in a frame is how far it is from its default, as a share of how far it can go, from 0
+to 1.  Two controls are together as far as their activities agree, by the weighted Jaccard index over all frames
+(sum of the lesser over sum of the greater; Ruzicka 1958): 1 when they always do the same, 0 when never at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.model import Control, Floats, Performance, Record, Rig
+from usdrigui.rotation import rotation_part, rotation_vectors
+from usdrigui.settings import ControlSettings
+
+_LEAST_USE = 1e-3
+"""Mean activity below which a control is not used at all."""
+_MOST = 3.0
+"""Use beyond this many times the mean counts no more."""
+
+
+@dataclass(frozen=True, eq=False)
+class Activity(Record):
+    """What some animations make a character do."""
+
+    controls: tuple[str, ...]
+    values: Floats
+    """(frames, controls) control values; nan for poses."""
+    amounts: Floats
+    """(frames, controls) activity."""
+    clips: tuple[str, ...]
+    """``FILE/PRIM/PATH`` of every animation."""
+    issues: tuple[Issue, ...]
+
+    @property
+    def use(self) -> Floats:
+        """(controls,) mean activity."""
+        return np.asarray(self.amounts.mean(axis=0))
+
+
+def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
+    """The activity of every control over all frames of all animations; they say nothing of poses.
+
+    Raises CLIP_FOREIGN where they move nothing that the rig has a control for.
+    """
+    clips = tuple(performances)
+    rest = np.array([control.default for control in rig.controls])
+    values = np.concatenate([_values(rig, clip, rest) for clip in clips])
+    extent = np.array([max(c.maximum - c.default, c.default - c.minimum) for c in rig.controls])
+    amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
+    names = tuple(f"{clip.source}{clip.path}" for clip in clips)
+    unknown = sorted({token for clip in clips for token in _moving_tokens(clip)} - _tokens(rig))
+    listed = ", ".join(unknown[:3]) + (" and more" if len(unknown) > 3 else "")
+    if not (amounts.mean(axis=0) > _LEAST_USE).any():
+        why = f"has no control for what they move: {listed}" if unknown else "is moved by none of them"
+        raise refuse("CLIP_FOREIGN", rig.root, why)
+    issues = (issue("CLIP_UNKNOWN_CONTROL", rig.root, f"{len(unknown)} of them: {listed}"),) if unknown else ()
+    return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
+
+
+def agreement(amounts: Floats) -> Floats:
+    """(controls, controls) weighted Jaccard index of the columns of (frames, controls) activities."""
+    count = amounts.shape[1]
+    found = np.zeros((count, count))
+    for i in range(count):
+        least = np.minimum(amounts, amounts[:, i : i + 1]).sum(axis=0)
+        most = np.maximum(amounts, amounts[:, i : i + 1]).sum(axis=0)
+        found[i] = np.divide(least, most, out=np.zeros(count), where=most > 0.0)
+    return found
+
+
+def together(done: Activity, twins: Mapping[str, str], least: float) -> tuple[tuple[tuple[str, ...], float], ...]:
+    """Controls that move together, in sets, the clearest first, with the least agreement within each.
+
+    `twins` names the mirror control of each; the two go as one, moving as far as both do on average.  Sets grow as
+    long as all their members agree by `least` (complete linkage).
+    """
+    units = _units(done, twins)
+    amounts = np.stack([done.amounts[:, list(unit)].mean(axis=1) for unit in units], axis=1)
+    table = agreement(amounts)
+    used = amounts.mean(axis=0) > _LEAST_USE
+    table[~used] = table[:, ~used] = 0.0
+    sets: list[tuple[int, ...]] = [(i,) for i in range(len(units))]
+    while True:
+        ranked = [(-float(table[np.ix_(a, b)].min()), a, b) for n, a in enumerate(sets) for b in sets[n + 1 :]]
+        best = min(ranked, default=(0.0, (), ()))
+        if -best[0] < least or best[0] == 0.0:
+            break
+        sets = [each for each in sets if each not in best[1:]] + [tuple(sorted(best[1] + best[2]))]
+    found = [
+        (tuple(done.controls[i] for unit in each for i in units[unit]), float(table[np.ix_(each, each)].min()))
+        for each in sets
+        if len(each) > 1
+    ]
+    return tuple(sorted(found, key=lambda pair: (-round(pair[1], 9), pair[0])))
+
+
+def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict[str, float]:
+    """How much each control matters by its use: 1 for the mean one, 1 - weight for one that is never used.
+
+    Rounded to hundredths, as a configuration would say them; poses, of which animations say nothing, are left out.
+    """
+    units = _units(done, twins)
+    use = np.array([done.use[list(unit)].mean() for unit in units])
+    share = np.minimum(use / use.mean(), _MOST)
+    return {
+        done.controls[i]: round(float(1.0 + weight * (each - 1.0)), 2)
+        for unit, each in zip(units, share, strict=True)
+        for i in unit
+    }
+
+
+def with_importances(
+    rig: Rig, overrides: Sequence[ControlSettings], found: Mapping[str, float]
+) -> tuple[ControlSettings, ...]:
+    """(controls,) `overrides` with the importance `found` for every control to which the configuration gives none."""
+    return tuple(
+        replace(override, importance=found.get(control.name)) if override.importance is None else override
+        for control, override in zip(rig.controls, overrides, strict=True)
+    )
+
+
+def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
+    """Controls of which animations say something, a pair as one."""
+    index = {name: i for i, name in enumerate(done.controls)}
+    units: list[tuple[int, ...]] = []
+    taken: set[int] = set()
+    for i, name in enumerate(done.controls):
+        if i in taken or not np.isfinite(done.values[0, i]):
+            continue
+        twin = index.get(twins.get(name, ""), i)
+        units.append((i,) if twin == i or twin in taken else (i, twin))
+        taken.update(units[-1])
+    return units
+
+
+# --- control values ----------------------------------------------------------------------------------
+
+
+def _values(rig: Rig, clip: Performance, rest: Floats) -> Floats:
+    """(frames, controls) values; the default of controls that the animation does not have."""
+    values = np.repeat(rest[None], len(clip.times), axis=0)
+    tokens = {token: column for column, token in enumerate(clip.tokens)}
+    for i, control in enumerate(rig.controls):
+        if control.kind == "blendShape" and control.source in tokens:
+            values[:, i] = clip.weights[:, tokens[control.source]]
+        elif control.kind == "pose":
+            values[:, i] = np.nan
+        elif control.kind == "joint":
+            turned = _turned(rig, control, clip)
+            values[:, i] = rest[i] if turned is None else turned
+    return values
+
+
+def _turned(rig: Rig, control: Control, clip: Performance) -> Floats | None:
+    """(frames,) rotation about the control's axis, in its own units, from the base pose."""
+    joint = rig.joints[int(control.drive.joints[0])]
+    leaf = joint.path.rpartition("/")[2]
+    column = next((i for i, path in enumerate(clip.joints) if path == joint.path), None)
+    alike = [i for i, path in enumerate(clip.joints) if path.rpartition("/")[2] == leaf]
+    if column is None and len(alike) == 1:
+        column = alike[0]
+    if column is None:
+        return None
+    turns = rotation_vectors(clip.rotations[:, column] @ rotation_part(joint.base).T)
+    axis = int(np.argmax(np.abs(control.drive.rotations).max(axis=(0, 1))))
+    return np.asarray(np.degrees(turns[:, axis]), dtype=np.float64)
+
+
+def _moving_tokens(clip: Performance) -> list[str]:
+    moving = np.ptp(clip.weights, axis=0) > 0.0
+    return [token for token, moves in zip(clip.tokens, moving.tolist(), strict=True) if moves]
+
+
+def _tokens(rig: Rig) -> set[str]:
+    """Blend shapes that some control sets, and those that became no control for a reason that is reported."""
+    used = {rig.channels[int(channel)].token for control in rig.controls for channel in control.drive.channels}
+    return used | {left.control for left in rig.left_off}

@@ -1,0 +1,226 @@
+"""Trajectories of every point under every control, at the base pose (paper section 3.1)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.deform import Posed, knots, posed, sweep
+from usdrigui.errors import Issue, issue
+from usdrigui.layout.motion.coverage import coverage_of_smaller
+from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
+from usdrigui.settings import TrajectorySettings
+from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
+
+STAGE = "trajectories"
+
+_EMPTY = 1e-7
+"""A control that moves nothing further than this share of the character's size is empty."""
+_OUTLIER = 8.0
+"""A control whose peak exceeds the median peak this many times does not set the size of the face."""
+
+
+def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | None = None) -> Trajectories:
+    """Trajectories of all points under all controls of `rig`, each alone, others held at `base_values`.
+
+    `base_values` (controls,) defaults to every control's default.  Polylines are exact for blend shapes
+    (a fixed pose bends their straight pieces nowhere) and sampled to `settings.tolerance` where joints
+    turn.  Only moving points are held.  Controls that move nothing are left off; duplicate and tiny ones
+    stay and are named in `issues`.
+    """
+    base = posed(rig, base_values)
+    size = _diagonal(base.points)
+    motions, left_off = [], []
+    for index, control in enumerate(rig.controls):
+        start, value = _start(rig, base, base_values, index)
+        motion = _motion(rig, start, index, value, settings)
+        if motion.arc_length.max(initial=0.0) > _EMPTY * size:
+            motions.append(motion)
+        else:
+            left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
+    excluded = _excluded(rig, size, settings)
+    return _assembled(rig, base.points, tuple(motions), excluded, tuple(left_off), settings)
+
+
+def total_motion(motions: Sequence[Motion], count: int) -> Singles:
+    """(count, 3) sum over all controls of the vector from minimum to maximum: tells apart points that touch at rest."""
+    total = np.zeros((count, 3), dtype=np.float32)
+    for motion in motions:
+        total[motion.points] += motion.offsets[-1] - motion.offsets[0]
+    return total
+
+
+def _excluded(rig: Rig, size: float, settings: TrajectorySettings) -> tuple[Motion, ...]:
+    """Motions of the controls that the configuration leaves out, from the default pose."""
+    alone = replace(rig, controls=rig.excluded)
+    start = posed(alone, None)
+    found = (_motion(alone, start, i, control.default, settings) for i, control in enumerate(rig.excluded))
+    return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
+
+
+def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tuple[Posed, float]:
+    """The pose from which control `index` is swept (itself at its default), and its value at the base pose."""
+    default = rig.controls[index].default
+    if base_values is None or base_values[index] == default:
+        return base, default
+    others = np.array(base_values, dtype=np.float64)
+    others[index] = default
+    return posed(rig, others), float(base_values[index])
+
+
+def _motion(rig: Rig, start: Posed, index: int, value: float, settings: TrajectorySettings) -> Motion:
+    values = knots(rig, index)
+    if value not in values:
+        values = np.union1d(values, [value])
+    points, offsets = sweep(rig, start, index, values)
+    if len(rig.controls[index].drive.joints):
+        values, offsets = _refined(rig, start, index, values, offsets, settings)
+    # Offsets count from where the point is at the base pose, not at the default.
+    start_offsets = offsets[np.searchsorted(values, value)]
+    if start_offsets.any():
+        offsets = offsets - start_offsets
+    arc = _arc_lengths(offsets)
+    moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
+    if not moving.all():
+        points, offsets, arc = points[moving], offsets[:, moving], arc[moving]
+    return Motion(index, values, points, offsets, arc)
+
+
+def _refined(
+    rig: Rig, start: Posed, index: int, values: Floats, offsets: Singles, settings: TrajectorySettings
+) -> tuple[Floats, Singles]:
+    """Halve the steps of a curved path until no chord misses the curve's middle by more than the tolerance."""
+    pending = np.ones(len(values) - 1, dtype=bool)
+    while pending.any() and len(values) < settings.max_samples:
+        where = np.flatnonzero(pending)[: settings.max_samples - len(values)]
+        middles = 0.5 * (values[where] + values[where + 1])
+        _, found = sweep(rig, start, index, middles)
+        chord = 0.5 * (offsets[where] + offsets[where + 1])
+        missed = np.linalg.norm(found - chord, axis=2).max(axis=1, initial=0.0)
+        allowed = settings.tolerance * max(float(_arc_lengths(offsets).max(initial=0.0)), 1e-30)
+        # The middle is kept, and a chord of half the length misses a smooth curve by a quarter.
+        wrong = missed > 4.0 * allowed
+        pending = _split(pending, where, wrong)
+        values = np.insert(values, where + 1, middles)
+        offsets = np.insert(offsets, where + 1, found, axis=0)
+    return values, offsets
+
+
+def _split(pending: Flags, where: Indices, wrong: Flags) -> Flags:
+    """Flags of the pieces after the pieces `where` were halved; halves stay pending where `wrong`."""
+    pending = pending.copy()
+    pending[where] = wrong
+    return np.insert(pending, where + 1, wrong)
+
+
+def _arc_lengths(offsets: Singles) -> Floats:
+    """(p,) lengths of polylines (k, p, 3)."""
+    steps = offsets[1:] - offsets[:-1]
+    lengths = np.sqrt(np.einsum("kpi,kpi->kp", steps, steps))
+    return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
+
+
+def _apart(rig: Rig, motion: Floats) -> Floats:
+    """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not shown."""
+    shown = np.repeat([mesh.visible for mesh in rig.meshes], [len(mesh.points) for mesh in rig.meshes])
+    scale = float(np.abs(motion).max(initial=0.0)) or 1.0
+    return np.column_stack([motion, np.where(shown, scale, 0.0)])
+
+
+def _assembled(
+    rig: Rig,
+    base: Floats,
+    motions: tuple[Motion, ...],
+    excluded: tuple[Motion, ...],
+    left_off: tuple[LeftOff, ...],
+    settings: TrajectorySettings,
+) -> Trajectories:
+    corners = mesh_triangles(rig.meshes)
+    places = weld(base, _apart(rig, total_motion(motions, len(base)).astype(np.float64)))
+    areas = point_areas(base, corners, places)
+    local = _local(motions, excluded, areas)
+    normals = vertex_normals(base, corners, weld(base))
+    inward = faces_inward(base, corners)
+    heights = base @ rig.up
+    peaks = np.array([motion.arc_length.max() for motion in motions])
+    face_size = _face_size([motions[i] for i in np.flatnonzero(local)], heights) or _diagonal(base)
+    face_size = face_size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
+    return Trajectories(
+        base=base,
+        normals=-normals if inward else normals,
+        places=places,
+        areas=areas,
+        motions=motions,
+        face_size=face_size,
+        typical_length=float(np.median(peaks[local])) if local.any() else face_size,
+        left_off=left_off,
+        issues=(*_inward(rig, inward), *_tiny(rig, motions, face_size, settings), *_duplicates(rig, motions)),
+        excluded=excluded,
+    )
+
+
+def _inward(rig: Rig, inward: bool) -> list[Issue]:
+    found = "the faces enclose a negative volume; normals are taken the other way round"
+    return [issue("NORMALS_INWARD", rig.root, found)] if inward else []
+
+
+def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Floats) -> Flags:
+    """(motions,) which of them move a part of the face and by no absurd amount; all if none would be left.
+
+    Whether one is local does not depend on which others the configuration excludes.
+    """
+    peaks = np.array([motion.arc_length.max() for motion in motions])
+    if not len(motions):
+        return np.zeros(0, dtype=bool)
+    covered = coverage_of_smaller((*motions, *excluded), areas)[: len(motions)]
+    flags: Flags = (covered < 0.6) & (peaks <= _OUTLIER * np.median(peaks))
+    return flags if flags.any() else np.ones(len(motions), dtype=bool)
+
+
+def _face_size(motions: list[Motion], heights: Floats) -> float:
+    """Extent in `heights` of all that the motions move by at least half of their peak."""
+    moved = [motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()] for motion in motions]
+    return float(np.ptp(heights[np.concatenate(moved)])) if moved else 0.0
+
+
+def _tiny(rig: Rig, motions: tuple[Motion, ...], face_size: float, settings: TrajectorySettings) -> list[Issue]:
+    found = []
+    for motion in motions:
+        share = float(motion.arc_length.max()) / face_size
+        if share < settings.tiny:
+            name = rig.controls[motion.control].name
+            found.append(issue("CONTROL_TINY", name, f"moves no point further than {share:.2%} of the face's height"))
+    return found
+
+
+def _duplicates(rig: Rig, motions: tuple[Motion, ...]) -> list[Issue]:
+    """Controls that do the same as an earlier one, perhaps in another measure."""
+    found: list[Issue] = []
+    seen: dict[tuple[int, int, int], list[Motion]] = {}
+    for motion in motions:
+        bucket = seen.setdefault((len(motion.points), int(motion.points[0]), int(motion.points[-1])), [])
+        for other in bucket:
+            factor = _same_up_to_scale(motion, other)
+            if factor:
+                name, first = rig.controls[motion.control].name, rig.controls[other.control].name
+                how = f"the same as {first}" + ("" if abs(factor - 1.0) < 1e-3 else f", {factor:.3g} times as far")
+                found.append(issue("CONTROL_DUPLICATE", name, f"moves every point {how}"))
+                break
+        else:
+            bucket.append(motion)
+    return found
+
+
+def _same_up_to_scale(motion: Motion, other: Motion) -> float:
+    """Factor by which `motion` repeats `other`, or 0."""
+    if not np.array_equal(motion.points, other.points) or len(motion.values) != len(other.values):
+        return 0.0
+    a, b = motion.offsets.astype(np.float64).ravel(), other.offsets.astype(np.float64).ravel()
+    factor = float(a @ b) / float(b @ b)
+    return factor if factor > 0.0 and float(np.abs(a - factor * b).max()) <= 1e-4 * float(np.abs(a).max()) else 0.0
+
+
+def _diagonal(points: Floats) -> float:
+    return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0

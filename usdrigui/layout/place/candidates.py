@@ -1,0 +1,153 @@
+"""Where each control may be anchored (paper section 4.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.layout.classify.classification import Classification
+from usdrigui.layout.face import Face
+from usdrigui.layout.motion.tracks import polylines
+from usdrigui.layout.place.locality import kept_near, proxies
+from usdrigui.layout.place.terms import linear_cost
+from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.visibility import mostly_hidden
+from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
+from usdrigui.settings import Settings
+
+STAGE = "candidates"
+
+_LOOSE = 0.2
+"""Share of the visible peak at which a control may stand when it has no better place."""
+
+
+def find_candidates(
+    face: Face, classification: Sequence[Classification], requests: Requests, settings: Settings
+) -> Candidates:
+    """The candidates of every control that moves something.
+
+    Points are pruned below the mean arc length of the control and below a share of its visible peak,
+    where no view sees them and where the trajectory runs inside or behind the model.  Where pruning
+    would leave nothing, its weaker reasons give way in the reverse order: a control that any view can
+    see always has a candidate.
+    """
+    sets: list[CandidateSet] = []
+    left_off: list[LeftOff] = []
+    for index, (motion, found) in enumerate(zip(face.trajectories.motions, classification, strict=True)):
+        if requests.overrides[motion.control].exclude:
+            left_off.append(LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration"))
+            continue
+        points, sources = _places(face, motion, found, requests, settings)
+        sets.append(
+            CandidateSet(
+                motion=index,
+                points=points,
+                cost=linear_cost(face, motion, sources, settings),
+                coverage=found.coverage,
+                sources=sources,
+                category=found.category,
+                off_face_reason=found.off_face_reason,
+            )
+        )
+    return Candidates(tuple(sets), tuple(left_off))
+
+
+def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Settings) -> CandidateSet:
+    """The set with every visible place that the control moves by a fifth of its visible peak: for elements
+    whose copies would collide at all of their better places."""
+    motion = face.trajectories.motions[found.motion]
+    override = requests.overrides[motion.control]
+    first = face.trajectories.places[motion.points] == motion.points
+    seen = _seen(face, motion.points, settings) & first
+    if override.anchor or not seen.any():
+        return found
+    points = motion.points[seen & (motion.arc_length >= _LOOSE * float(motion.arc_length[seen].max()))]
+    points = kept_near(face, motion.control, override, points, settings.candidates.near_radius)
+    return replace(found, points=points, sources=points, cost=linear_cost(face, motion, points, settings))
+
+
+def candidates_of_axis(face: Face, found: CandidateSet, requests: Requests, settings: Settings) -> CandidateSet:
+    """The set of a control on the face under `requests` that fix it elsewhere or not at all."""
+    motion = face.trajectories.motions[found.motion]
+    points, sources = _places(face, motion, Classification(), requests, settings)
+    return replace(found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings))
+
+
+def _places(
+    face: Face, motion: Motion, found: Classification, requests: Requests, settings: Settings
+) -> tuple[Indices, Indices]:
+    """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
+    override, name = requests.overrides[motion.control], face.control_name(motion.control)
+    peak = motion.points[[int(np.argmax(motion.arc_length))]]
+    fixed = fixed_anchor(face.rig, name, override)
+    if fixed is not None:
+        point = np.array([fixed], dtype=np.int64)
+        return point, point if moves(motion, name, override, fixed) else peak
+    if found.category:
+        return peak, peak
+    if override.place == "proxy":
+        points = proxies(face, int(peak[0]))
+        sources = np.repeat(peak, len(points))
+    else:
+        points = sources = _moving_places(face, motion, requests, settings)
+    return _with_prior(motion, requests, points, sources)
+
+
+def _with_prior(motion: Motion, requests: Requests, points: Indices, sources: Indices) -> tuple[Indices, Indices]:
+    """The places with the one of the earlier layout: pruning must not drive an element away from it."""
+    place = requests.prior.places.get(motion.control)
+    own = np.array_equal(points, sources)
+    if place is None or place.beside or not own or place.point not in motion.points or place.point in points:
+        return points, sources
+    points = np.sort(np.append(points, place.point))
+    return points, points
+
+
+def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Settings) -> Indices:
+    """Points that the control moves and where it may stand, ascending; near what the configuration names."""
+    points = _pruned(face, motion, settings)
+    if not len(points):
+        points = _unseen(face, motion, settings)
+    override = requests.overrides[motion.control]
+    return kept_near(face, motion.control, override, points, settings.candidates.near_radius)
+
+
+def _pruned(face: Face, motion: Motion, settings: Settings) -> Indices:
+    """Points at which the control may be anchored, ascending; empty when no view sees what it moves."""
+    first = face.trajectories.places[motion.points] == motion.points
+    seen = _seen(face, motion.points, settings) & first
+    if not seen.any():
+        return np.zeros(0, dtype=np.int64)
+    arc, asked = motion.arc_length, settings.candidates
+    peak = float(arc[seen].max())
+    large = arc >= asked.peak_share * peak
+    moving = large & (arc >= min(asked.prune_at * float(arc[first].mean()), peak))
+    for kept in (seen & moving, seen & large):
+        points = motion.points[kept]
+        if asked.occlusion:
+            points = points[~_occluded(face, motion, points, settings.objective.samples)]
+        if len(points):
+            return np.asarray(points)
+    return np.asarray(motion.points[seen & moving])
+
+
+def _unseen(face: Face, motion: Motion, settings: Settings) -> Indices:
+    """Candidates of a control that no view sees but that is to stand on the face all the same."""
+    arc, asked = motion.arc_length, settings.candidates
+    first = face.trajectories.places[motion.points] == motion.points
+    least = max(asked.prune_at * float(arc[first].mean()), asked.peak_share * arc.max())
+    return np.asarray(motion.points[first & (arc >= min(least, float(arc.max())))])
+
+
+def _seen(face: Face, points: Indices, settings: Settings) -> Flags:
+    """Which points can be seen from where the layout is judged: a flat layout has one view only."""
+    flat = settings.candidates.space == "view"
+    return np.asarray(face.views.visible[0, points] if flat else face.views.anywhere[points])
+
+
+def _occluded(face: Face, motion: Motion, points: Indices, samples: int) -> Flags:
+    tracks = polylines(motion, face.trajectories.base, points, points, samples)
+    return mostly_hidden(face.views, tracks, face.trajectories.normals[points], 0.5 * face.handle_width)

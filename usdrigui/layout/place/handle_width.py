@@ -1,0 +1,109 @@
+"""How wide handles are: a share of the face, and less where many controls want the same places.
+
+Counted is where each control would keep most of its displacement.  Spread over those places by their
+area, whatever the mesh's resolution, every control is one; around the place of one there are then so many
+others, on average.  Handles are as wide as leaves no more than a comfortable number within a few widths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.layout.classify.classification import Classification
+from usdrigui.layout.motion.tracks import flattened
+from usdrigui.layout.visibility import Views, screen
+from usdrigui.model import Flags, Floats, Trajectories
+from usdrigui.settings import ControlSettings, ObjectiveSettings
+
+KEPT = 0.85
+"""A control wants the places where it keeps this share of its visible peak."""
+_AROUND = 4.0
+"""Handle widths: what is nearer than this to a handle is around it."""
+_BLUR = np.linspace(0.5, 1.5, 5)
+"""Shares of that distance over which the count is averaged: an area may be gathered in a few points."""
+_STEPS = 32
+"""Widths tried between the least and the largest."""
+_MANY = 2000
+"""Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the square."""
+
+
+def handle_width(
+    trajectories: Trajectories,
+    views: Views,
+    standing: Flags,
+    toward: Floats | None,
+    settings: ObjectiveSettings,
+) -> float:
+    """Diameter of a handle in scene units.
+
+    `standing` (motions,) are those of the controls that are to stand on the face, `toward` is the direction to the
+    viewer of a flat layout.
+
+    The largest of the widths from ``objective.handle_least`` to ``objective.handle_size`` at which no more
+    than ``objective.handle_crowd`` controls are around one on average; the least where all are too wide.
+    Invariant under rigid motion, uniform scale and the order and density of points.
+    """
+    points, weights = _wanted(trajectories, views.anywhere, standing)
+    frame = np.vstack([screen(views), views.directions[:1]])
+    return fitting_width(flattened(points, toward), weights, frame, trajectories.face_size, settings)
+
+
+def fitting_width(points: Floats, weights: Floats, frame: Floats, face: float, settings: ObjectiveSettings) -> float:
+    """The same from the places (p, 3) that controls want and how many want each (p,).
+
+    `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are those of `points`.
+    """
+    most, least = settings.handle_size * face, min(settings.handle_least, settings.handle_size) * face
+    if settings.handle_crowd <= 0.0 or least >= most or not len(points):
+        return most
+    if len(points) > _MANY:
+        points, weights = _gathered(points, weights, frame, 0.5 * most)
+    widths = np.linspace(least, most, _STEPS + 1)
+    fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.handle_crowd)
+    return float(widths[fits[-1]]) if len(fits) else least
+
+
+def around(points: Floats, weights: Floats, radii: Floats) -> Floats:
+    """(r,) mean number of controls, itself included, within about each radius of a control.
+
+    `points` (p, 3) are places, `weights` (p,) how many controls stand at each, in sum their number.
+    """
+    tree = cKDTree(points)
+    pairs = tree.count_neighbors(tree, np.outer(radii, _BLUR).ravel(), weights=(weights, weights))
+    return np.asarray(pairs.reshape(len(radii), -1).mean(axis=1) / weights.sum(), dtype=np.float64)
+
+
+def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tuple[Floats, Floats]:
+    """Middles and weights of the cells of a grid that stands as the character does."""
+    along = points @ frame.T
+    cells = np.floor((along - along.min(axis=0)) / size).astype(np.int64)
+    cell = np.unique(cells, axis=0, return_inverse=True)[1].ravel()
+    total = np.bincount(cell, weights).astype(np.float64)
+    middles = np.stack([np.bincount(cell, weights * axis) / total for axis in points.T], axis=1)
+    return middles, total
+
+
+def on_face(
+    trajectories: Trajectories, classification: Sequence[Classification], overrides: Sequence[ControlSettings]
+) -> Flags:
+    """(motions,) those of the controls that are to stand on the face."""
+    kept = [not overrides[motion.control].exclude for motion in trajectories.motions]
+    return np.array([here and not each.category for here, each in zip(kept, classification, strict=True)], dtype=bool)
+
+
+def _wanted(trajectories: Trajectories, anywhere: Flags, standing: Flags) -> tuple[Floats, Floats]:
+    """Places (p, 3) that the `standing` controls want, and how many want each (p,)."""
+    total = np.zeros(len(trajectories.base))
+    for motion in (trajectories.motions[i] for i in np.flatnonzero(standing)):
+        seen = anywhere[motion.points] & (trajectories.places[motion.points] == motion.points)
+        if not seen.any():
+            continue
+        arc = np.where(seen, motion.arc_length, 0.0)
+        wanted = motion.points[arc >= KEPT * arc.max()]
+        areas = trajectories.areas[wanted]
+        total[wanted] += areas / areas.sum() if areas.any() else 1.0 / len(wanted)
+    chosen = np.flatnonzero(total)
+    return trajectories.base[chosen], total[chosen]

@@ -1,0 +1,124 @@
+"""The labels of one variable: where an element and its images may stand, what that costs and how it looks there.
+
+Displacement is measured in typical peak displacements, so that the same character in metres and in centimetres
+gets the same layout; ``objective.scene_units`` takes the paper's constants literally instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from usdrigui.layout.face import Face
+from usdrigui.layout.motion.tracks import arc_lengths, flattened, lengths, magnification, paths, resampled
+from usdrigui.layout.place.terms import off_plane
+from usdrigui.layout.symmetry.orbits import orbit_points
+from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
+from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
+
+
+def labels_of(
+    face: Face,
+    sets: Mapping[int, CandidateSet],
+    groups: tuple[Group, ...],
+    index: int,
+    overrides: Sequence[ControlSettings],
+    settings: Settings,
+) -> tuple[Choice, Floats, Floats]:
+    """Candidates that all members and all copies of group `index` share, their costs (R,) without the overlap, and
+    displacements (R,).
+
+    Displacement and linear costs are those of the worst member (paper section 3.3), summed over copies.
+    `sets` are the candidates by control.
+    """
+    group = groups[index]
+    choice = _with_copies(face, group, index, sets[group.controls[0]], settings.symmetry.tolerance)
+    toward = face.views.flat_direction(settings.candidates.space)
+    weight = settings.objective.displacement_weight
+    cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
+    for copy, controls in enumerate(choice.controls):
+        worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
+        worth = weight * max(_importance(overrides[control]) for control in controls)
+        for control in controls:
+            motion = face.trajectories.motions[sets[control].motion]
+            unit = _unit(motion, face.trajectories.typical_length, settings.objective)
+            moved = _displacements(motion, choice.sources[:, copy], toward) / unit
+            linear = _looked_up(sets[control], choice.anchors[:, copy])
+            worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
+            least = np.minimum(least, moved)
+        cost += worst
+        displacement += least
+    if own_mirror_image(face, group, settings):
+        cost += off_plane(face, choice.anchors[:, 0], settings.symmetry.plane_price)
+    return choice, cost, displacement
+
+
+def own_mirror_image(face: Face, group: Group, settings: Settings) -> bool:
+    """Whether the element is its own mirror image."""
+    if not face.symmetry.normal.any() or settings.symmetry.double_middle:
+        return False
+    return {int(face.symmetry.twins[control]) for control in group.controls} == set(group.controls)
+
+
+def drawn_points(face: Face, choice: Choice, settings: Settings) -> tuple[Floats, Floats]:
+    """Samples (R, copies, u, 3) along the drawn tracks, and handles (R, copies, 3)."""
+    toward = face.views.flat_direction(settings.candidates.space)
+    samples = []
+    for copy, controls in enumerate(choice.controls):
+        anchors, sources = choice.anchors[:, copy], choice.sources[:, copy]
+        tracks = [_drawn_track(face, control, anchors, sources, settings) for control in controls]
+        samples.append(np.concatenate(tracks, axis=1))
+    return flattened(np.stack(samples, axis=1), toward), flattened(face.trajectories.base[choice.anchors], toward)
+
+
+def _drawn_track(face: Face, control: int, anchors: Indices, sources: Indices, settings: Settings) -> Floats:
+    """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is too short."""
+    motion = face.trajectories.motion_of(control)
+    factor = magnification(arc_lengths(motion, sources), settings.output.min_track * face.handle_width)
+    offsets = resampled(paths(motion, sources), settings.objective.samples)
+    return np.asarray(face.trajectories.base[anchors][:, None] + factor[:, None, None] * offsets)
+
+
+def _importance(override: ControlSettings) -> float:
+    return 1.0 if override.importance is None else override.importance
+
+
+def _displacements(motion: Motion, sources: Indices, toward: Floats | None) -> Floats:
+    """(R,) arc lengths of the trajectories; in a flat layout as the viewer sees them, which penalises
+    foreshortened ones (paper section 3.3 and fig. 7)."""
+    if toward is None:
+        return arc_lengths(motion, sources)
+    return lengths(flattened(paths(motion, sources), toward))
+
+
+def _unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
+    """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
+    if settings.scene_units:
+        return 1.0
+    own, share = float(motion.arc_length.max()), settings.relative_displacement
+    return float(typical ** (1.0 - share) * own**share)
+
+
+def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
+    """(R,) linear costs at `points`; inf where the point is no candidate of this control."""
+    rows = np.minimum(np.searchsorted(candidate_set.points, points), len(candidate_set.points) - 1)
+    return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
+
+
+def _with_copies(face: Face, group: Group, index: int, candidate_set: CandidateSet, tolerance: float) -> Choice:
+    """Anchors and sources of all copies, of those candidates whose images lie on the character."""
+    anchors = _images(face, group, candidate_set.points, tolerance)
+    sources = _images(face, group, candidate_set.sources, tolerance)
+    kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
+    return Choice(index, group.copies, anchors[kept], sources[kept])
+
+
+def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indices:
+    """(R, copies) images of `points` under the symmetry of the group."""
+    if not group.images:
+        return points[:, None]
+    if group.mirror:
+        return np.stack([points, face.symmetry.partner[points]], axis=1)
+    orbit = [face.trajectories.motion_of(controls[0]) for controls in group.copies]
+    return orbit_points(face.trajectories, orbit, face.rig.up, tolerance * face.trajectories.face_size, points)

@@ -1,0 +1,68 @@
+"""Locality: a control kept near something that the configuration names, or at a proxy (paper section 6)."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.errors import refuse
+from usdrigui.layout.face import Face
+from usdrigui.layout.reuse.partial_layout import point_index
+from usdrigui.model import Floats, Indices, Rig
+from usdrigui.settings import ControlSettings
+
+_PROXIES = 24
+"""Visible points near a hidden region among which the optimiser may choose."""
+
+
+def kept_near(face: Face, control: int, override: ControlSettings, points: Indices, default_radius: float) -> Indices:
+    """Those of `points` within the radius of what ``near`` names (paper section 6, localizable); the
+    nearest one where none is.  Radii are in face sizes.  Raises CONFIG_VALUE when ``near`` names nothing on the
+    character."""
+    if not override.near or not len(points):
+        return points
+    centres = _centres(face, f'controls."{face.control_name(control)}".near', override.near)
+    apart, _ = cKDTree(centres).query(face.trajectories.base[points])
+    radius = (override.within or default_radius) * face.trajectories.face_size
+    inside = apart <= radius
+    return points[inside] if inside.any() else points[[int(np.argmin(apart))]]
+
+
+def proxies(face: Face, point: int) -> Indices:
+    """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on the face."""
+    places = face.trajectories.places
+    seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
+    if not len(seen):
+        return seen
+    count = min(_PROXIES, len(seen))
+    _, nearest = cKDTree(face.trajectories.base[seen]).query(face.trajectories.base[point], k=count)
+    return np.sort(seen[np.atleast_1d(nearest)])
+
+
+def _centres(face: Face, where: str, near: str) -> Floats:
+    rig = face.rig
+    if near.startswith("joint:"):
+        return _joint_position(rig, where, near.removeprefix("joint:"))[None]
+    if match := re.fullmatch(r"(.+)\.point\[(\d+)\]", near):
+        return np.array(face.trajectories.base[[point_index(rig, where, match[1], int(match[2]))]])
+    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
+        if mesh.path == near:
+            return np.array(face.trajectories.base[start : start + len(mesh.points)])
+        for subset in mesh.subsets:
+            if subset.path == near:
+                return np.array(face.trajectories.base[start + subset.points])
+    raise refuse("CONFIG_VALUE", where, f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}")
+
+
+def _joint_position(rig: Rig, where: str, name: str) -> Floats:
+    """(3,) position of a joint in root space at the base pose; `name` is its path or the path's last part."""
+    for index, joint in enumerate(rig.joints):
+        if name in (joint.path, joint.path.rpartition("/")[2]):
+            matrix, at = np.eye(4), index
+            while at >= 0:
+                matrix = matrix @ rig.joints[at].base
+                at = rig.joints[at].parent
+            return np.asarray((matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64)
+    raise refuse("CONFIG_VALUE", where, f"there is no joint {name!r}")

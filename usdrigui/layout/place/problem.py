@@ -1,0 +1,188 @@
+"""The layout problem: every element's candidates, their costs and their geometry (paper eq. 2 to 5).
+
+The overlap's radius is measured in handle widths, so that the same character in metres and in centimetres gets
+the same layout; ``objective.scene_units`` takes the paper's constants literally instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.layout.face import Face
+from usdrigui.layout.place.candidates import candidates_of_axis, loosened
+from usdrigui.layout.place.extensions import user_pairs
+from usdrigui.layout.place.labels import drawn_points, labels_of
+from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existing_variables
+from usdrigui.layout.reuse.prior_layout import leaving_penalties
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.model import Candidates, CandidateSet, Choice, Floats, Group, LayoutProblem, Overlap, Variable
+from usdrigui.overlap import own_costs
+from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
+from usdrigui.surface import mean_edge_length, mesh_triangles
+
+_COINCIDENT = 1e-9
+"""Separation that forbids only a shared point, in face sizes."""
+
+
+@dataclass(frozen=True, eq=False)
+class PlacementProblem:
+    """The problem whose solution is the layout of all groups that may stand on the face."""
+
+    groups: tuple[Group, ...]
+    problem: LayoutProblem
+    choices: tuple[Choice, ...]
+    """(variables,) what the labels of each variable mean."""
+
+
+def placement_problem(
+    face: Face, candidates: Candidates, groups: tuple[Group, ...], requests: Requests, settings: Settings
+) -> PlacementProblem:
+    """One variable for each group that may stand on the face.
+
+    Raises FIXED_IMPOSSIBLE where the fixed anchors are infeasible, TERM_INVALID for a term of another package.
+    """
+    overlap, separation = _constants(face, settings.objective)
+    sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
+    toward = face.views.flat_direction(settings.candidates.space)
+    base, samples = face.trajectories.base, settings.objective.samples
+    existing = existing_variables(requests.existing, face.rig, base, samples, toward)
+    costs = _Costs(face, settings, overlap, separation, existing)
+    variables, choices = [], []
+    for index, group in enumerate(groups):
+        if group.category:
+            continue
+        asked, own = (requests, sets) if not group.part else _of_axis(face, sets, group, requests, settings)
+        variable, choice = _variable(costs, own, groups, index, asked)
+        variables.append(variable)
+        choices.append(choice)
+    problem = LayoutProblem(tuple(variables), overlap, separation, settings.objective.displacement_weight)
+    _refuse_infeasible(problem, groups, tuple(choices), requests.overrides)
+    extra = user_pairs(face, problem, tuple(choices), settings.objective.terms)
+    return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices))
+
+
+def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
+    """What an earlier layout makes each label cost (R,), and what it makes leaving the face cost."""
+    prior, base = requests.prior, face.trajectories.base
+    stay, leave = np.zeros(len(choice.anchors)), 0.0
+    for copy, controls in enumerate(choice.controls):
+        stay += leaving_penalties(prior, controls, choice.anchors[:, copy], base, face.handle_width)
+        leave += prior.penalty * prior.stood_on_face(controls)
+    return stay, leave
+
+
+def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]:
+    """The overlap's constants and the separation in scene units."""
+    trajectories = face.trajectories
+    if settings.scene_units:
+        corners = mesh_triangles(face.rig.meshes)
+        radius = mean_edge_length(trajectories.base, corners, trajectories.places) * settings.overlap_radius
+        sharpness = settings.overlap_sharpness
+    else:
+        radius = settings.overlap_radius * face.handle_width
+        sharpness = settings.overlap_sharpness / radius
+    cutoff_distance = settings.overlap_reach * radius or np.inf
+    overlap = Overlap(settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight)
+    return overlap, face.handle_width if settings.separation else _COINCIDENT * trajectories.face_size
+
+
+def _of_axis(
+    face: Face, sets: Mapping[int, CandidateSet], group: Group, requests: Requests, settings: Settings
+) -> tuple[Requests, dict[int, CandidateSet]]:
+    """Requests and candidates, by control, of an axis of a coarse element with a slider of its own."""
+    asked = requests.of_axes()
+    controls = {control for copy in group.copies for control in copy}
+    return asked, {c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(controls)}
+
+
+@dataclass(frozen=True, eq=False)
+class _Costs:
+    """What every variable is costed with."""
+
+    face: Face
+    settings: Settings
+    overlap: Overlap
+    separation: float
+    existing: tuple[Variable, ...]
+    """Elements of an existing layout."""
+
+
+def _variable(
+    costs: _Costs, sets: Mapping[int, CandidateSet], groups: tuple[Group, ...], index: int, requests: Requests
+) -> tuple[Variable, Choice]:
+    """The variable of group `index`, with the loosened candidates where its copies collide at all others."""
+    face, settings, group = costs.face, costs.settings, groups[index]
+    controls = {control for copy in group.copies for control in copy}
+    for loose in (False, True):
+        used = {c: loosened(face, sets[c], requests, settings) for c in controls} if loose else sets
+        choice, cost, displacement = labels_of(face, used, groups, index, requests.overrides, settings)
+        samples, handles = drawn_points(face, choice, settings)
+        cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)
+        cost += costs_beside_existing(costs.existing, costs.overlap, costs.separation, samples, handles)
+        kept = np.isfinite(cost)
+        if kept.any():
+            break
+    choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
+    stay, leave = penalties_of_leaving(face, requests, choice)
+    return Variable(
+        group.name,
+        choice.anchors[:, 0],
+        cost[kept] + stay,
+        samples[kept],
+        handles[kept],
+        _off_face_cost(group, requests, settings.objective) + leave,
+        displacement[kept],
+        group.states,
+    ), choice
+
+
+def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings) -> float:
+    """Cost of sending the element and its images to the board; inf where they must stand on the face."""
+    overrides = [requests.overrides[control] for control in group.controls]
+    if not settings.beside_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
+        return float(np.inf)
+    return settings.beside_price * len(group.copies)
+
+
+# --- fixed anchors -----------------------------------------------------------------------------------
+
+
+def _refuse_infeasible(
+    problem: LayoutProblem,
+    groups: tuple[Group, ...],
+    choices: tuple[Choice, ...],
+    overrides: tuple[ControlSettings, ...],
+) -> None:
+    """Raise FIXED_IMPOSSIBLE when the fixed anchors contradict each other, naming them."""
+    fixed = list(_fixed(groups, choices, overrides))
+    for number in fixed:
+        name = problem.variables[number].name
+        anchors = sorted({overrides[c].anchor for c in groups[choices[number].group].controls} - {""})
+        if len(anchors) > 1:
+            raise refuse("FIXED_IMPOSSIBLE", name, f"one element is fixed at {' and at '.join(anchors)}")
+        if not len(choices[number].anchors):
+            why = "not all of its controls can be anchored there, or its copies would collide"
+            raise refuse("FIXED_IMPOSSIBLE", name, f"cannot stand at {anchors[0]}: {why}")
+    for place, a in enumerate(fixed):
+        for b in fixed[place + 1 :]:
+            one, other = problem.variables[a], problem.variables[b]
+            if not problem.together[a, b]:
+                continue
+            apart = np.linalg.norm(one.handles[0][:, None] - other.handles[0][None], axis=2).min()
+            if apart < problem.separation:
+                share = f"{apart / problem.separation:.2f} of the least distance between two handles"
+                raise refuse("FIXED_IMPOSSIBLE", one.name, f"is fixed at {share} from {other.name}")
+
+
+def _fixed(
+    groups: tuple[Group, ...], choices: tuple[Choice, ...], overrides: tuple[ControlSettings, ...]
+) -> Iterator[int]:
+    """Numbers of the variables with a fixed anchor."""
+    for number, choice in enumerate(choices):
+        group = groups[choice.group]
+        if not group.part and any(overrides[control].anchor for control in group.controls):
+            yield number

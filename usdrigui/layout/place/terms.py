@@ -1,0 +1,61 @@
+"""Linear costs of anchoring a control at a point, besides displacement: one function each.
+
+A term gives one cost >= 0 per point in the units of the objective (1 is about what the typical control loses
+with its whole displacement).  `linear_cost` adds them up; other packages add their own by the entry point group
+``usdrigui.terms``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.face import Face
+from usdrigui.layout.place.extensions import user_linear_cost
+from usdrigui.layout.symmetry.mirror_plane import plane_distance
+from usdrigui.model import Floats, Indices, Motion
+from usdrigui.settings import Settings
+
+_MIDDLE = 1e-3
+"""In handle widths: nearer to the mirror plane is on it."""
+_TIE = 1e-5
+"""What the character's right costs a symmetric element that stands off the plane: enough to decide between
+two mirror images, negligible against any other cost."""
+
+
+def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
+    """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
+    own = occlusion(face.trajectories.normals, motion, points, settings.candidates.occlusion_price)
+    return own + user_linear_cost(face, motion, points, settings.objective.terms)
+
+
+def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -> Floats:
+    """(p,) Trajectories should run out of the surface, not into it (paper section 3.3, element-model occlusion).
+
+    The weight times (1 - t.n) / 2, with the unit tangent t at the base pose, pointing away from the
+    anchor, and the normal n out of `normals` (n, 3); the mean over both tangents where the anchor lies inside the
+    range.
+    """
+    rows = np.searchsorted(motion.points, points)
+    start = _base_knot(motion)
+    cosines = []
+    for neighbour in (start - 1, start + 1):
+        if 0 <= neighbour < len(motion.values):
+            step = motion.offsets[neighbour, rows].astype(np.float64)
+            length = np.maximum(np.linalg.norm(step, axis=1), 1e-30)
+            cosines.append(np.einsum("pi,pi->p", step, normals[points]) / length)
+    return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
+
+
+def off_plane(face: Face, points: Indices, weight: float) -> Floats:
+    """(p,) An element symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
+    deformations): the weight times the distance in handle widths, counted from the nearest of `points`, so that an
+    element with none on the plane is not driven off the face; of two mirror images it then takes the one on the
+    character's left."""
+    apart = plane_distance(face.trajectories.base[points], face.symmetry)
+    cost = weight * np.abs(apart) / face.handle_width + np.where(apart < -_MIDDLE * face.handle_width, _TIE, 0.0)
+    return np.asarray(cost - cost.min(initial=np.inf) if len(cost) else cost)
+
+
+def _base_knot(motion: Motion) -> int:
+    """Index of the knot at which the control stands at the base pose."""
+    return int(np.argmin(np.abs(motion.offsets).sum(axis=(1, 2))))

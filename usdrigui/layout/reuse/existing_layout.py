@@ -1,0 +1,180 @@
+"""An existing layout to which a shot adds: new controls are placed, and every existing element stays to the point.
+
+The existing elements are no variables of the problem.  What each of them costs a candidate of a new element is
+part of that candidate's linear cost, so that the new elements are optimal given the existing ones, and the
+bound is one of that problem (paper section 1, partial layouts).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.layout.motion.tracks import flattened, resampled
+from usdrigui.model import (
+    Candidates,
+    Element,
+    Floats,
+    Layout,
+    LayoutProblem,
+    Overlap,
+    Rig,
+    Trajectories,
+    Variable,
+)
+from usdrigui.overlap import pair_costs
+from usdrigui.settings import Settings
+
+_ROUNDING = 1e-9
+"""Handles of the existing layout are exactly as far apart as they were, but for rounding."""
+
+
+def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
+    """The one of some layouts that is of this character, with the paths of `rig`; none if there is no such.
+
+    A shot may have the character at another path.  Below its SkelRoot nothing may have another name.
+    """
+    found = _fitting(layouts, rig)
+    return _moved(found, rig.root) if found is not None else None
+
+
+def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
+    """The SkelRoot's path in the layer of the existing layout; empty where there is none."""
+    found = _fitting(layouts, rig)
+    return found.root if found is not None else ""
+
+
+def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
+    """Indices of the controls that the layout neither has nor says it left off."""
+    known = {member.control for element in layout.elements for member in element.members}
+    known |= {left.control for left in layout.left_off}
+    return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
+
+
+def with_drawn_handles(layout: Layout, trajectories: Trajectories, settings: Settings) -> Settings:
+    """The settings with which handles are as wide as in `layout`, and groups only of what it lacks."""
+    known = {member.control for element in layout.elements for member in element.members}
+    groups = {name: controls for name, controls in settings.groups.groups.items() if not known.issuperset(controls)}
+    width = layout.handle_width or settings.objective.handle_size * trajectories.face_size
+    size = width * (1.0 - _ROUNDING) / trajectories.face_size
+    return replace(
+        settings,
+        objective=replace(settings.objective, handle_size=size, handle_crowd=0.0),
+        groups=replace(settings.groups, groups=groups),
+    )
+
+
+def of_new_controls(
+    existing: Layout | None, rig: Rig, trajectories: Trajectories, candidates: Candidates
+) -> Candidates:
+    """The candidates of the controls that the existing layout does not have; of all where there is none."""
+    if existing is None:
+        return candidates
+    new = new_controls(existing, rig)
+    motions = trajectories.motions
+    kept = tuple(each for each in candidates.sets if motions[each.motion].control in new)
+    return Candidates(kept, candidates.left_off)
+
+
+def existing_variables(
+    existing: Layout | None, rig: Rig, base: Floats, count: int, toward: Floats | None
+) -> tuple[Variable, ...]:
+    """The existing elements on the face, each as a variable of one candidate, drawn as its layer draws it.
+
+    `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the direction to the viewer
+    of a flat layout.
+    """
+    elements = existing.elements if existing is not None else ()
+    return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.beside)
+
+
+def costs_beside_existing(
+    existing: tuple[Variable, ...], overlap: Overlap, separation: float, samples: Floats, handles: Floats
+) -> Floats:
+    """(R,) what the existing elements cost the candidates of a new one: overlap with each of them, +inf where
+    two handles would be too near.
+
+    `samples` (R, copies, u, 3) and `handles` (R, copies, 3) are those of the new element.
+    """
+    labels, none = np.arange(len(handles)), np.zeros(len(handles))
+    new = Variable("", labels, none, samples, handles, np.inf, none)
+    cost = np.zeros(len(handles))
+    for each in existing:
+        pair = LayoutProblem((new, each), overlap, separation, 0.0)
+        cost += pair_costs(pair, 0, 1, labels, np.zeros_like(labels))
+    return cost
+
+
+def uniquify_names(added: Layout, existing: Layout) -> Layout:
+    """The added elements, none with the name of an existing one."""
+    taken = {element.name for element in existing.elements}
+    names: dict[str, str] = {}
+    for element in added.elements:
+        name = element.name
+        while name in taken:
+            name = f"{name}_added"
+        names[element.name] = name
+        taken.add(name)
+    elements = tuple(
+        replace(e, name=names[e.name], mirror=names.get(e.mirror, ""), inner=tuple(names[each] for each in e.inner))
+        for e in added.elements
+    )
+    return replace(added, elements=elements)
+
+
+def combined(existing: Layout, added: Layout) -> Layout:
+    """Both as one layout: what a client sees that composes the two layers."""
+    return replace(
+        existing,
+        elements=(*existing.elements, *added.elements),
+        left_off=added.left_off,
+        handle_width=existing.handle_width or added.handle_width,
+        base_values=added.base_values,
+        method=added.method,
+        status=added.status,
+        cost=added.cost,
+        bound=added.bound,
+        in_play=added.in_play,
+        weights=added.weights,
+    )
+
+
+def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
+    here = [layout for layout in layouts if layout.root == rig.root]
+    fitting = [layout for layout in here or layouts if _alike(_moved(layout, rig.root), rig)]
+    return fitting[0] if len(fitting) == 1 else None
+
+
+def _alike(layout: Layout, rig: Rig) -> bool:
+    """Whether a layout has a mesh and a control in common with a character."""
+    meshes = {element.anchor.mesh for element in layout.elements}
+    names = {member.control for element in layout.elements for member in element.members}
+    return bool(meshes & {mesh.path for mesh in rig.meshes}) and bool(names & {each.name for each in rig.controls})
+
+
+def _moved(layout: Layout, root: str) -> Layout:
+    """The layout of the same character at another path."""
+    elements = tuple(
+        replace(each, anchor=replace(each.anchor, mesh=_moved_path(each.anchor.mesh, layout.root, root)))
+        for each in layout.elements
+    )
+    return replace(layout, root=root, elements=elements)
+
+
+def _moved_path(path: str, before: str, after: str) -> str:
+    """A path below `before` as it is below `after`."""
+    return after + path.removeprefix(before) if path.startswith(f"{before}/") else path
+
+
+def _variable(element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None) -> Variable:
+    point = np.array([_anchor_point(rig, element)])
+    samples = np.concatenate([resampled(member.track[None], count)[0] for member in element.members])
+    samples, handle = flattened(samples, toward)[None, None], flattened(base[point], toward)[None]
+    return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))
+
+
+def _anchor_point(rig: Rig, element: Element) -> int:
+    """The anchor of an element as an index into all points of the rig."""
+    paths = [mesh.path for mesh in rig.meshes]
+    return int(rig.starts[paths.index(element.anchor.mesh)]) + element.anchor.point

@@ -1,0 +1,134 @@
+"""Partial layouts: anchors that are fixed, by the configuration or by an existing layout.
+
+Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest is optimal given them (paper
+section 1, partial layouts).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.errors import refuse
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
+from usdrigui.levels import outer_first
+from usdrigui.model import Element, Floats, Layout, Motion, Rig, Symmetry
+from usdrigui.settings import ControlSettings, Settings
+
+_SAME = 0.5
+"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle widths."""
+
+
+def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] | None = None) -> Settings:
+    """The settings with every anchor of `layout` fixed, or of the elements called `only`.
+
+    A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE where the
+    layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that the rig lacks.
+    """
+    known = {control.name for control in rig.controls}
+    renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
+    controls = dict(settings.controls)
+    placed: set[str] = set()
+    for element in outer_first(layout.elements):
+        if only is not None and element.name not in only:
+            continue
+        for member in element.members:
+            if member.control not in known:
+                where = f"{layout.root} element {element.name}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}")
+            name = renamed.get(member.control, member.control)
+            override = controls.get(name, ControlSettings())
+            if name in placed:
+                controls[name] = _anchored_again(override, element, rig)
+                continue
+            if override.anchor or override.place:
+                continue
+            placed.add(name)
+            beside = element.anchor.beside
+            controls[name] = replace(override, place="beside") if beside else _anchored(override, element, rig)
+    return replace(settings, controls=controls)
+
+
+def fixed_anchor(rig: Rig, name: str, override: ControlSettings) -> int | None:
+    """The point of a partial layout that ``anchor`` fixes, as ``MESH_PATH#POINT``.
+
+    Raises CONFIG_VALUE when there is no such mesh or point."""
+    if not override.anchor:
+        return None
+    where = f'controls."{name}".anchor'
+    path, mark, number = override.anchor.rpartition("#")
+    if not mark or not number.isdigit():
+        raise refuse("CONFIG_VALUE", where, f"{override.anchor!r} is not MESH_PATH#POINT")
+    return point_index(rig, where, path, int(number))
+
+
+def point_index(rig: Rig, where: str, path: str, local: int) -> int:
+    """Index into all points of the rig of a point of one mesh; raises CONFIG_VALUE for `where` if there is none."""
+    for start, mesh in zip(rig.starts, rig.meshes, strict=False):
+        if mesh.path == path and local < len(mesh.points):
+            return int(start + local)
+    raise refuse("CONFIG_VALUE", where, f"there is no point {local} on a mesh {path!r}")
+
+
+def moves(motion: Motion, name: str, override: ControlSettings, point: int) -> bool:
+    """Whether a control moves the point at which it is fixed; raises FIXED_IMPOSSIBLE if it should but does not."""
+    if point in motion.points:
+        return True
+    if override.place == "proxy":
+        return False
+    raise refuse("FIXED_IMPOSSIBLE", f'controls."{name}".anchor', f"{name} does not move the point {override.anchor}")
+
+
+def has_own_place(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, width: float, control: int) -> bool:
+    """Whether a control of a pair has a place that is not the mirror image of its twin's, so that the two
+    cannot be one decision: a fixed anchor, or an earlier place that was moved on one side only.
+
+    `base` (n, 3) are the points of the base pose, `width` that of a handle.
+    """
+    twin, overrides, prior = int(symmetry.twins[control]), requests.overrides, requests.prior
+    if twin >= 0 and _region(overrides[control]) != _region(overrides[twin]):
+        return True
+    if overrides[control].anchor:
+        return not _fixed_in_mirror(rig, base, symmetry, requests, control)
+    mine, other = prior.places.get(control), prior.places.get(twin)
+    if mine is None or other is None or prior.cutoff_distance > 0.0:
+        return False
+    if mine.beside or other.beside:
+        return mine.beside != other.beside
+    apart = np.linalg.norm(reflected(mine.position[None], symmetry)[0] - other.position)
+    return bool(apart > _SAME * width)
+
+
+def _region(override: ControlSettings) -> tuple[str, str, float]:
+    """The configured place of a control, apart from a fixed anchor."""
+    return override.place, override.near, override.within
+
+
+def _anchored(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
+    anchor = element.anchor
+    mesh = next((each for each in rig.meshes if each.path == anchor.mesh), None)
+    if mesh is None or (anchor.topology_hash and anchor.topology_hash != mesh.topology_hash):
+        change = "is gone" if mesh is None else "has other points or faces by now"
+        raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
+    return replace(override, anchor=f"{anchor.mesh}#{anchor.point}")
+
+
+def _anchored_again(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
+    """The override with the anchor of the slider that the control has of its own under a coarse element."""
+    if override.inner_anchor or element.anchor.beside:
+        return override
+    return replace(override, inner_anchor=_anchored(override, element, rig).anchor)
+
+
+def _fixed_in_mirror(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, control: int) -> bool:
+    """Whether both twins are fixed, and the right one exactly at the mirror partner of the left one."""
+    twin, overrides = int(symmetry.twins[control]), requests.overrides
+    if twin < 0 or not overrides[twin].anchor:
+        return False
+    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c]) for c in (control, twin)]
+    points = np.array([point for point in pair if point is not None])
+    apart = plane_distance(base[points], symmetry)
+    left, right = points if apart[0] >= apart[1] else points[::-1]
+    return bool(symmetry.partner[left] == right)

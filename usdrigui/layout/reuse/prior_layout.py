@@ -1,0 +1,155 @@
+"""An earlier layout that the new one should be like: what was where, and what it costs to leave it.
+
+It is a soft request.  Its groups stand where they still can, and every other place than the earlier one
+costs a penalty, so that a control moves when that improves the cost by more than the penalty and stays otherwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from usdrigui.levels import inner_names, outer_first
+from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh
+
+
+@dataclass(frozen=True, slots=True)
+class KeptGroup:
+    """Controls that shared an element, or one that had its own."""
+
+    name: str
+    """Name of the element; empty when it is to be made from its controls."""
+    controls: tuple[int, ...]
+    """Indices into `Rig.controls`."""
+    opposed: tuple[tuple[int, int], ...]
+    """Pairs of positions in `controls`."""
+
+
+@dataclass(frozen=True, eq=False)
+class Place(Record):
+    """Where a control stood."""
+
+    point: int
+    """The same point of today's rig, or -1 where the mesh has other points by now."""
+    position: Floats
+    """(3,) in root space."""
+    beside: bool
+
+
+@dataclass(frozen=True, eq=False)
+class PriorLayout(Record):
+    """What an earlier layout asks of the new one."""
+
+    groups: tuple[KeptGroup, ...] = ()
+    places: Mapping[int, Place] = field(default_factory=dict)
+    """By index into `Rig.controls`; controls without a place are free."""
+    axis_places: Mapping[int, Place] = field(default_factory=dict)
+    """The same for the sliders that controls have of their own under a coarse element."""
+    penalty: float = 0.0
+    """Cost of leaving a place, per copy of the element, in the units of the objective."""
+    cutoff_distance: float = 0.0
+    """Distance at which the full penalty is due, in handle widths; 0 asks it of every other point."""
+
+    def stood_on_face(self, controls: Sequence[int]) -> bool:
+        """Whether any of these controls had its place on the face."""
+        return any(control in self.places and not self.places[control].beside for control in controls)
+
+
+NO_PRIOR = PriorLayout()
+
+
+def of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
+    """An earlier layout of the same character as a prior; no prior at a penalty of 0."""
+    if penalty <= 0.0:
+        return NO_PRIOR
+    return PriorLayout(kept_groups(layout, rig), *_places(layout, rig), penalty)
+
+
+def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
+    """Both priors: the first decides for a control that both place; the penalty is the second's."""
+    taken = {control for group in first.groups for control in group.controls}
+    others = tuple(group for group in second.groups if not taken & set(group.controls))
+    return replace(
+        second,
+        groups=(*first.groups, *others),
+        places={**second.places, **first.places},
+        axis_places={**second.axis_places, **first.axis_places},
+    )
+
+
+def kept_groups(layout: Layout, rig: Rig) -> tuple[KeptGroup, ...]:
+    """The groups of a layout, without the controls that `rig` no longer has; each control in one only."""
+    index = {control.name: number for number, control in enumerate(rig.controls)}
+    groups: list[KeptGroup] = []
+    taken: set[int] = set()
+    for element in outer_first(layout.elements):
+        kept = [place for place, member in enumerate(element.members) if index.get(member.control, -1) not in taken]
+        kept = [place for place in kept if element.members[place].control in index]
+        if not kept:
+            continue
+        controls = tuple(index[element.members[place].control] for place in kept)
+        opposed = tuple((kept.index(a), kept.index(b)) for a, b in element.opposed if a in kept and b in kept)
+        groups.append(KeptGroup(element.name if len(kept) == len(element.members) else "", controls, opposed))
+        taken |= set(controls)
+    return tuple(groups)
+
+
+def leaving_penalties(
+    prior: PriorLayout, controls: Sequence[int], anchors: Indices, base: Floats, width: float
+) -> Floats:
+    """(R,) what each candidate of one copy of an element costs because it is not the earlier place.
+
+    Parameters: `anchors` (R,) points; `base` (n, 3) positions; `width` of a handle.  An element that stood
+    on the board pays the whole penalty for every place on the face.
+    """
+    cost = np.zeros(len(anchors))
+    for control in controls:
+        place = prior.places.get(control)
+        if place is None:
+            continue
+        cost = np.maximum(cost, prior.penalty * _penalty_share(prior, place, anchors, base, width))
+    return cost
+
+
+def _penalty_share(prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float) -> Floats:
+    """(R,) share of the penalty, from 0 at the earlier place to 1."""
+    if place.beside or not len(anchors):
+        return np.ones(len(anchors))
+    if prior.cutoff_distance > 0.0:
+        apart = np.linalg.norm(base[anchors] - place.position, axis=1)
+        # Counted from the nearest candidate: where none is near, the nearest are still to be preferred.
+        return np.asarray(np.minimum(1.0, (apart - apart.min()) / (prior.cutoff_distance * width)))
+    here = anchors == place.point
+    if not here.any():
+        # The mesh has other points, or the control no longer moves that one: the nearest place stands for it.
+        here[int(np.argmin(np.linalg.norm(base[anchors] - place.position, axis=1)))] = True
+    return np.where(here, 0.0, 1.0)
+
+
+def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
+    """The places of the controls, and those of the sliders that some have besides under a coarse element."""
+    index = {control.name: number for number, control in enumerate(rig.controls)}
+    meshes = {mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)}
+    places: dict[int, Place] = {}
+    axis_places: dict[int, Place] = {}
+    inner = inner_names(layout.elements)
+    for element in outer_first(layout.elements):
+        place = Place(_same_point(element, meshes), element.anchor.position, element.anchor.beside)
+        for control in (index[member.control] for member in element.members if member.control in index):
+            if control not in places:
+                places[control] = place
+            elif element.name in inner:
+                axis_places[control] = place
+    return places, axis_places
+
+
+def _same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
+    """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or faces."""
+    anchor = element.anchor
+    if anchor.mesh not in meshes:
+        return -1
+    start, mesh = meshes[anchor.mesh]
+    same = not anchor.topology_hash or anchor.topology_hash == mesh.topology_hash
+    return start + anchor.point if same and 0 <= anchor.point < len(mesh.points) else -1

@@ -1,0 +1,32 @@
+"""What a new layout is asked for: the configuration of its controls, and the layouts that exist."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
+from usdrigui.model import Layout
+from usdrigui.settings import ControlSettings
+
+
+@dataclass(frozen=True, eq=False)
+class Requests:
+    """What the rigger and earlier layouts ask for."""
+
+    overrides: tuple[ControlSettings, ...]
+    """(controls,) the configuration of each control."""
+    prior: PriorLayout = NO_PRIOR
+    """An earlier layout that the new one should be like."""
+    existing: Layout | None = None
+    """A layout that stays as it is and to which the new one adds elements."""
+
+    @property
+    def existing_names(self) -> frozenset[str]:
+        """Names of the elements of the existing layout, and of their controls."""
+        elements = self.existing.elements if self.existing is not None else ()
+        return frozenset(name for e in elements for name in (e.name, *(member.control for member in e.members)))
+
+    def of_axes(self) -> Requests:
+        """What holds for the sliders that controls have of their own under a coarse element."""
+        overrides = tuple(replace(each, anchor=each.inner_anchor) for each in self.overrides)
+        return replace(self, overrides=overrides, prior=replace(self.prior, places=self.prior.axis_places))

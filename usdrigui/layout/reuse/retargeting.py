@@ -1,0 +1,239 @@
+"""From one character's layout to another's: where the same place is on another face (paper section 1,
+re-targeting).
+
+The two faces need not share topology, size, pose or place in the world.  What they share is controls, by
+name: the region that each of them moves is a landmark, and the landmarks map one face onto the other, by a
+similarity that outvotes those that disagree and then by a smooth warp.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import RBFInterpolator
+
+from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
+from usdrigui.levels import inner_names
+from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
+
+CUTOFF_DISTANCE = 4.0
+"""Handle widths from the corresponding place at which the whole penalty is due."""
+
+_LEAST_FOR_SIMILARITY = 8
+_LEAST_FOR_WARP = 16
+_POWERS = (2.0, 12.0)
+"""Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to the peak."""
+_ROUNDS = 20
+_OUTLIER = 4.0
+"""Landmarks further off than this many times the median do not shape the warp."""
+_SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
+"""Of the warp, from one that passes through every landmark to hardly more than an affine map."""
+_FOLDS = 8
+_NO_WORSE = 1.1
+"""The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times the best one."""
+_FAR_OFF = 3.0
+"""Landmarks that a warp misses by more than this many times the median miss count no more than so."""
+_FLAT = 1e-3
+"""Least share of the largest spread that landmarks have in their second direction: fewer lie on a line."""
+
+
+@dataclass(frozen=True)
+class _Similarity:
+    """p -> scale * rotation @ p + offset."""
+
+    scale: float
+    rotation: Floats
+    offset: Floats
+
+    def __call__(self, points: Floats) -> Floats:
+        return np.asarray(self.scale * points @ self.rotation.T + self.offset, dtype=np.float64)
+
+
+def of_another(
+    layout: Layout,
+    theirs: tuple[Rig, Trajectories],
+    ours: tuple[Rig, Trajectories],
+    names: Mapping[str, str],
+    penalty: float,
+) -> PriorLayout:
+    """Another character's layout as a prior of ours.
+
+    Parameters: `layout` of `theirs`; `names` maps their control names to ours where these differ.  Controls
+    without a counterpart are free.  Elements that share controls there share them here.
+    """
+    renamed = _renamed(layout, names)
+    places = corresponding([element.anchor.position for element in layout.elements], theirs, ours, names)
+    index = {control.name: number for number, control in enumerate(ours[0].controls)}
+    found: dict[int, Place] = {}
+    inner = inner_names(renamed.elements)
+    by_level = sorted(zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner)
+    for element, position in by_level:
+        for member in element.members:
+            if member.control in index and index[member.control] not in found:
+                found[index[member.control]] = Place(-1, position, element.anchor.beside)
+    return PriorLayout(kept_groups(renamed, ours[0]), found, penalty=penalty, cutoff_distance=CUTOFF_DISTANCE)
+
+
+def corresponding(
+    positions: list[Floats], theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> Floats:
+    """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root space."""
+    points = np.array(positions, dtype=np.float64).reshape(-1, 3)
+    source, target = _landmarks(theirs, ours, names)
+    if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
+        return _by_size(theirs, ours)(points)
+    similarity, weights = _robust(source, target)
+    aligned = similarity(points)
+    trusted = weights > 0.0
+    if trusted.sum() < _LEAST_FOR_WARP:
+        return aligned
+    return _warped(similarity(source[trusted]), target[trusted], aligned)
+
+
+# --- landmarks ---------------------------------------------------------------------------------------
+
+
+def _landmarks(
+    theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> tuple[Floats, Floats]:
+    """(k, 3) landmarks of the shared controls, on their face and on ours."""
+    here, there = _marks(*ours), _marks(*theirs)
+    kept = [(marks, here[names.get(name, name)]) for name, marks in there.items() if names.get(name, name) in here]
+    return (
+        np.array([pair[0] for pair in kept]).reshape(-1, 3),
+        np.array([pair[1] for pair in kept]).reshape(-1, 3),
+    )
+
+
+def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
+    """By control name, (2, 3) the middle of what it moves and the middle of what it moves most."""
+    return {
+        rig.controls[motion.control].name: np.stack([_middle(trajectories, motion, power) for power in _POWERS])
+        for motion in trajectories.motions
+    }
+
+
+def _middle(trajectories: Trajectories, motion: Motion, power: float) -> Floats:
+    """(3,) mean of the places (a face that is split at seams is the same face), weighted by the distance moved."""
+    first = trajectories.places[motion.points] == motion.points
+    weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
+    if not weights.any():
+        weights = np.ones(len(weights))
+    return np.asarray(weights @ trajectories.base[motion.points] / weights.sum())
+
+
+def _spread(points: Floats) -> bool:
+    """Whether the points span more than a line."""
+    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(values[1] > _FLAT * values[0])
+
+
+# --- from one face to the other ----------------------------------------------------------------------
+
+
+def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
+    """The similarity on which most landmarks agree, and (k,) weights: 0 for those that do not."""
+    weights = np.ones(len(source))
+    similarity = _fitted(source, target, weights)
+    for _ in range(_ROUNDS):
+        off = np.linalg.norm(similarity(source) - target, axis=1)
+        scale = max(float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max()))
+        weights = 1.0 / (1.0 + np.square(off / scale))
+        similarity = _fitted(source, target, weights)
+    return similarity, np.where(off <= _OUTLIER * scale, weights, 0.0)
+
+
+def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
+    """Least squares, weighted, without reflection (Umeyama 1991)."""
+    share = weights / weights.sum()
+    from_middle, to_middle = share @ source, share @ target
+    one, other = source - from_middle, target - to_middle
+    left, values, right = np.linalg.svd(other.T @ (share[:, None] * one))
+    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
+    rotation = (left * sign) @ right
+    scale = float((values * sign).sum() / (share @ np.square(one).sum(axis=1)))
+    return _Similarity(scale, rotation, to_middle - scale * rotation @ from_middle)
+
+
+def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
+    """`points` (k, 3) under the smooth warp that takes aligned landmarks to where they belong.
+
+    How far two characters' controls correspond differs from pair to pair: copies of one head agree to the point,
+    two makers' rigs only on the whole.  So the landmarks themselves choose the smoothness, each predicted from
+    the others (cross-validation, and the smoothest of the models that do about as well as the best).
+    """
+    fold = np.arange(len(source)) // len(_POWERS) % _FOLDS
+    missed = np.zeros((len(_SMOOTHINGS), len(source)))
+    for number in range(_FOLDS):
+        out = fold == number
+        for row, smoothing in enumerate(_SMOOTHINGS):
+            found = _thin_plate(source[~out], target[~out], smoothing, source[out])
+            missed[row, out] = np.linalg.norm(found - target[out], axis=1)
+    middle = np.median(missed, axis=1, keepdims=True)
+    error = np.minimum(missed, _FAR_OFF * middle).mean(axis=1)
+    chosen = int(np.flatnonzero(error <= _NO_WORSE * error.min()).max())
+    return _thin_plate(source, target, _SMOOTHINGS[chosen], points)
+
+
+def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats) -> Floats:
+    """`points` moved as a thin-plate spline moves `source` to `target`; in units of the source's own size."""
+    middle = source.mean(axis=0)
+    unit = float(np.linalg.norm(source - middle, axis=1).max())
+    _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
+    if len(first) < _LEAST_FOR_SIMILARITY or not _solid(source[first]):
+        return points
+    moved = RBFInterpolator(
+        (source[first] - middle) / unit,
+        (target - source)[first],
+        kernel="thin_plate_spline",
+        smoothing=smoothing,
+        degree=1,
+    )
+    return np.asarray(points + moved((points - middle) / unit), dtype=np.float64)
+
+
+def _solid(points: Floats) -> bool:
+    """Whether the points span more than a plane: only then they say what an affine map does."""
+    values = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(values[2] > _FLAT * values[0])
+
+
+def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:
+    """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on up."""
+    (rig, one), (other_rig, other) = theirs, ours
+    scale = other.face_size / one.face_size
+    rotation = _turn(rig.up, other_rig.up)
+    return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
+
+
+def _turn(start: Floats, end: Floats) -> Floats:
+    """(3, 3) the least rotation from one unit vector to another."""
+    axis, cosine = np.cross(start, end), float(start @ end)
+    if cosine < -1.0 + 1e-9:
+        side = np.eye(3)[int(np.argmin(np.abs(start)))]
+        normal = np.cross(start, side)
+        normal /= np.linalg.norm(normal)
+        return np.asarray(2.0 * np.outer(normal, normal) - np.eye(3))
+    cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+    return np.asarray(np.eye(3) + cross + cross @ cross / (1.0 + cosine))
+
+
+def _face_middle(trajectories: Trajectories) -> Floats:
+    moved = np.zeros(len(trajectories.base), dtype=bool)
+    for motion in trajectories.motions:
+        moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
+    points = trajectories.base[moved]
+    return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))
+
+
+def _renamed(layout: Layout, names: Mapping[str, str]) -> Layout:
+    """The layout with our names for their controls, and for elements called after them."""
+    return replace(layout, elements=tuple(_renamed_element(element, names) for element in layout.elements))
+
+
+def _renamed_element(element: Element, names: Mapping[str, str]) -> Element:
+    members = tuple(replace(member, control=names.get(member.control, member.control)) for member in element.members)
+    own = element.name == "_".join(member.control for member in element.members)
+    return replace(element, members=members, name="_".join(m.control for m in members) if own else element.name)

@@ -1,0 +1,181 @@
+"""What changed between two layouts of a character, control by control, and why as far as they tell.
+
+Pure comparison of two `Layout` records: works on layers from any tool.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.levels import outer_first
+from usdrigui.model import Element, Layout
+
+ChangeKind = Literal["added", "removed", "moved", "to the face", "beside", "regrouped"]
+
+_STILL = 1e-3
+"""Handles nearer to where they were than this many handle widths have not moved."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """One control that is not what or where it was."""
+
+    control: str
+    kind: ChangeKind
+    """``regrouped`` when it shares its element with others than before, wherever that is."""
+    element: str
+    """Its element now; before, when it was removed."""
+    distance: float
+    """How far its handle is from where it was, in handle widths of the earlier layout; nan unless it was on
+    the face before and is now."""
+    before: str
+    """``MESH_PATH#POINT``, ``beside`` or empty."""
+    after: str
+    why: tuple[str, ...]
+    """Clauses, without full stops; empty when the layouts do not tell."""
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """All changes between two layouts of one character, by kind and then by name."""
+
+    root: str
+    changes: tuple[Change, ...]
+    shared: int
+    """Controls that both layouts have."""
+
+    @property
+    def displaced(self) -> tuple[Change, ...]:
+        """Changes of controls that both have."""
+        return tuple(change for change in self.changes if change.kind not in ("added", "removed"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Membership:
+    """A control in its element."""
+
+    control: str
+    element: Element
+
+    @property
+    def partners(self) -> frozenset[str]:
+        return frozenset(member.control for member in self.element.members)
+
+
+def difference(before: Layout, after: Layout, improvements: Mapping[str, float] | None = None) -> Difference:
+    """Compare two layouts of one character.
+
+    `improvements` is what each element of `after` saves by not standing where it was, in the units of the
+    objective, as far as known.  The places of elements on the board are not compared.
+    """
+    old, new = _memberships(before), _memberships(after)
+    changes = [
+        *(_added(new[key]) for key in sorted(new.keys() - old.keys())),
+        *(_removed(old[key]) for key in sorted(old.keys() - new.keys())),
+        *(_compared(before, after, old[key], new[key], improvements or {}) for key in sorted(old.keys() & new.keys())),
+    ]
+    found = [change for change in changes if change is not None]
+    kinds: tuple[ChangeKind, ...] = ("added", "removed", "regrouped", "to the face", "beside", "moved")
+    found.sort(key=lambda change: kinds.index(change.kind))
+    return Difference(after.root, tuple(found), len(old.keys() & new.keys()))
+
+
+def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
+    """By control and by how many elements before this one hold it too (doubles in the middle)."""
+    memberships: dict[tuple[str, int], _Membership] = {}
+    for element in outer_first(layout.elements):
+        for member in element.members:
+            count = 0
+            while (member.control, count) in memberships:
+                count += 1
+            memberships[member.control, count] = _Membership(member.control, element)
+    return memberships
+
+
+def _added(held: _Membership) -> Change:
+    why = (held.element.reason,) if held.element.reason else ()
+    return Change(held.control, "added", held.element.name, np.nan, "", _where(held), why)
+
+
+def _removed(held: _Membership) -> Change:
+    return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", ())
+
+
+def _compared(
+    before: Layout, after: Layout, old: _Membership, new: _Membership, improvements: Mapping[str, float]
+) -> Change | None:
+    kind = _kind(before, after, old, new)
+    if kind is None:
+        return None
+    distance = _distance(before, old, new)
+    why = tuple(_reasons(after, old, new, kind, improvements))
+    return Change(new.control, kind, new.element.name, distance, _where(old), _where(new), why)
+
+
+def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> ChangeKind | None:
+    then, now = _controls(before), _controls(after)
+    # A partner that is gone or new is not a regrouping of those who stay.
+    if old.partners & now != new.partners & then:
+        return "regrouped"
+    if old.element.anchor.beside != new.element.anchor.beside:
+        return "beside" if new.element.anchor.beside else "to the face"
+    if new.element.anchor.beside:
+        return None
+    if _same_mesh(old, new):
+        return None if old.element.anchor.point == new.element.anchor.point else "moved"
+    return "moved" if _distance(before, old, new) > _STILL else None
+
+
+def _same_mesh(old: _Membership, new: _Membership) -> bool:
+    one, other = old.element.anchor, new.element.anchor
+    return one.mesh == other.mesh and one.topology_hash == other.topology_hash
+
+
+def _controls(layout: Layout) -> frozenset[str]:
+    return frozenset(member.control for element in layout.elements for member in element.members)
+
+
+def _distance(before: Layout, old: _Membership, new: _Membership) -> float:
+    one, other = old.element.anchor, new.element.anchor
+    if one.beside or other.beside:
+        return float(np.nan)
+    apart = float(np.linalg.norm(one.position - other.position))
+    return apart / before.handle_width if before.handle_width > 0.0 else apart
+
+
+def _reasons(
+    after: Layout, old: _Membership, new: _Membership, kind: ChangeKind, improvements: Mapping[str, float]
+) -> Iterator[str]:
+    one, other = old.element.anchor, new.element.anchor
+    joined, left = sorted(new.partners - old.partners), sorted(old.partners - new.partners)
+    if joined:
+        yield f"shares its element with {', '.join(joined)}"
+    if left:
+        yield f"no longer shares its element with {', '.join(left)}"
+    if not one.beside and one.mesh == other.mesh and one.topology_hash != other.topology_hash:
+        yield f"{one.mesh} has other points or faces: {one.point_count} points then, {other.point_count} now"
+    if kind in ("moved", "beside", "regrouped") and not one.beside:
+        yield from _crowd(after, old, new)
+    if kind == "beside" and new.element.reason:
+        yield new.element.reason
+    if new.element.name in improvements:
+        yield f"gains {improvements[new.element.name]:.2f}"
+
+
+def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
+    """Whose handle is now nearer to the old place than two handles may be."""
+    for element in after.elements:
+        if element is new.element or element.anchor.beside or old.partners & {m.control for m in element.members}:
+            continue
+        apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
+        if apart < after.handle_width * (1.0 - _STILL):
+            yield f"its place is taken by {element.name}"
+
+
+def _where(held: _Membership) -> str:
+    anchor = held.element.anchor
+    return "beside" if anchor.beside else f"{anchor.mesh}#{anchor.point}"

@@ -1,0 +1,351 @@
+"""How good a layout is, and whether it still fits its rig: for layers from any tool, or from any hand.
+
+`review` compares a `Layout` with the rig as it is today and rates every element by the objective that
+would place it (paper section 1: layouts also validate manual design choices).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from usdrigui.errors import Issue, issue, refuse
+from usdrigui.layout.face import Face
+from usdrigui.layout.place.problem import placement_problem
+from usdrigui.layout.place.terms import linear_cost
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.levels import inner_names, states
+from usdrigui.model import (
+    Candidates,
+    CandidateSet,
+    Choice,
+    Element,
+    Floats,
+    Group,
+    Indices,
+    Layout,
+    LayoutProblem,
+    Rig,
+    Trajectories,
+)
+from usdrigui.overlap import pair_costs, total_cost
+from usdrigui.settings import ReadSettings, Settings
+
+_MOVED = 1e-4
+"""An anchor is out of place when it is further off than this share of the face size."""
+_TOUCHING = 1e-6
+"""Handles may be nearer than the separation by this share of it: layers hold single precision."""
+_WORTH = 0.05
+"""A better place is worth naming when it saves this much of what the typical control's displacement is worth."""
+
+
+@dataclass(frozen=True, slots=True)
+class ElementReview:
+    """One element on the face, by the objective."""
+
+    element: str
+    kept: float
+    """Arc length at the anchor over the control's peak, of the worst member."""
+    linear: float
+    """Linear cost: displacement (negative), occlusion, plane and the like; all copies."""
+    overlap: float
+    """Cost of its overlap with all other elements."""
+    nearest: str
+    """The element whose handle is nearest."""
+    distance: float
+    """Between the two handles, in handle widths; inf when it is alone."""
+    gain: float
+    """What moving it to its best place would save, all others staying; a pair moves as one.  0 when it stands there."""
+    better: str
+    """That place as ``MESH_PATH#POINT``, ready for a configuration; empty when it stands there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Review:
+    """What `review` found."""
+
+    issues: tuple[Issue, ...]
+    elements: tuple[ElementReview, ...]
+    cost: float
+    """Objective of the elements on the face as they stand; inf if two handles are too near."""
+
+
+def review(face: Face, candidates: Candidates, requests: Requests, settings: Settings, layout: Layout) -> Review:
+    """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated."""
+    faults = [
+        *_stale(face.rig, face.trajectories, layout, settings.read),
+        *_unplaced(face, layout, requests),
+        *_crowded(layout, layout.handle_width or face.handle_width),
+    ]
+    sound = _sound(face, layout)
+    issues = [*faults, *_hidden(face, sound)]
+    problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
+    mates = _mates(face, layout, problem, choices, labels)
+    rated = tuple(_rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices)))
+    issues += [
+        issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
+        for each in rated
+        if each.gain > _WORTH
+    ]
+    return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
+
+
+def refuse_stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> None:
+    """Raise the first error for which a layout does not fit the rig any more (LAYOUT_...)."""
+    for found in _stale(rig, trajectories, layout, settings):
+        if found.severity == "error":
+            raise refuse(found.code, found.path, found.message)
+
+
+# --- does it fit the rig -----------------------------------------------------------------------------
+
+
+def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
+    comparable = not _custom_base(layout, settings)
+    meshes = {mesh.path: mesh for mesh in rig.meshes}
+    known = {control.name for control in rig.controls}
+    for element in layout.elements:
+        anchor = element.anchor
+        mesh = meshes.get(anchor.mesh)
+        if mesh is None:
+            yield issue("LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}")
+        elif anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
+            change = f"{anchor.point_count} points then, {len(mesh.points)} now"
+            yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces: {change}")
+        elif not 0 <= anchor.point < len(mesh.points):
+            yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
+        elif comparable and not anchor.beside and _off(rig, trajectories, element) > _MOVED:
+            off = f"{_off(rig, trajectories, element):.1%} of the face"
+            yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
+        for member in element.members:
+            if member.control not in known:
+                yield issue("LAYOUT_CONTROL_GONE", element.name, f"{rig.root} has no control {member.control!r}")
+
+
+def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:
+    """Distance between the anchor as recorded and as it is, over the face size."""
+    here = trajectories.base[_point(rig, element)]
+    return float(np.linalg.norm(here - element.anchor.position)) / trajectories.face_size
+
+
+def _custom_base(layout: Layout, settings: ReadSettings) -> bool:
+    """Whether the layout was solved at another base pose, so that positions cannot be compared."""
+    return bool(settings.pose) or settings.time is not None or not np.allclose(layout.base_values, 0.0)
+
+
+def _unplaced(face: Face, layout: Layout, requests: Requests) -> Iterator[Issue]:
+    known = {member.control for element in layout.elements for member in element.members}
+    known |= {left.control for left in layout.left_off}
+    for motion in face.trajectories.motions:
+        name = face.control_name(motion.control)
+        if name not in known and not requests.overrides[motion.control].exclude:
+            yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed as left off")
+
+
+def _crowded(layout: Layout, least: float) -> Iterator[Issue]:
+    placed = [element for element in layout.elements if not element.anchor.beside]
+    if len(placed) < 2:
+        return
+    seen = states(layout.elements)
+    positions = np.array([element.anchor.position for element in placed])
+    apart = np.linalg.norm(positions[:, None] - positions[None], axis=2)
+    for a, b in np.argwhere(np.triu(apart < least * (1.0 - _TOUCHING), 1)):
+        if not seen[placed[a].name] & seen[placed[b].name]:
+            continue
+        between = f"{apart[a, b] / least:.2f} handle widths from {placed[b].name}"
+        yield issue("LAYOUT_HANDLES_COLLIDE", placed[a].name, f"its handle is {between}")
+
+
+def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
+    seen = face.views.anywhere
+    for element in elements:
+        if not seen[_point(face.rig, element)]:
+            yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "no view shows its anchor")
+
+
+# --- how good it is ----------------------------------------------------------------------------------
+
+
+def _sound(face: Face, layout: Layout) -> tuple[Element, ...]:
+    """The elements on the face that can be rated: mesh, point and controls exist and the controls move it."""
+    rig = face.rig
+    moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
+    meshes = {mesh.path: len(mesh.points) for mesh in rig.meshes}
+    return tuple(
+        element
+        for element in layout.elements
+        if not element.anchor.beside
+        and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
+        and all(member.control in moving for member in element.members)
+    )
+
+
+def _as_problem(
+    face: Face,
+    candidates: Candidates,
+    layout: Layout,
+    elements: tuple[Element, ...],
+    requests: Requests,
+    settings: Settings,
+) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
+    """The problem in which every element is one variable, its own anchor among the candidates."""
+    groups = _as_groups(face.rig, layout, elements)
+    points = [_point(face.rig, element) for element in elements]
+    sets = _with_points(face, candidates, groups, points, settings)
+    placement = placement_problem(face, sets, groups, requests, settings)
+    labels, kept = [], []
+    for number, choice in enumerate(placement.choices):
+        at = np.flatnonzero(choice.anchors[:, 0] == points[choice.group])
+        if len(at):
+            labels.append(int(at[0]))
+            kept.append(number)
+    problem = placement.problem
+    separation = min(problem.separation, face.handle_width * (1.0 - _TOUCHING))
+    variables = tuple(problem.variables[number] for number in kept)
+    return (
+        replace(problem, variables=variables, separation=separation, extra=()),
+        tuple(placement.choices[number] for number in kept),
+        np.array(labels, dtype=np.int64),
+    )
+
+
+def _as_groups(rig: Rig, layout: Layout, elements: tuple[Element, ...]) -> tuple[Group, ...]:
+    index = {control.name: number for number, control in enumerate(rig.controls)}
+    seen, parts = states(layout.elements), _parts(layout)
+    return tuple(
+        Group(
+            element.name,
+            element.kind,
+            tuple(index[member.control] for member in element.members),
+            element.opposed,
+            (),
+            "",
+            part=element.name in parts,
+            states=seen[element.name],
+        )
+        for element in elements
+    )
+
+
+def _parts(layout: Layout) -> frozenset[str]:
+    """Names of the elements all of whose controls a coarse element holds too."""
+    inner = inner_names(layout.elements)
+    outer = {m.control for element in layout.elements if element.name not in inner for m in element.members}
+    return frozenset(e.name for e in layout.elements if e.name in inner and outer >= {m.control for m in e.members})
+
+
+def _with_points(
+    face: Face, candidates: Candidates, groups: tuple[Group, ...], points: list[int], settings: Settings
+) -> Candidates:
+    """The candidates with the anchors of the layout among them, pruned or not."""
+    motions = face.trajectories.motions
+    sets = {motions[each.motion].control: each for each in candidates.sets}
+    for group, point in zip(groups, points, strict=True):
+        for control in group.controls:
+            if control in sets and point in motions[sets[control].motion].points:
+                sets[control] = _with_point(face, sets[control], point, settings)
+    return Candidates(tuple(sets.values()), candidates.left_off)
+
+
+def _with_point(face: Face, known: CandidateSet, point: int, settings: Settings) -> CandidateSet:
+    if point in known.points:
+        return known
+    motion = face.trajectories.motions[known.motion]
+    at = int(np.searchsorted(known.points, point))
+    cost = linear_cost(face, motion, np.array([point]), settings)
+    return replace(
+        known,
+        points=np.insert(known.points, at, point),
+        cost=np.insert(known.cost, at, cost[0]),
+        sources=np.insert(known.sources, at, point),
+    )
+
+
+def _mates(
+    face: Face, layout: Layout, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices
+) -> list[int]:
+    """For every element the other one of its pair, where the two stand as mirror images; else -1."""
+    mirror = {element.name: element.mirror for element in layout.elements}
+    index = {variable.name: i for i, variable in enumerate(problem.variables)}
+    at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
+    mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]
+    return [j if j >= 0 and face.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)]
+
+
+def _cost_with_mate(
+    face: Face, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
+) -> Floats:
+    """(R,) cost of every candidate of an element with its mirror image on the mirror image of it; inf where none is."""
+    images = face.symmetry.partner[choices[index].anchors[:, 0]]
+    anchors = choices[mate].anchors[:, 0]
+    order = np.argsort(anchors, kind="stable")
+    rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
+    cost = cost_given_others(problem, labels, index, mate) + cost_given_others(problem, labels, mate, index)[rows]
+    cost += pair_costs(problem, index, mate, np.arange(len(images)), rows)
+    return np.where(anchors[rows] == images, cost, np.inf)
+
+
+def _rated(
+    face: Face, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
+) -> ElementReview:
+    variable, choice, label = problem.variables[index], choices[index], int(labels[index])
+    alone = cost_given_others(problem, labels, index)
+    whole = _cost_with_mate(face, problem, choices, labels, index, mate) if mate >= 0 else alone
+    best = int(np.argmin(whole))
+    gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
+    nearest, distance = _neighbour(problem, labels, index)
+    return ElementReview(
+        element=variable.name,
+        kept=_kept(face, choice, label),
+        linear=float(variable.cost[label]),
+        overlap=float(alone[label] - variable.cost[label]),
+        nearest=nearest,
+        distance=distance / face.handle_width,
+        gain=max(0.0, gain),
+        better=_place(face.rig, int(choice.anchors[best, 0])) if gain > 0.0 else "",
+    )
+
+
+def cost_given_others(problem: LayoutProblem, labels: Indices, index: int, without: int = -1) -> Floats:
+    """(R,) cost of every candidate of one variable, all others but `without` staying where they are."""
+    count = len(problem.variables[index].points)
+    mine = np.arange(count)
+    cost = problem.variables[index].cost.copy()
+    for other in range(len(labels)):
+        if other not in (index, without):
+            cost += pair_costs(problem, index, other, mine, np.full(count, labels[other]))
+    return cost
+
+
+def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str, float]:
+    handles = [variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)]
+    nearest, distance = "", np.inf
+    for other, positions in enumerate(handles):
+        if other != index and problem.together[index, other]:
+            apart = float(np.linalg.norm(handles[index][:, None] - positions[None], axis=2).min())
+            if apart < distance:
+                nearest, distance = problem.variables[other].name, apart
+    return nearest, distance
+
+
+def _kept(face: Face, choice: Choice, label: int) -> float:
+    shares = []
+    for copy, controls in enumerate(choice.controls):
+        for control in controls:
+            motion = face.trajectories.motion_of(control)
+            row = int(np.searchsorted(motion.points, choice.sources[label, copy]))
+            shares.append(float(motion.arc_length[row] / motion.arc_length.max()))
+    return min(shares)
+
+
+def _place(rig: Rig, point: int) -> str:
+    mesh, local = rig.mesh_of(point)
+    return f"{rig.meshes[mesh].path}#{local}"
+
+
+def _point(rig: Rig, element: Element) -> int:
+    """The anchor as an index into all points of the rig."""
+    paths = [mesh.path for mesh in rig.meshes]
+    return int(rig.starts[paths.index(element.anchor.mesh)]) + element.anchor.point

@@ -1,0 +1,61 @@
+"""The symmetry of a character whose base pose is not symmetric: who mirrors whom is decided at the neutral pose."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
+from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
+from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
+from usdrigui.model import Floats, Rig, Symmetry, Trajectories
+from usdrigui.settings import Settings
+
+_APART = 0.05
+"""Pairs nearer to each other than this share of the face say little about where the plane lies."""
+
+
+def symmetry_at_pose(
+    rig: Rig,
+    trajectories: Trajectories,
+    fields: DisplacementFields,
+    settings: Settings,
+    base_values: Floats | None,
+) -> Symmetry:
+    """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral pose.
+
+    A pose with one eye closed has no mirror image there: pairs would find no common candidate and leave the face.
+    `fields` are those of `trajectories`, `base_values` (controls,) is their base pose; at the controls' defaults
+    nothing differs from `find_symmetry`, nor where the neutral pose has no symmetry.
+    """
+    defaults = np.array([control.default for control in rig.controls], dtype=np.float64)
+    if base_values is None or np.array_equal(base_values, defaults):
+        return find_symmetry(rig, trajectories, fields, settings)
+    neutral = find_trajectories(rig, settings.trajectories)
+    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
+    if not symmetry.normal.any():
+        return find_symmetry(rig, trajectories, fields, settings)
+    return _at_pose(symmetry, neutral, trajectories.base)
+
+
+def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:
+    """The same partners with the plane where most pairs now have it: what one side does must not tilt it."""
+    side = plane_distance(neutral.base, symmetry)
+    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.5 * _APART * neutral.face_size))
+    if not len(left):
+        return symmetry
+    other = base[symmetry.partner[left]]
+    across = base[left] - other
+    normal = np.median(across / np.maximum(np.linalg.norm(across, axis=1), 1e-300)[:, None], axis=0)
+    normal = normal / np.linalg.norm(normal)
+    offset = float(np.median(0.5 * (base[left] + other) @ normal))
+    middle = base.mean(axis=0)
+    moved = replace(symmetry, origin=middle - (middle @ normal - offset) * normal, normal=normal)
+    return replace(moved, distance=_distances(base, moved))
+
+
+def _distances(base: Floats, symmetry: Symmetry) -> Floats:
+    """(n,) distance of each point's partner from its exact mirror image; inf where there is none."""
+    apart = np.linalg.norm(reflected(base, symmetry) - base[np.maximum(symmetry.partner, 0)], axis=1)
+    return np.where(symmetry.partner >= 0, apart, np.inf)

@@ -1,0 +1,51 @@
+"""Which way the face looks, and from which directions a layout is judged (paper section 3.3, occlusion)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.model import Floats, Trajectories
+
+_THREE_QUARTER = np.radians(40.0)
+
+
+def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
+    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there is one.
+
+    The sign is that of the moving region: a face moves most where it looks, so the normals of the moving
+    surface, averaged over what each control moves, sum up to the front.
+    """
+    outward = _moving_normals(trajectories)
+    if plane_normal.any():
+        ahead = np.cross(plane_normal, up)
+        if np.linalg.norm(ahead) > 1e-6:
+            ahead = ahead / np.linalg.norm(ahead)
+            return np.asarray(ahead if ahead @ outward >= 0.0 else -ahead)
+    level = outward - (outward @ up) * up
+    length = float(np.linalg.norm(level))
+    if length > 1e-9:
+        return np.asarray(level / length)
+    side = np.cross(up, np.eye(3)[int(np.argmin(np.abs(up)))])
+    return np.asarray(side / np.linalg.norm(side))
+
+
+def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
+    """The two directions 40 degrees to the left and to the right of `ahead` about `up`."""
+    side = np.cross(up, ahead)
+    cos, sin = np.cos(_THREE_QUARTER), np.sin(_THREE_QUARTER)
+    return cos * ahead + sin * side, cos * ahead - sin * side
+
+
+def _moving_normals(trajectories: Trajectories) -> Floats:
+    """Sum over the controls of the mean normal of what each moves, by area.
+
+    Every control has one vote, and casts it as far as its region faces one way: what moves the whole head moves
+    normals that cancel, and the hair or the open neck must not outvote the face.
+    """
+    votes = np.zeros(3)
+    for motion in trajectories.motions:
+        weight = trajectories.areas[motion.points] * np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+        total = float(weight.sum())
+        if total > 0.0:
+            votes += weight @ trajectories.normals[motion.points] / total
+    return votes

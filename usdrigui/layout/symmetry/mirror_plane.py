@@ -1,0 +1,270 @@
+"""The character's mirror plane, and what it maps to what (paper section 3.3, symmetric elements).
+
+The plane is found from the geometry, not assumed: candidate planes through the middle of the moving
+region are scored by how well its mirror image meets the surface, the best is refined by fitting a
+reflection to pairs of nearest points, and the far pairs (hair, clothes) are trimmed away.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.layout.motion.similarity import DisplacementFields
+from usdrigui.layout.motion.trajectory import total_motion
+from usdrigui.layout.symmetry.front import front
+from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
+from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
+from usdrigui.settings import Settings
+
+_SAMPLE = 2000
+"""Points of the moving region that the search for the plane looks at."""
+_ROUGH = 250
+"""Points among them on which candidate planes are compared."""
+_LARGE = 4.0
+"""Points of more than this many times the usual area count no more than that."""
+_DIRECTIONS = 16
+"""Candidate normals around the up axis, besides the principal axes."""
+_LEVELS = (0.3, 0.5, 0.7)
+"""Shares of the region's weight below a candidate plane: hair on one side moves the middle."""
+_FINALISTS = 6
+_EQUAL = 0.01
+"""In tolerances: planes whose misfits differ by less fit equally well."""
+_SAME = 1e-3
+"""Planes that mirror every point to places nearer than this share of the region's extent are one."""
+_TRIM = 0.7
+"""Share of the pairs, the nearest ones, that a fit believes."""
+_TIE = 1e-3
+"""Weight of motion against position when partners are chosen: decides only between points that nearly
+touch, as closed lips do."""
+_LEAST_SHARE = 0.5
+"""Least share of the moving region whose mirror image must meet the surface."""
+
+
+@dataclass(frozen=True)
+class _Plane:
+    """A mirror plane: points p with normal . p = offset."""
+
+    normal: Floats
+    offset: float
+
+    def reflect(self, points: Floats) -> Floats:
+        return np.asarray(points - 2.0 * (points @ self.normal - self.offset)[:, None] * self.normal)
+
+
+def find_symmetry(rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings) -> Symmetry:
+    """Mirror plane, partner points and twin controls of `rig`; `fields` are those of `trajectories`.
+
+    The normal points to the character's left.  Where less than half of the moving region has a mirror
+    image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins as the
+    configuration says or -1.
+    """
+    count = len(trajectories.base)
+    tolerance = settings.symmetry.tolerance * trajectories.face_size
+    plane = None
+    if settings.symmetry.enabled and trajectories.motions:
+        plane = _find_plane(rig.up, trajectories, fields, tolerance)
+    if plane is None:
+        partner, distance = np.full(count, -1, dtype=np.int64), np.full(count, np.inf)
+        origin, normal = np.zeros(3), np.zeros(3)
+    else:
+        plane = _towards_left(plane, rig.up, trajectories)
+        partner, distance = _partners(plane, trajectories, tolerance)
+        middle = trajectories.base.mean(axis=0)
+        normal, origin = plane.normal, middle - (middle @ plane.normal - plane.offset) * plane.normal
+    twins, sources, turned = find_twins(rig, trajectories, fields, (partner, normal), settings)
+    return Symmetry(origin, normal, partner, distance, twins, sources, turned)
+
+
+def reflected(points: Floats, symmetry: Symmetry) -> Floats:
+    """(..., 3) mirror images of `points`."""
+    apart = (points - symmetry.origin) @ symmetry.normal
+    return np.asarray(points - 2.0 * apart[..., None] * symmetry.normal, dtype=np.float64)
+
+
+def plane_distance(points: Floats, symmetry: Symmetry) -> Floats:
+    """(...) signed distance from the mirror plane, positive on the character's left."""
+    return np.asarray((points - symmetry.origin) @ symmetry.normal, dtype=np.float64)
+
+
+# --- the plane ---------------------------------------------------------------------------------------
+
+
+def _find_plane(up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float) -> _Plane | None:
+    """The best mirror plane, or None where the character has none."""
+    region, weights = _moving_region(trajectories)
+    if len(region) < 4:
+        return None
+    # All places, not only those that move: a control of one side must not tilt the plane.
+    every = trajectories.base[np.unique(trajectories.places)]
+    tree = cKDTree(every)
+    sample = _thinned(region, weights)
+    rough = sample[:: max(1, len(sample) // _ROUGH)]
+    slack = _EQUAL * tolerance
+    starts = [_refined(plane, tree, rough, 2) for plane in _starts(every, region, weights, up)]
+    best, equal = _ranked(starts, tree, rough, slack)
+    finalists = [_refined(plane, tree, rough, 12) for plane in best[: max(_FINALISTS, equal)]]
+    best, equal = _ranked(finalists, tree, sample, slack)
+    found = [_polished(_refined(plane, tree, sample, 60), tree, sample, tolerance) for plane in best[:equal]]
+    found = _distinct([plane for plane in found if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE], sample)
+    return found[0] if len(found) == 1 else _by_motions(found, up, trajectories, fields, tolerance)
+
+
+def _ranked(planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float) -> tuple[list[_Plane], int]:
+    """The distinct planes, the best first, and how many of them fit as well as the best."""
+    misfits = [_misfit(plane, tree, sample) for plane in planes]
+    order = sorted(range(len(planes)), key=lambda i: (round(misfits[i] / slack, 3), i))
+    distinct = _distinct([planes[i] for i in order], sample)
+    least = min(misfits) + slack
+    return distinct, sum(_misfit(plane, tree, sample) <= least for plane in distinct)
+
+
+def _distinct(planes: list[_Plane], sample: Floats) -> list[_Plane]:
+    """The first of all planes that are one: those that mirror the sample to the same places."""
+    kept: list[_Plane] = []
+    images: list[Floats] = []
+    near = _SAME * float(np.ptp(sample, axis=0).max())
+    for plane in planes:
+        image = plane.reflect(sample)
+        if all(np.abs(image - other).max() > near for other in images):
+            kept.append(plane)
+            images.append(image)
+    return kept
+
+
+def _by_motions(
+    planes: list[_Plane], up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float
+) -> _Plane | None:
+    """Of planes that the surface fits equally well (a face as symmetric upside down as left to right), the one whose
+    mirror maps the controls' motions to each other best; of those alike in this, the one most along the up axis."""
+
+    def preference(plane: _Plane) -> tuple[float, float]:
+        partner, _ = _partners(plane, trajectories, tolerance)
+        agreed = pairable(agreements(fields, partner, plane.normal), trajectories).max(axis=1)
+        return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(abs(float(plane.normal @ up)), 3)
+
+    return min(planes, key=preference, default=None)
+
+
+def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
+    """Places (p, 3) that the rig moves, and their weights: area, so that dense regions do not prevail,
+    times how many controls move them, so that the face prevails over what only a few controls move."""
+    count = len(trajectories.base)
+    moved = np.zeros(count)
+    for motion in trajectories.motions:
+        moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+    area = trajectories.areas
+    usual = float(np.median(area[(area > 0.0) & (moved > 0.0)])) if (area * moved).any() else 0.0
+    # A few huge faces (cards, cloth) must not drag the middle to themselves.
+    weights = np.minimum(area, _LARGE * usual) * moved
+    chosen = np.flatnonzero(weights > 0.0)
+    if not len(chosen):
+        chosen = np.flatnonzero((trajectories.places == np.arange(count)) & (moved > 0.0))
+        weights = moved
+    return trajectories.base[chosen], weights[chosen]
+
+
+def _thinned(points: Floats, weights: Floats) -> Floats:
+    """At most `_SAMPLE` of the points: the heaviest, whatever their order."""
+    if len(points) <= _SAMPLE:
+        return points
+    heaviest = np.lexsort((*points.T, -weights))[: 4 * _SAMPLE]
+    return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
+
+
+def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
+    """Candidate planes in all directions about the up axis: through the middle of the moving region and to
+    both sides of it, and through the middle of the whole character, where a mesh modelled symmetric has it."""
+    found = []
+    for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
+        along = region @ normal
+        order = np.argsort(along)
+        share = np.cumsum(weights[order]) / weights.sum()
+        found += [_Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS]
+    middle = every.mean(axis=0)
+    found += [_Plane(normal, float(normal @ middle)) for normal in _normals(every - middle, np.ones(len(every)), up)]
+    return found
+
+
+def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
+    """Candidate plane normals: directions around the up axis, and the principal axes of the region."""
+    side = np.cross(up, np.eye(3)[int(np.argmin(np.abs(up)))])
+    side /= np.linalg.norm(side)
+    ahead = np.cross(up, side)
+    angles = np.arange(_DIRECTIONS) * np.pi / _DIRECTIONS
+    _, axes = np.linalg.eigh((centred * weights[:, None]).T @ centred)
+    return [*(np.cos(angle) * side + np.sin(angle) * ahead for angle in angles), *axes.T]
+
+
+def _refined(plane: _Plane, tree: cKDTree, sample: Floats, rounds: int) -> _Plane:
+    """Alternate between nearest pairs and the reflection that fits them best, until it settles."""
+    for _ in range(rounds):
+        apart, nearest = tree.query(plane.reflect(sample))
+        near = apart <= np.quantile(apart, _TRIM)
+        found = _fitted(sample[near], tree.data[nearest[near]], plane)
+        if np.abs(found.normal - plane.normal).max() < 1e-12:
+            return found
+        plane = found
+    return plane
+
+
+def _polished(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> _Plane:
+    """Fit again to the pairs that meet almost exactly, where the mesh was modelled symmetric."""
+    for share in (1.0, 0.1, 0.01, 0.001):
+        apart, nearest = tree.query(plane.reflect(sample))
+        near = apart <= share * tolerance
+        if near.mean() < 0.2:
+            break
+        plane = _fitted(sample[near], tree.data[nearest[near]], plane)
+    return plane
+
+
+def _fitted(points: Floats, images: Floats, before: _Plane) -> _Plane:
+    """The plane whose reflection brings `points` nearest to `images` in the least-squares sense.
+
+    With both centred, the squared misfit of normal n is a constant plus 4 (p . n)(q . n): the normal is
+    the eigenvector of least eigenvalue of the symmetric part of sum p q^T.
+    """
+    a, b = points.mean(axis=0), images.mean(axis=0)
+    product = (points - a).T @ (images - b)
+    _, axes = np.linalg.eigh(product + product.T)
+    normal = axes[:, 0] if axes[:, 0] @ before.normal >= 0.0 else -axes[:, 0]
+    return _Plane(normal, float(normal @ (0.5 * (a + b))))
+
+
+def _misfit(plane: _Plane, tree: cKDTree, sample: Floats) -> float:
+    """Trimmed mean distance of the mirror image from the surface's points."""
+    apart, _ = tree.query(plane.reflect(sample))
+    return float(np.sort(apart)[: max(1, int(_TRIM * len(apart)))].mean())
+
+
+def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> float:
+    apart, _ = tree.query(plane.reflect(sample))
+    return float((apart <= tolerance).mean())
+
+
+def _towards_left(plane: _Plane, up: Floats, trajectories: Trajectories) -> _Plane:
+    left = np.cross(up, front(up, trajectories, plane.normal))
+    return plane if plane.normal @ left >= 0.0 else _Plane(-plane.normal, -plane.offset)
+
+
+# --- points ------------------------------------------------------------------------------------------
+
+
+def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> tuple[Indices, Floats]:
+    """For every point the place nearest to its mirror image, -1 beyond the tolerance, and its distance."""
+    base, places = trajectories.base, trajectories.places
+    chosen = np.flatnonzero(places == np.arange(len(base)))
+    motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
+    unit = _TIE * trajectories.face_size / (float(np.abs(motion).max()) or 1.0)
+    turned = motion - 2.0 * (motion @ plane.normal)[:, None] * plane.normal
+    tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
+    _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
+    partner, distance = np.full(len(base), -1, dtype=np.int64), np.full(len(base), np.inf)
+    apart = np.linalg.norm(plane.reflect(base[chosen]) - base[chosen[nearest]], axis=1)
+    near: Flags = apart <= tolerance
+    partner[chosen[near]] = chosen[nearest[near]]
+    distance[chosen] = apart
+    return partner[places], np.where(partner[places] >= 0, distance[places], np.inf)

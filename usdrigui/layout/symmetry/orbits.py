@@ -1,0 +1,83 @@
+"""n-fold symmetry about an axis, as annotated by the user (paper section 3.3, symmetric elements)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.errors import meant, refuse
+from usdrigui.model import Floats, Indices, Motion, Rig, Trajectories
+from usdrigui.settings import ControlSettings
+
+
+def configured_orbits(
+    rig: Rig, trajectories: Trajectories, overrides: Sequence[ControlSettings], index: Mapping[str, int]
+) -> tuple[tuple[int, ...], ...]:
+    """Motions of every ``orbit`` of the configuration, in its order.
+
+    `overrides` (controls,) is the configuration of each control, `index` finds controls by name, old names included.
+    Raises CONFIG_UNKNOWN_CONTROL or CONFIG_VALUE for members that do not exist or repeat.
+    """
+    moving = {motion.control: i for i, motion in enumerate(trajectories.motions)}
+    found: list[tuple[int, ...]] = []
+    for control, override in zip(rig.controls, overrides, strict=True):
+        if not override.orbit:
+            continue
+        where = f'controls."{control.name}".orbit'
+        for member in override.orbit:
+            if index.get(member, -1) not in moving:
+                known = (name for name, number in index.items() if number in moving)
+                what = f"no control that moves anything is called {member!r}{meant(member, known)}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+        motions = tuple(moving[index[member]] for member in override.orbit)
+        if len(set(motions)) < max(2, len(motions)) or {i for orbit in found for i in orbit} & set(motions):
+            raise refuse("CONFIG_VALUE", where, "an orbit lists two or more controls, each once")
+        found.append(motions)
+    return tuple(found)
+
+
+def orbit_points(
+    trajectories: Trajectories, orbit: Sequence[Motion], up: Floats, tolerance: float, points: Indices
+) -> Indices:
+    """(p, n) images of `points` under the orbit's rotations, the points themselves first; -1 where no point
+    lies within the `tolerance`, a length, of the rotated position.  `orbit` are the motions of its n members."""
+    centre, axis = _axis(trajectories, orbit, up)
+    places = trajectories.places
+    chosen = np.flatnonzero(places == np.arange(len(places)))
+    tree = cKDTree(trajectories.base[chosen])
+    images = [points]
+    for step in range(1, len(orbit)):
+        turned = _turned(trajectories.base[points], centre, axis, 2.0 * np.pi * step / len(orbit))
+        apart, nearest = tree.query(turned)
+        images.append(np.where(apart <= tolerance, chosen[nearest], -1))
+    return np.stack(images, axis=1)
+
+
+def _axis(trajectories: Trajectories, orbit: Sequence[Motion], up: Floats) -> tuple[Floats, Floats]:
+    """Centre and unit axis of the rotation that takes each member's region to the next one's."""
+    middles = np.stack([_middle(trajectories, motion) for motion in orbit])
+    centre = middles.mean(axis=0)
+    if len(orbit) == 2:
+        apart = middles[1] - middles[0]
+        apart = apart / max(float(np.linalg.norm(apart)), 1e-300)
+        axis = up - (up @ apart) * apart
+        return centre, np.asarray(axis / max(float(np.linalg.norm(axis)), 1e-300))
+    axis = np.linalg.svd(middles - centre)[2][2]
+    turn = np.cross(middles[0] - centre, middles[1] - centre) @ axis
+    # With three members 120 degrees apart either sense may be listed; the list decides.
+    return centre, np.asarray(axis if turn >= 0.0 else -axis)
+
+
+def _middle(trajectories: Trajectories, motion: Motion) -> Floats:
+    weights = motion.arc_length * np.maximum(trajectories.areas[motion.points], 1e-300)
+    return np.asarray(np.average(trajectories.base[motion.points], axis=0, weights=weights))
+
+
+def _turned(points: Floats, centre: Floats, axis: Floats, angle: float) -> Floats:
+    """`points` rotated about the axis through the centre (Rodrigues)."""
+    arm = points - centre
+    along = (arm @ axis)[:, None] * axis
+    turned = along + np.cos(angle) * (arm - along) + np.sin(angle) * np.cross(axis, arm)
+    return np.asarray(centre + turned, dtype=np.float64)

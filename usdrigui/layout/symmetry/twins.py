@@ -1,0 +1,145 @@
+"""Twin controls: which control is the mirror image of which (paper section 3.3, symmetric elements).
+
+Two controls are twins when one's motion, mirrored, is the other's; or, of controls that go both ways, its
+reverse (the yaw of two eyes turned by the same joint axis).  Names are hints that decide only
+where the motions leave room; the configuration has the last word.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.errors import meant, refuse
+from usdrigui.layout.control_overrides import control_index, control_overrides
+from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
+from usdrigui.layout.names import has_side, hints_at_twin
+from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
+from usdrigui.settings import Settings
+
+_NAME_BONUS = 0.15
+"""What a matching name adds to the agreement of two controls."""
+_NAME_FLOOR = 0.3
+"""Least agreement of the motions of two controls that only their names call twins."""
+
+
+def find_twins(
+    rig: Rig,
+    trajectories: Trajectories,
+    fields: DisplacementFields,
+    mirror: tuple[Indices, Floats],
+    settings: Settings,
+) -> tuple[Indices, tuple[str, ...], Flags]:
+    """Twin of every control, how it was decided, and whether it goes the other way, as in `Symmetry`.
+
+    `mirror` are the partners (n,) of all points and the normal (3,) of the mirror plane.
+    """
+    partner, normal = mirror
+    count = len(rig.controls)
+    twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
+    reversed_twins = np.zeros(count, dtype=bool)
+    fixed = _configured(rig, settings, twins, sources)
+    if normal.any():
+        raw = agreements(fields, partner, normal)
+        raw = 0.5 * (raw + raw.T)
+        free = [i for i, motion in enumerate(trajectories.motions) if motion.control not in fixed]
+        for a, b, source in _matched(rig, trajectories, raw, free, settings.symmetry.twin_similarity):
+            twins[a], twins[b] = b, a
+            sources[a] = sources[b] = source
+        reversed_twins = _reversed(trajectories, twins, raw)
+    return twins, tuple(sources), reversed_twins
+
+
+def _reversed(trajectories: Trajectories, twins: Indices, raw: Floats) -> Flags:
+    """(controls,) whether a control's mirror image is its twin going the other way."""
+    row = {motion.control: i for i, motion in enumerate(trajectories.motions)}
+    two_sided = {trajectories.motions[i].control for i in bidirectional(trajectories)}
+    flags = np.zeros(len(twins), dtype=bool)
+    for control in two_sided:
+        twin = int(twins[control])
+        flags[control] = twin != control and twin in two_sided and raw[row[control], row[twin]] < 0.0
+    return flags
+
+
+def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> Floats:
+    """(motions, motions) agreement of each motion, mirrored, with each other, in [-1, 1].
+
+    ``2 <a, b> / (|a|^2 + |b|^2)`` over the vectors from the minimum to the maximum of the control at all
+    places that have a partner: 1 for exact mirror images, less where direction, region or measure differ.
+    """
+    mirrored, own = _mirrored(fields, partner, normal)
+    product = own.products(mirrored)
+    both = DisplacementFields(own.places, mirrored, own.weights).sizes()[:, None] + own.sizes()[None, :]
+    ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
+    return np.asarray(ratio, dtype=np.float64)
+
+
+def pairable(raw: Floats, trajectories: Trajectories) -> Floats:
+    """`agreements` with the sign dropped between controls that swing to both sides: such a one is symmetric when its
+    mirror image is its own reverse, and so are two."""
+    swings = np.zeros(len(raw), dtype=bool)
+    swings[list(bidirectional(trajectories))] = True
+    return np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
+
+
+def _mirrored(fields: DisplacementFields, partner: Indices, normal: Floats) -> tuple[Singles, DisplacementFields]:
+    """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among them."""
+    row = np.full(len(partner), -1, dtype=np.int64)
+    row[fields.places] = np.arange(len(fields.places))
+    images = partner[fields.places]
+    source = np.where(images >= 0, row[images], -1)
+    here = source >= 0
+    turn = (np.eye(3) - 2.0 * np.outer(normal, normal)).astype(np.float32)
+    own = DisplacementFields(fields.places[here], fields.vectors[:, here], fields.weights[here])
+    return fields.vectors[:, source[here]] @ turn, own
+
+
+def _configured(rig: Rig, settings: Settings, twins: Indices, sources: list[str]) -> set[int]:
+    """Enter the configured twins into `twins` and `sources`; returns the controls that it decides."""
+    index = control_index(rig, settings.controls)
+    fixed: set[int] = set()
+    for own, override in enumerate(control_overrides(rig, settings)):
+        if not override.twin:
+            continue
+        name = rig.controls[own].name
+        other = _named_twin(own, name, override.twin, index)
+        fixed |= {own, other} - {-1}
+        twins[own] = other
+        sources[own] = "config"
+        if other >= 0:
+            twins[other], sources[other] = own, "config"
+    return fixed
+
+
+def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
+    if twin in ("self", "none"):
+        return own if twin == "self" else -1
+    if twin not in index:
+        what = f"no control is called {twin!r}{meant(twin, index)}"
+        raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}".twin', what)
+    return index[twin]
+
+
+def _matched(
+    rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
+) -> list[tuple[int, int, str]]:
+    """Disjoint pairs of controls (a control with itself: self-symmetric), the best agreement first."""
+    raw = pairable(raw, trajectories)
+    names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    ranked = []
+    for i in free:
+        for j in free:
+            if j < i or raw[i, j] <= 0.0:
+                continue
+            named = hints_at_twin(names[i], names[j]) if i != j else not has_side(names[i])
+            floor = min(least, _NAME_FLOOR) if named and i != j else least
+            if raw[i, j] >= floor:
+                score = raw[i, j] + (_NAME_BONUS if named else 0.0)
+                source = "geometry" if raw[i, j] >= least else "name"
+                ranked.append((-round(score, 9), min(names[i], names[j]), max(names[i], names[j]), i, j, source))
+    taken: set[int] = set()
+    pairs = []
+    for *_, i, j, source in sorted(ranked):
+        if i not in taken and j not in taken:
+            taken |= {i, j}
+            pairs.append((trajectories.motions[i].control, trajectories.motions[j].control, source))
+    return pairs

@@ -1,0 +1,132 @@
+"""What a reader is asked and what it answers: plain records that both sides of `usdrigui.usd.reader_process` know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from usdrigui.errors import Issue
+from usdrigui.model import Floats, Layout, Performance, Record, Rig
+from usdrigui.settings import Settings
+from usdrigui.usd.source import SourceFile
+
+Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the reading process may take."""
+
+    seconds: float = 300.0
+    """Wall clock."""
+    memory: int = 8192
+    """MiB of private memory, beyond what USD itself takes."""
+    size: int = 8192
+    """MiB of the asset's file."""
+
+    @classmethod
+    def of(cls, settings: Settings) -> Limits:
+        """The limits that the settings name."""
+        read = settings.read
+        return cls(read.time_limit, read.memory_limit, read.size_limit)
+
+
+@dataclass(frozen=True, eq=False)
+class ReadResult(Record):
+    """What an asset holds."""
+
+    rigs: tuple[Rig, ...]
+    metadata: Mapping[str, Any]
+    """What a layer over the asset must repeat (`usdrigui.usd.layer.stage_metadata`), as JSON values."""
+    cameras: Mapping[str, Floats]
+    """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by SkelRoot."""
+    sources: tuple[SourceFile, ...]
+    """Every file that composed it, the asset first."""
+    layouts: tuple[str, ...] = ()
+    """Scopes of the layouts that its root layer authors itself."""
+    below: str = ""
+    """The asset that such a root layer stands over; empty if it has none."""
+    brought: Mapping[str, str] = field(default_factory=dict)
+    """By SkelRoot, the file of the layout that another layer of it brings in."""
+
+
+@dataclass(frozen=True, slots=True)
+class StandingPrim:
+    """One drawn prim of a layout that exists."""
+
+    root: str
+    """Of the character: its SkelRoot."""
+    path: str
+    element: str
+    """Name of the element."""
+    role: str
+    """``track``, ``area`` or ``handle``."""
+    controls: tuple[str, ...]
+    """RigUIControlAPI instances that a track shows; none for the only one."""
+    points: int
+    shapes: tuple[str, ...]
+    """``skel:blendShapes``."""
+    targets: tuple[str, ...]
+    """``skel:blendShapeTargets``."""
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutsResult(Record):
+    """What a layout layer holds."""
+
+    layouts: tuple[Layout, ...]
+    source: str
+    """The asset it stands over; empty if it has none."""
+    edited: Mapping[str, tuple[str, ...]]
+    """By SkelRoot: names of the elements whose place or controls a stronger layer has changed."""
+    sources: tuple[SourceFile, ...]
+    prims: tuple[StandingPrim, ...] = ()
+    brought: Mapping[str, str] = field(default_factory=dict)
+    """By SkelRoot, the file of the layout that another layer of it brings in."""
+
+
+@dataclass(frozen=True, eq=False)
+class FaultsResult(Record):
+    """What is wrong with an asset's blend shapes and animation, all of it."""
+
+    issues: tuple[Issue, ...]
+    empty: bool
+    """Whether the stage has no prim at all."""
+
+
+@dataclass(frozen=True, eq=False)
+class LayerResult(Record):
+    """A layer as its file has it, before anything is composed."""
+
+    sublayers: tuple[str, ...]
+    """As authored."""
+    needed: tuple[str, ...]
+    """Every file that it, or what it brings along, names for composition; each need not be there."""
+    ours: bool
+    """Whether it is a layout layer that we wrote, not one that brings such a layer in."""
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What the reader is asked; JSON on its standard input."""
+
+    task: Task
+    path: str
+    settings: Settings
+    limits: Limits
+    parent: int
+    """Process id: the reader ends with its parent."""
+
+
+@dataclass(frozen=True, eq=False)
+class Response:
+    """What the reader answers: one of the results, or a refusal with its exit code."""
+
+    rigs: ReadResult | None = None
+    layouts: LayoutsResult | None = None
+    faults: FaultsResult | None = None
+    performances: tuple[Performance, ...] = ()
+    layer: LayerResult | None = None
+    refusal: Issue | None = None
+    exit_code: int = 0
