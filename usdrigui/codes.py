@@ -385,6 +385,17 @@ _CODES: dict[str, Code] = {
         "error", "The working directory has been deleted.", "Change to a folder that exists.", Exit.FILE
     ),
     # --- installation ----------------------------------------------------------------------------
+    "USD_MISSING": Code(
+        "error",
+        "This Python has no USD (`pxr`).",
+        "Install one: `pip install usd-core`; or run usdrigui with the Python of an application that brings USD.",
+        Exit.USAGE,
+    ),
+    "USD_TWICE": Code(
+        "warning",
+        "Several installed packages hold the same files of `pxr`; the last one installed overwrote the others' files.",
+        "Uninstall all of them but one, then install that one anew: `pip install --force-reinstall NAME`.",
+    ),
     "EXTRA_MISSING": Code(
         "error",
         "An optional package that was asked for is not installed.",
@@ -610,7 +621,7 @@ _CODES: dict[str, Code] = {
     "SOLVE_EXTRA": Code(
         "error",
         "The method needs a package that is not installed.",
-        "Install usdrigui[toulbar2], or use the method highs.",
+        "Install usdrigui-core[toulbar2], or use the method highs.",
         Exit.USAGE,
     ),
     "PROBLEM_FILE": Code(

@@ -25,7 +25,7 @@ import numpy as np
 import smallest
 
 import usdrigui
-from usdrigui import pipeline, rays
+from usdrigui import distributions, pipeline, rays
 from usdrigui.cli import main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue, refuse
@@ -387,6 +387,23 @@ def _schema_gone(folder: Path, patch: Any) -> Found:
     return refused(schema.schema_path)
 
 
+def _no_usd(_: Path, patch: Any) -> Found:
+    patch.setitem(sys.modules, "pxr", None)
+    return refused(distributions.require_usd)
+
+
+def _two_usds(folder: Path, patch: Any) -> Found:
+    for name in ("usd-core", "usd-exchange"):
+        info = folder / f"{name.replace('-', '_')}-26.8.dist-info"
+        info.mkdir()
+        (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 26.8\n")
+        (info / "RECORD").write_text(f"{info.name}/METADATA,,\npxr/Usd/__init__.py,,\n")
+    (folder / "pxr").mkdir()
+    patch.delitem(sys.modules, "pxr")
+    patch.setattr(sys, "path", [str(folder)])
+    return 0, [asdict(each) for each in distributions.colliding()]
+
+
 def _extension_gone(folder: Path, patch: Any) -> Found:
     patch.setattr(usdrigui, "__file__", str(folder / "usdrigui" / "__init__.py"))
     return refused(blender_extension.extension_files)
@@ -518,6 +535,8 @@ OCCASIONS: Mapping[str, Occasion] = {
     "SOURCE_UNREFERABLE": lambda folder, _: refused(
         lambda: layer.relative_asset_path(folder / "a@@@b.usda", folder / "out.usda")
     ),
+    "USD_MISSING": _no_usd,
+    "USD_TWICE": _two_usds,
     "EXTENSION_MISSING": _extension_gone,
     "SCHEMA_MISSING": _schema_gone,
     "SCHEMA_TOO_LATE": _schema_late,

@@ -14,7 +14,7 @@ from usdrigui.clients.batch import run
 from usdrigui.clients.batch.job import Job
 from usdrigui.errors import RigUIError
 
-pytest.importorskip("distributed", reason="usdrigui[dask] is not installed")
+pytest.importorskip("distributed", reason="usdrigui-core[dask] is not installed")
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")
 
 

@@ -35,7 +35,7 @@ def anew() -> Iterator[None]:
 
 def by_numba() -> Loops:
     """The loops as a search has them; skips without numba, but fails if it is there and does not compile them."""
-    pytest.importorskip("numba", reason="usdrigui[fast] is not installed")
+    pytest.importorskip("numba", reason="usdrigui-core[fast] is not installed")
     loops = compiled_loops()
     assert loops is not None
     return loops
@@ -281,14 +281,14 @@ def test_without_numba_a_search_is_as_it_was(numba: ModuleType | None, monkeypat
 
 @pytest.mark.usefixtures("anew")
 def test_numba_that_does_not_compile_is_not_used(monkeypatch: pytest.MonkeyPatch) -> None:
-    numba = pytest.importorskip("numba", reason="usdrigui[fast] is not installed")
+    numba = pytest.importorskip("numba", reason="usdrigui-core[fast] is not installed")
     monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
     assert compiled_loops() is None
 
 
 @pytest.mark.usefixtures("anew")
 def test_loops_are_compiled_where_they_cannot_be_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    numba = pytest.importorskip("numba", reason="usdrigui[fast] is not installed")
+    numba = pytest.importorskip("numba", reason="usdrigui-core[fast] is not installed")
     monkeypatch.setattr(numba.core.caching.CacheImpl, "_locator_classes", [])
     with pytest.raises(RuntimeError):
         numba.njit(numba.void(), cache=True)(broken)

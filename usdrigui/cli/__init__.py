@@ -12,14 +12,14 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from usdrigui import worker
+from usdrigui import distributions, worker
 from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
-from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.errors import Exit, RigUIError, refuse, sentences
 from usdrigui.version import __version__
 
 
@@ -30,6 +30,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     arguments = parser().parse_args(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
+    for found in distributions.colliding():
+        print(f"warning: {found.code} {sentences(found)}", file=sys.stderr)
     try:
         return int(arguments.run(arguments))
     except RigUIError as error:

@@ -70,7 +70,9 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Iterator[Row]:
     try:
         distributed = importlib.import_module("distributed")
     except ImportError:
-        raise refuse("EXTRA_MISSING", "dask", "--dask needs dask.distributed: `pip install usdrigui[dask]`") from None
+        raise refuse(
+            "EXTRA_MISSING", "dask", "dask.distributed is not installed: `pip install usdrigui-core[dask]`"
+        ) from None
     try:
         client = distributed.Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:

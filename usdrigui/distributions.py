@@ -1,0 +1,49 @@
+"""Which installed packages this Python has USD from: none, one, or several that overwrite each other's files.
+
+Nothing here imports pxr.
+"""
+
+from __future__ import annotations
+
+from importlib.machinery import ModuleSpec
+from importlib.metadata import PathDistribution
+from importlib.util import find_spec
+from pathlib import Path
+
+from usdrigui.errors import Issue, issue, refuse
+
+_OWNED = b"\npxr/Usd/__init__.py,"
+"""In the list of files of every package that installs USD; some have no ``pxr/__init__.py``."""
+
+
+def require_usd() -> None:
+    """Refuse with USD_MISSING where this Python finds no pxr."""
+    if _spec() is None:
+        raise refuse("USD_MISSING", "", "this Python has no pxr")
+
+
+def colliding() -> tuple[Issue, ...]:
+    """USD_TWICE where several installed packages hold the same files of pxr."""
+    owners = _owners()
+    if len(owners) < 2:
+        return ()
+    return (issue("USD_TWICE", "", f"{' and '.join(owners)} own the same files of pxr in {_places()[0]}"),)
+
+
+def _owners() -> tuple[str, ...]:
+    records = [record for place in _places() for record in sorted(place.glob("*.dist-info/RECORD"))]
+    owning = [record.parent for record in records if _OWNED in b"\n" + record.read_bytes()]
+    return tuple(f"{each.metadata['Name']} {each.version}" for each in map(PathDistribution, owning))
+
+
+def _places() -> list[Path]:
+    """The folders that pxr is found in."""
+    spec = _spec()
+    return [Path(each).parent for each in (spec.submodule_search_locations or ())] if spec else []
+
+
+def _spec() -> ModuleSpec | None:
+    try:
+        return find_spec("pxr")
+    except ValueError:  # an embedding program put in a module without a spec
+        return None
