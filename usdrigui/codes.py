@@ -486,6 +486,24 @@ _CODES: dict[str, Code] = {
         "Name the file itself.",
         Exit.FILE,
     ),
+    "ATTACH_BUSY": Code(
+        "error",
+        "Another program is writing the asset, or another attach or detach is editing it; nothing was written.",
+        "Wait until it is done and run again.",
+        Exit.FILE,
+    ),
+    "ATTACH_HARD_LINK": Code(
+        "error",
+        "The asset's file has other names (hard links), which would keep the old content.",
+        "Give the name a file of its own first (`cp CHAR COPY; mv COPY CHAR`), or edit a copy.",
+        Exit.FILE,
+    ),
+    "ATTACH_ATTRIBUTES": Code(
+        "error",
+        "The edited asset could not be given the owner, group, access list or attributes that the asset has.",
+        "Run as the owner of the file, or have the owner run it.",
+        Exit.FILE,
+    ),
     "ATTACH_NOT_BARE": Code(
         "error", "The layout brings sublayers of its own into the asset.", "Write it with `usdrigui process --bare`."
     ),

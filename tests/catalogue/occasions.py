@@ -264,6 +264,27 @@ def _linked(folder: Path) -> Path:
     return _bare(folder)
 
 
+def _shared(folder: Path) -> Path:
+    found = _bare(folder)
+    (folder / "other.usda").hardlink_to(folder / "char.usda")
+    return found
+
+
+def _busy(folder: Path, _: Any) -> Found:
+    from usdrigui.usd.replacing import editing
+
+    def twice() -> None:
+        with editing(folder / "char.usda", 0.0), editing(folder / "char.usda", 0.0):
+            pass
+
+    return refused(twice)
+
+
+def _of_another_owner(folder: Path, patch: Any) -> Found:
+    patch.setattr(safe_write, "keep_attributes", lambda *_: ["group", "owner"])
+    return _attached(_bare)(folder, patch)
+
+
 def _over_another(folder: Path) -> Path:
     found = _bare(folder)
     (folder / "other.usda").write_text("#usda 1.0\n")
@@ -572,6 +593,9 @@ OCCASIONS: Mapping[str, Occasion] = {
     "SOURCE_HAS_LAYOUT": lambda folder, _: command("process", _shot_over(_laid_out(folder)), "--dry-run"),
     "ATTACH_PACKAGE": _attached(_no_layout, "char.usdz"),
     "ATTACH_LINK": _attached(_linked, "link.usda"),
+    "ATTACH_BUSY": _busy,
+    "ATTACH_HARD_LINK": _attached(_shared),
+    "ATTACH_ATTRIBUTES": _of_another_owner,
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),

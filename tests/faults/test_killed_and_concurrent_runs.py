@@ -40,6 +40,12 @@ def test_a_killed_command_leaves_the_old_or_the_new_layer():
     assert found["faults"] == []
 
 
+def test_no_save_is_lost_to_an_edit():
+    found = harness(HERE / "saving.py", "--replacements", 60)
+    assert found["lost"] == []
+    assert {"written", "SOURCE_CHANGED"} <= found["ends"].keys(), "the saves came all too early or all too late"
+
+
 def test_two_runs_at_once_write_the_same_bytes():
     found = harness(HERE / "pairs.py", "--count", 2)
     assert found["faults"] == []

@@ -1,7 +1,7 @@
 """The one place that edits an asset, and only when told to: the layout among the asset's own sublayers.
 
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, `detach` takes it
-out again.  Both write through `usdrigui.usd.safe_write`, after the edited file has been read back in a
+out again.  Both write through `usdrigui.usd.replacing`, after the edited file has been read back in a
 process of its own.  A text layer is edited in place of one entry, so that comments and layout of the text
 stay; if the edited text does not mean exactly what the edited layer means, the layer is exported instead.
 """
@@ -11,7 +11,7 @@ from __future__ import annotations
 import functools
 import os
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -21,8 +21,9 @@ from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.replacing import check_content, editing, replace_source
 from usdrigui.usd.safe_write import commit, same_file
-from usdrigui.usd.source import SourceFile, check_source, check_unchanged
+from usdrigui.usd.source import SourceFile, check_source
 from usdrigui.usd.stage import open_layer
 
 Outcome = Literal["written", "unchanged"]
@@ -33,46 +34,35 @@ _FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
 """What one with metadata but without sublayers gets after the opening bracket."""
 _ENTRY = "\n        @{path}@,"
 """What one with sublayers gets before the first of them."""
+_TOKEN = re.compile(
+    r"""#[^\n]*|'''(?:\\.|[^\\])*?'''|"{3}(?:\\.|[^\\])*?"{3}|'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*\""""
+    r"|@@@.*?@@@|@[^@\n]*@|\w+|[=()\[\]{}]",
+    re.DOTALL,
+)
+"""Comments, strings, asset paths, words and brackets of a text layer."""
 
 
 def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT, all that
-    reading can raise, and the FILE_ codes of writing.  Then nothing has been written.
+    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT, and all that
+    reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.
     """
-    before = _admitted(asset, settings)
-    layouts = read_layouts_isolated(layer, settings).layouts
-    read = read_rigs_isolated(asset, settings)
-    missing = sorted({layout.root for layout in layouts} - {rig.root for rig in read.rigs})
-    if missing:
-        raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
-    _check_bare(asset, layer, settings)
-    source = open_layer(asset)
-    if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
-        return "unchanged"
-    roots = [layout.root for layout in layouts]
-    for root in roots:
-        if root in read.brought:
-            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.brought[root]}")
-    entry = relative_asset_path(layer, asset)
-    return _commit(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
+    _check_editable(asset, settings)
+    with editing(asset, settings.read.time_limit):
+        return _attached(asset, layer, settings)
 
 
 def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """Take `layer`, which need not exist any more, out of the sublayers of the root layer of `asset`.
 
-    The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and what
-    reading and writing can raise.
+    The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and what reading and
+    `usdrigui.usd.replacing` can raise.
     """
-    before = _admitted(asset, settings)
-    read_layer_isolated(asset, settings)  # What survives that may be opened here.
-    source = open_layer(asset)
-    entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
-    if not entries:
-        return "unchanged"
-    return _commit(asset, source, before, functools.partial(_readable, settings), removed=entries)
+    _check_editable(asset, settings)
+    with editing(asset, settings.read.time_limit):
+        return _detached(asset, layer, settings)
 
 
 def write_bare(layer: Path, target: Path) -> Outcome:
@@ -88,23 +78,52 @@ def write_bare(layer: Path, target: Path) -> Outcome:
     return commit(layer_bytes(copy, target.suffix, str(target)), target, read=[layer])
 
 
+def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
+    before = check_source(asset, settings.read.size_limit)
+    layouts = read_layouts_isolated(layer, settings).layouts
+    read = read_rigs_isolated(asset, settings)
+    missing = sorted({layout.root for layout in layouts} - {rig.root for rig in read.rigs})
+    if missing:
+        raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
+    _check_bare(asset, layer, settings)
+    source = open_layer(asset)
+    if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
+        return "unchanged"
+    roots = [layout.root for layout in layouts]
+    for root in roots:
+        if root in read.brought:
+            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.brought[root]}")
+    entry = relative_asset_path(layer, asset)
+    return _replaced(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
+
+
+def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
+    before = check_source(asset, settings.read.size_limit)
+    read_layer_isolated(asset, settings)  # What survives that may be opened here.
+    source = open_layer(asset)
+    entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
+    if not entries:
+        return "unchanged"
+    return _replaced(asset, source, before, functools.partial(_readable, settings), removed=entries)
+
+
 # --- what may be edited ------------------------------------------------------------------------------
 
 
-def _admitted(asset: Path, settings: Settings) -> SourceFile:
+def _check_editable(asset: Path, settings: Settings) -> None:
     if asset.suffix.lower() == ".usdz":
         raise refuse("ATTACH_PACKAGE", str(asset), "is a package, whose layers cannot be edited")
     if asset.is_symlink():
         raise refuse("ATTACH_LINK", str(asset), f"is a link to {os.path.realpath(asset)}")
-    return check_source(asset, settings.read.size_limit)
+    check_source(asset, settings.read.size_limit)
 
 
 def _check_bare(asset: Path, layer: Path, settings: Settings) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
-    if _same(asset, layer):
+    if same_file(asset, layer):
         raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
     opened = read_layer_isolated(layer, settings)
-    if any(_same(asset, Path(found)) for found in opened.needed):
+    if any(same_file(asset, Path(found)) for found in opened.needed):
         raise refuse("ATTACH_CYCLE", str(layer), f"stands over {asset} already")
     if opened.sublayers:
         raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.sublayers[0]}")
@@ -112,17 +131,13 @@ def _check_bare(asset: Path, layer: Path, settings: Settings) -> None:
 
 def _leads_to(asset: Path, entry: str, layer: Path) -> bool:
     """Whether a sublayer path of the asset is `layer`, whether or not the file is there."""
-    return _same(asset.parent / entry, layer)
-
-
-def _same(first: Path, second: Path) -> bool:
-    return os.path.realpath(first) == os.path.realpath(second)
+    return same_file(asset.parent / entry, layer)
 
 
 # --- the edit ----------------------------------------------------------------------------------------
 
 
-def _commit(
+def _replaced(
     asset: Path,
     source: Sdf.Layer,
     before: SourceFile,
@@ -133,6 +148,7 @@ def _commit(
 ) -> Outcome:
     """Write the asset's root layer with one sublayer more or some fewer, in the format that it has."""
     original = asset.read_bytes()
+    check_content(original, before)
     _edit(source, added, removed)
     if original.startswith(b"#usda"):
         text = original.decode(errors="surrogateescape")
@@ -141,8 +157,8 @@ def _commit(
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
         content = layer_bytes(source, ".usdc")
-    check_unchanged([before])
-    return commit(content, asset, verify=verify)
+    replace_source(content, asset, original, before, verify)
+    return "written"
 
 
 def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
@@ -165,18 +181,28 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
 
 def _with_entry(text: str, path: str) -> str:
     """The text of a layer with one sublayer before all others."""
-    head, body = _split(text)
-    if not body.lstrip().startswith("("):
-        return head + _BLOCK.format(path=path) + body
-    opening = body.index("(") + 1
-    # Only the layer's own metadata, which ends at the first line that is a closing bracket, may hold the field.
-    closing = re.search(r"^\)", body[opening:], re.MULTILINE)
-    own = body[opening : opening + closing.start()] if closing else ""
-    listed = re.search(r"^\s*subLayers\s*=\s*\[", own, re.MULTILINE)
-    if listed is None:
-        return head + body[:opening] + _FIELD.format(path=path) + body[opening:]
-    place = opening + listed.end()
-    return head + body[:place] + _ENTRY.format(path=path) + body[place:]
+    start = len(text.partition("\n")[0]) + 1  # after the line that names the format
+    tokens = (found for found in _TOKEN.finditer(text, start) if not found[0].startswith("#"))
+    first = next(tokens, None)
+    if first is None or first[0] != "(":
+        return text[:start] + _BLOCK.format(path=path) + text[start:]
+    place = _list_of_sublayers(tokens)
+    if place is None:
+        return text[: first.end()] + _FIELD.format(path=path) + text[first.end() :]
+    return text[:place] + _ENTRY.format(path=path) + text[place:]
+
+
+def _list_of_sublayers(tokens: Iterator[re.Match[str]]) -> int | None:
+    """Where the list of sublayers begins in the metadata of a layer, whose opening bracket has been read."""
+    depth, before = 1, ("", "")
+    for found in tokens:
+        if (depth, *before, found[0]) == (1, "subLayers", "=", "["):
+            return found.end()
+        depth += (found[0] in "([{") - (found[0] in ")]}")
+        if not depth:
+            break
+        before = before[1], found[0]
+    return None
 
 
 def _without_entries(text: str, paths: Sequence[str]) -> str:
@@ -188,12 +214,6 @@ def _without_entries(text: str, paths: Sequence[str]) -> str:
                 text = text.replace(piece, "", 1)
                 break
     return text
-
-
-def _split(text: str) -> tuple[str, str]:
-    """The first line, which names the format, and the rest."""
-    head, end, body = text.partition("\n")
-    return head + end, body
 
 
 def _means(text: str, layer: Sdf.Layer) -> bool:

@@ -59,7 +59,7 @@ class Transaction:
     def __init__(self, read: Iterable[Path | str]) -> None:
         self._read = tuple(read)
         self._places: set[Path] = set()
-        self._staged: list[_Staged] = []
+        self._staged: list[Staged] = []
 
     def __enter__(self) -> Self:
         return self
@@ -87,7 +87,7 @@ class Transaction:
             temporaries.sweep(place.parent)
             if _holds(place, wanted):
                 return "unchanged"
-            self._staged.append(_written(place, wanted, target, verify))
+            self._staged.append(write_beside(place, wanted, target, verify))
         except OSError as error:
             raise file_error(target, error) from error
         return "written"
@@ -102,11 +102,11 @@ class Transaction:
             for each in reversed(self._staged):
                 placed.enter_context(_placed(each, undo=len(self._staged) > 1))
         for folder in dict.fromkeys(each.place.parent for each in self._staged):
-            _sync_folder(folder)
+            sync_folder(folder)
 
 
 @dataclass(frozen=True, slots=True)
-class _Staged:
+class Staged:
     """A file that is written and checked, beside the one that it is to replace."""
 
     path: Path
@@ -120,7 +120,7 @@ class _Staged:
     def discard(self) -> None:
         """Remove the file, unless it has taken its place."""
         with contextlib.suppress(OSError):
-            self.path.unlink()
+            temporaries.remove(self.path)
         with contextlib.suppress(OSError):
             os.close(self.descriptor)
 
@@ -173,29 +173,33 @@ def _holds(place: Path, wanted: bytes) -> bool:
     return place.is_file() and place.stat().st_size == len(wanted) and place.read_bytes() == wanted
 
 
-def _written(place: Path, wanted: bytes, target: Path, verify: Verify | None) -> _Staged:
-    """The new file, complete and checked, under the name of a temporary."""
+def write_beside(
+    place: Path, wanted: bytes, target: Path, verify: Verify | None, *, original: bytes | None = None
+) -> Staged:
+    """The new file, complete and checked, under the name of a temporary.
+
+    With `original`, the content of the source that it is to be swapped with, it must have all attributes of that one.
+    Raises OSError, FILE_VERIFY and ATTACH_ATTRIBUTES.
+    """
     mode = _mode(place)
-    staged = _Staged(*temporaries.create(place.parent, place.suffix), place, target)
+    digests = "" if original is None else temporaries.swap_name(original, wanted)
+    staged = Staged(*temporaries.create(place.parent, place.suffix, digests), place, target)
     try:
         _write(staged.descriptor, wanted)
-        keep_attributes(staged.descriptor, place, mode)
+        lost = keep_attributes(staged.descriptor, place, mode)
+        if lost and original is not None:
+            raise refuse("ATTACH_ATTRIBUTES", str(target), f"the new file cannot have the same {', '.join(lost)}")
         os.fsync(staged.descriptor)
-        check_written(staged.path, wanted, target, verify)
+        if staged.path.read_bytes() != wanted or (verify is not None and not _accepted(verify, staged.path)):
+            raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
     except BaseException:
         staged.discard()
         raise
     return staged
 
 
-def check_written(path: Path, wanted: bytes, target: Path, verify: Verify | None) -> None:
-    """Refuse a new file that does not hold what it should, or that its checker does not accept; FILE_VERIFY."""
-    if path.read_bytes() != wanted or (verify is not None and not _accepted(verify, path)):
-        raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
-
-
 @contextlib.contextmanager
-def _placed(staged: _Staged, *, undo: bool) -> Iterator[None]:
+def _placed(staged: Staged, *, undo: bool) -> Iterator[None]:
     """The file in its target's place; with `undo` the old one, or none, is there again if the block fails."""
     existed = staged.place.exists()
     old = _second_name(staged.place) if undo and existed else None
@@ -299,7 +303,7 @@ def _accepted(verify: Verify, path: Path) -> bool:
         return False
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Make the rename last; file systems that cannot sync folders have nothing to make last."""
     with contextlib.suppress(OSError):
         descriptor = os.open(folder, os.O_RDONLY)

@@ -59,15 +59,36 @@ def claim(descriptor: int, path: Path) -> bool:
     return _is_at(descriptor, path)
 
 
+def try_lock(place: Path) -> tuple[Path, int] | None:
+    """The lock file of edits of `place` and its open descriptor, which holds it; None while another process has it.
+
+    A file of its own beside the edited one: a lock on that would go with it when it is replaced, and on some network
+    file systems keep others from reading it.  Raises OSError.
+    """
+    path = place.with_name(f".{_digest(os.fsencode(place.name))}.rigui-lock")
+    descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
+    if claim(descriptor, path):
+        return path, descriptor
+    os.close(descriptor)
+    return None
+
+
+def remove(path: Path) -> None:
+    """Remove a temporary, unless it holds what can be had nowhere else; raises OSError."""
+    named = _NAME.fullmatch(path.name)
+    if named is not None and _is_elsewhere(path, named):
+        path.unlink()
+
+
 def sweep(folder: Path) -> None:
     """Remove the temporaries that ended runs have left in `folder`: those whose lock can be taken."""
     if sys.platform == "win32":
         return
     for path in sorted(folder.iterdir()):
-        if named := _NAME.fullmatch(path.name):
+        if _NAME.fullmatch(path.name):
             with contextlib.suppress(OSError), _locked(path) as descriptor:
-                if _is_at(descriptor, path) and _is_elsewhere(path, named):
-                    path.unlink()
+                if _is_at(descriptor, path):
+                    remove(path)
 
 
 @contextlib.contextmanager
