@@ -19,6 +19,7 @@ import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from usdrigui import worker
 from usdrigui.errors import refuse
 from usdrigui.usd import temporaries
 from usdrigui.usd.safe_write import Staged, Verify, file_error, sync_folder, write_beside
@@ -67,7 +68,8 @@ def replace_source(content: bytes, asset: Path, original: bytes, before: SourceF
         try:
             check_unchanged([before])
             _check_no_writer(place, asset)
-            _take_place(staged, before)
+            with worker.committing([str(asset)]):
+                _take_place(staged, before)
         finally:
             staged.discard()
         sync_folder(place.parent)
