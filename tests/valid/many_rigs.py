@@ -3,8 +3,8 @@
     python tests/valid/many_rigs.py --count 1000
 
 The commands run in this process, as `usdrigui.cli.main`, with readers that are forked (tests/fuzz/zygote.py).
-Prints one JSON document: how each command ended, every end that is not exit 0, and with ``--digests`` a digest of
-every layer, by which runs on other processors are compared (benchmarks/processors.py).  Rigs are made again from their
+Prints one JSON document: how each command ended and every end that is not exit 0.  With ``--digests`` the rigs are only
+laid out, and a digest of every layer is told, by which processors are compared (benchmarks/processors.py).  Rigs are made again from their
 seed: ``--first SEED --count 1 --keep FOLDER``.
 """
 
@@ -41,10 +41,11 @@ def commands(asset: Path, layer: Path, page: Path) -> dict[str, list[str]]:
     }
 
 
-def run(asset: Path) -> dict[str, tuple[int, str]]:
-    """Exit code and last words of each command on a rig, as far as one gets."""
+def run(asset: Path, most: int) -> dict[str, tuple[int, str]]:
+    """Exit code and first words of the first `most` commands on a rig, as far as one gets."""
     ends = {}
-    for name, arguments in commands(asset, asset.with_suffix(".rigui.usda"), asset.with_suffix(".html")).items():
+    wanted = commands(asset, asset.with_suffix(".rigui.usda"), asset.with_suffix(".html"))
+    for name, arguments in list(wanted.items())[:most]:
         settings = [each for setting in _SETTINGS for each in ("--set", setting)]
         with captured() as printed:
             code, escaped = called([*arguments, *settings])
@@ -60,18 +61,18 @@ def digest(layer: Path) -> str:
     return hashlib.blake2b(layer.read_bytes(), digest_size=8).hexdigest() if layer.exists() else ""
 
 
-def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None) -> dict[str, object]:
+def campaign(seeds: range, counts: tuple[int, ...], keep: Path | None, most: int = 3) -> dict[str, object]:
     """Run many; returns the figures."""
     digests: dict[int, str] = {}
     tally: collections.Counter[str] = collections.Counter()
     others, slowest = [], (0.0, -1)
-    zygote = Zygote(reader_process._environment())
+    zygote = Zygote(reader_process.environment())
     reader_process._started = zygote.start  # type: ignore[assignment]
     with tempfile.TemporaryDirectory() as place:
         for seed in seeds:
             start = time.monotonic()
             asset = make_rig(seed, (keep or Path(place)) / f"rig{seed}.usdc", counts)
-            found = run(asset)
+            found = run(asset, most)
             digests[seed] = digest(asset.with_suffix(".rigui.usda"))
             slowest = max(slowest, (round(time.monotonic() - start, 1), seed))
             tally.update(f"{name}: exit {code}" for name, (code, _) in found.items())
@@ -95,11 +96,11 @@ if __name__ == "__main__":
     parser.add_argument("--count", type=int, default=30)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--small", action="store_true", help="24 controls at most")
-    parser.add_argument("--digests", action="store_true", help="tell a digest of every layer")
+    parser.add_argument("--digests", action="store_true", help="only lay out, and tell a digest of every layer")
     parser.add_argument("--keep", type=Path, help="an existing folder for the rigs, layers and pages")
     asked = parser.parse_args()
     span = range(asked.first, asked.first + asked.count)
-    found = campaign(span, SMALL if asked.small else COUNTS, asked.keep)
+    found = campaign(span, SMALL if asked.small else COUNTS, asked.keep, 1 if asked.digests else 3)
     if not asked.digests:
         del found["layers"]
     print(json.dumps(found, indent=2))

@@ -17,6 +17,8 @@ _AXES = "xyz"
 _STILL = 1e-7
 """Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves nothing."""
 
+_DECIMALS = 12
+"""Of radians and of logarithms of scale."""
 _SLIGHT = 1e-3
 """Share of the greatest translation, or of scale, by which an animation may move a joint unmentioned."""
 
@@ -171,9 +173,10 @@ def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
         return []
     local = np.concatenate([pose.states.locals for pose in poses])
     frame, base_frame = rotation_part(local), rotation_part(base.locals)
-    turns = rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2))
+    # What is nearly still is the difference of numbers about one, whose last bits differ between processors.
+    turns = np.round(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)), _DECIMALS) + 0.0
     shifts = local[..., 3, :3] - base.locals[..., 3, :3]
-    scales = _log_scales(local, frame) - _log_scales(base.locals, base_frame)
+    scales = np.round(_log_scales(local, frame) - _log_scales(base.locals, base_frame), _DECIMALS) + 0.0
     ends = np.cumsum([len(pose.values) for pose in poses])[:-1]
     parts = zip(poses, *(np.split(table, ends) for table in (turns, shifts, scales)), strict=True)
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
