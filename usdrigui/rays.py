@@ -19,6 +19,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.ties import axis_across
 
 OFFSET = 1e-4
 """How far rays start from the surface, as a share of the soup's diagonal: above the rounding of single
@@ -264,7 +265,7 @@ def _lifted(caster: Caster, points: Floats, normals: Floats, direction: Floats) 
 
 def _frame(direction: Floats) -> Floats:
     """(3, 3) rotation whose rows are two axes across `direction` and `direction` itself."""
-    least = np.eye(3)[int(np.argmin(np.abs(direction)))]
+    least = axis_across(direction)
     across = _unit(np.cross(least, direction))
     return np.stack([across, np.cross(direction, across), direction])
 

@@ -4,8 +4,8 @@
 
 The commands run in this process, as `usdrigui.cli.main`, with readers that are forked (tests/fuzz/zygote.py).
 Prints one JSON document: how each command ended and every end that is not exit 0.  With ``--digests`` the rigs are only
-laid out, and a digest of every layer is told, by which processors are compared (benchmarks/processors.py).  Rigs are made again from their
-seed: ``--first SEED --count 1 --keep FOLDER``.
+laid out, and a digest of every layer is told, by which processors are compared (benchmarks/processors.py).  Rigs are
+made again from their seed: ``--first SEED --count 1 --keep FOLDER``.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import lengths
 from usdrigui.model import Anchor, Floats, Glyph, Indices, Member
 from usdrigui.settings import ControlSettings
+from usdrigui.ties import axis_across
 
 _LEVEL = 1e-3
 """Sine below which a normal points straight up or down."""
@@ -50,7 +51,7 @@ def _frame(normal: Floats, up: Floats, toward: Floats) -> Floats:
         away = -np.sign(up @ normal) * toward
         upright = away - (away @ normal) * normal
     if np.linalg.norm(upright) < _LEVEL:
-        upright = np.cross(normal, np.eye(3)[int(np.abs(normal).argmin())])
+        upright = np.cross(normal, axis_across(normal))
     upright = upright / np.linalg.norm(upright)
     return np.stack([np.cross(upright, normal), upright, normal])
 

@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.model import Control, Element, Floats, Glyph, Indices, Member, Record
+from usdrigui.ties import axis_across
 from usdrigui.usd.carry import Carriage, Grip, Hold, PointShape
 
 _SIDE_SAMPLES = 7
@@ -129,7 +130,7 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
 def _angles(element: Element) -> Floats:
     """Angle of each track's direction in the plane tangent to the skin at the anchor."""
     normal = np.array(element.anchor.normal, dtype=np.float64)
-    aside = np.eye(3)[int(np.abs(normal).argmin())]
+    aside = axis_across(normal)
     first = np.cross(aside, normal)
     first /= max(float(np.linalg.norm(first)), 1e-30)
     second = np.cross(normal, first)

@@ -15,6 +15,7 @@ from PIL import Image, ImageDraw
 
 from usdrigui.model import Element, Flags, Floats, Layout, Record
 from usdrigui.pose.evaluate import PosedElement
+from usdrigui.ties import axis_across
 from usdrigui.view.shading import Camera
 
 Colour = tuple[int, int, int]
@@ -204,7 +205,7 @@ def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floa
         return ()
     axes, arms = [axis for axis, _ in halves], [arm for _, arm in halves]
     tips = np.array([arm[int(np.argmax(np.linalg.norm(arm, axis=1)))] for arm in arms])
-    east = np.cross(posed.normal, np.eye(3)[int(np.argmin(np.abs(posed.normal)))])
+    east = np.cross(posed.normal, axis_across(posed.normal))
     angle = np.arctan2(tips @ np.cross(posed.normal, east), tips @ east)
     order = np.argsort(angle, kind="stable")
     found = []

@@ -6,6 +6,7 @@ import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.model import Floats, Indices, Rig, RigMesh, Symmetry, Trajectories
+from usdrigui.ties import first_largest
 
 
 def face_middle(trajectories: Trajectories, symmetry: Symmetry) -> Floats:
@@ -59,7 +60,7 @@ def _firmness(rig: Rig, face_points: Indices) -> Floats:
     face[face_points] = True
     parts = (face[start : start + len(table)] for start, table in zip(rig.starts, tables, strict=False))
     totals = sum(table[part].sum(axis=0) for table, part in zip(tables, parts, strict=True))
-    strongest = int(np.argmax(totals))
+    strongest = first_largest(totals)
     return np.concatenate([table[:, strongest] for table in tables])
 
 

@@ -20,6 +20,7 @@ from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
 from usdrigui.layout.names import is_step_of
 from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
+from usdrigui.ties import rounded
 
 _PARALLEL = 0.98
 """Cosine of two motions from which one repeats the other."""
@@ -100,7 +101,7 @@ class _Shares:
         if explained < _EXPLAINED or effective < _PARTS:
             return ""
         named = weights > _NAMED * weights.max()
-        strongest = [self.names[parts[i]] for i in np.argsort(-weights, kind="stable")[:3] if named[i]]
+        strongest = [self.names[parts[i]] for i in np.argsort(-rounded(weights), kind="stable")[:3] if named[i]]
         return f"does what {_listed(strongest)} do together"
 
     def _parts(self, index: int, rest: list[int]) -> list[int]:
@@ -117,7 +118,7 @@ class _Shares:
         pairs = [(a, b) for a in inside for b in inside if a < b and self.far[a, b]]
         if len(pairs) < _FAR_PAIRS:
             return ""
-        a, b = max(pairs, key=lambda pair: self.cosine[index, pair[0]] + self.cosine[index, pair[1]])
+        a, b = max(pairs, key=lambda pair: round(float(self.cosine[index, pair].sum()), 9))
         return f"moves distant parts of the face at once, as {self.names[a]} and {self.names[b]} do"
 
     def _stronger(self, a: int, b: int) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.model import Floats
+from usdrigui.ties import axis_across
 
 
 def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
@@ -22,6 +23,6 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
 
 def _angles(tangents: Floats, normal: Floats) -> Floats:
     """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary direction."""
-    across = np.cross(normal, np.eye(3)[int(np.argmin(np.abs(normal)))])
+    across = np.cross(normal, axis_across(normal))
     across = across / max(float(np.linalg.norm(across)), 1e-300)
     return np.asarray(np.arctan2(tangents @ np.cross(normal, across), tangents @ across), dtype=np.float64)

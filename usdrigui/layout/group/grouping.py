@@ -25,6 +25,7 @@ from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
 from usdrigui.settings import Settings
+from usdrigui.ties import first_largest
 
 _TWIN_LEEWAY = 0.8
 """Twins of each other are called opposed at this share of the usual cosine: mouthLeft and mouthRight."""
@@ -220,7 +221,7 @@ class _Grouping:
         frame = screen(self.face.views)
         mean = np.einsum("mi,m->i", fields.vectors[pair[1]] - fields.vectors[pair[0]], fields.weights)
         flat = frame @ mean
-        along = flat[int(np.argmax(np.abs(flat)))]
+        along = flat[first_largest(np.abs(flat))]
         return pair if along >= 0.0 else pair[::-1]
 
     # --- joysticks ---------------------------------------------------------------------------------

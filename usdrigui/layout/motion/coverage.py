@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Motion
+from usdrigui.ties import rounded
 
 NOTABLE = 0.25
 """A control moves a point notably when by this share of its own peak."""
@@ -52,7 +53,7 @@ def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:
     share = np.zeros(len(motions))
     face = np.zeros(len(areas), dtype=bool)
     usual = _MANY_TIMES * float(np.median(size)) if len(size) else 0.0
-    for index in np.argsort(size, kind="stable"):
+    for index in np.argsort(rounded(size), kind="stable"):
         known = float(areas[face].sum())
         if size[index] > usual and known > 0.0:
             share[index] = float(areas[_covered(motions[index], face, areas)].sum()) / known

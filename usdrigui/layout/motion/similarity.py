@@ -9,6 +9,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from usdrigui.model import Floats, Indices, Record, Singles, Trajectories
+from usdrigui.ties import rounded
 
 _ENTRIES = 12_000_000
 """Entries (controls times places) held at most: 150 MB; beyond, the places that move most stand for all."""
@@ -110,5 +111,5 @@ def _rows(vectors: Singles) -> Singles:
 def _most_moved(moved: Floats, most: int) -> Indices:
     found = np.flatnonzero(moved > 0.0)
     if len(found) > most:
-        found = np.sort(found[np.argsort(-moved[found], kind="stable")[:most]])
+        found = np.sort(found[np.argsort(-rounded(moved[found]), kind="stable")[:most]])
     return found

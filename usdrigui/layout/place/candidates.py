@@ -17,6 +17,7 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
 from usdrigui.settings import Settings
+from usdrigui.ties import first_largest
 
 STAGE = "candidates"
 
@@ -81,7 +82,7 @@ def _places(
 ) -> tuple[Indices, Indices]:
     """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
     override, name = requests.overrides[motion.control], face.control_name(motion.control)
-    peak = motion.points[[int(np.argmax(motion.arc_length))]]
+    peak = motion.points[[first_largest(motion.arc_length)]]
     fixed = fixed_anchor(face.rig, name, override)
     if fixed is not None:
         point = np.array([fixed], dtype=np.int64)

@@ -12,6 +12,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import point_index
 from usdrigui.model import Floats, Indices, Rig
 from usdrigui.settings import ControlSettings
+from usdrigui.ties import first_smallest
 
 _PROXIES = 24
 """Visible points near a hidden region among which the optimiser may choose."""
@@ -27,7 +28,7 @@ def kept_near(face: Face, control: int, override: ControlSettings, points: Indic
     apart, _ = cKDTree(centres).query(face.trajectories.base[points])
     radius = (override.within or default_radius) * face.trajectories.face_size
     inside = apart <= radius
-    return points[inside] if inside.any() else points[[int(np.argmin(apart))]]
+    return points[inside] if inside.any() else points[[first_smallest(apart)]]
 
 
 def proxies(face: Face, point: int) -> Indices:

@@ -13,6 +13,7 @@ import numpy as np
 
 from usdrigui.levels import inner_names, outer_first
 from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh
+from usdrigui.ties import first_smallest
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +125,7 @@ def _penalty_share(prior: PriorLayout, place: Place, anchors: Indices, base: Flo
     here = anchors == place.point
     if not here.any():
         # The mesh has other points, or the control no longer moves that one: the nearest place stands for it.
-        here[int(np.argmin(np.linalg.norm(base[anchors] - place.position, axis=1)))] = True
+        here[first_smallest(np.linalg.norm(base[anchors] - place.position, axis=1))] = True
     return np.where(here, 0.0, 1.0)
 
 

@@ -17,6 +17,7 @@ from scipy.interpolate import RBFInterpolator
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.levels import inner_names
 from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
+from usdrigui.ties import axis_across
 
 CUTOFF_DISTANCE = 4.0
 """Handle widths from the corresponding place at which the whole penalty is due."""
@@ -212,7 +213,7 @@ def _turn(start: Floats, end: Floats) -> Floats:
     """(3, 3) the least rotation from one unit vector to another."""
     axis, cosine = np.cross(start, end), float(start @ end)
     if cosine < -1.0 + 1e-9:
-        side = np.eye(3)[int(np.argmin(np.abs(start)))]
+        side = axis_across(start)
         normal = np.cross(start, side)
         normal /= np.linalg.norm(normal)
         return np.asarray(2.0 * np.outer(normal, normal) - np.eye(3))

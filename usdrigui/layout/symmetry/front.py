@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.model import Floats, Trajectories
+from usdrigui.ties import axis_across, towards
 
 _THREE_QUARTER = np.radians(40.0)
 
@@ -19,13 +20,12 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
     if plane_normal.any():
         ahead = np.cross(plane_normal, up)
         if np.linalg.norm(ahead) > 1e-6:
-            ahead = ahead / np.linalg.norm(ahead)
-            return np.asarray(ahead if ahead @ outward >= 0.0 else -ahead)
+            return towards(ahead / np.linalg.norm(ahead), outward)
     level = outward - (outward @ up) * up
     length = float(np.linalg.norm(level))
     if length > 1e-9:
         return np.asarray(level / length)
-    side = np.cross(up, np.eye(3)[int(np.argmin(np.abs(up)))])
+    side = np.cross(up, axis_across(up))
     return np.asarray(side / np.linalg.norm(side))
 
 

@@ -18,6 +18,7 @@ from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
 from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
 from usdrigui.settings import Settings
+from usdrigui.ties import axis_across, rounded, towards
 
 _SAMPLE = 2000
 """Points of the moving region that the search for the plane looks at."""
@@ -170,7 +171,7 @@ def _thinned(points: Floats, weights: Floats) -> Floats:
     """At most `_SAMPLE` of the points: the heaviest, whatever their order."""
     if len(points) <= _SAMPLE:
         return points
-    heaviest = np.lexsort((*points.T, -weights))[: 4 * _SAMPLE]
+    heaviest = np.lexsort((*rounded(points).T, -rounded(weights)))[: 4 * _SAMPLE]
     return points[heaviest[:: max(1, len(heaviest) // _SAMPLE)]]
 
 
@@ -180,7 +181,7 @@ def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[
     found = []
     for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
         along = region @ normal
-        order = np.argsort(along)
+        order = np.argsort(rounded(along), kind="stable")
         share = np.cumsum(weights[order]) / weights.sum()
         found += [_Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS]
     middle = every.mean(axis=0)
@@ -190,7 +191,7 @@ def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[
 
 def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
     """Candidate plane normals: directions around the up axis, and the principal axes of the region."""
-    side = np.cross(up, np.eye(3)[int(np.argmin(np.abs(up)))])
+    side = np.cross(up, axis_across(up))
     side /= np.linalg.norm(side)
     ahead = np.cross(up, side)
     angles = np.arange(_DIRECTIONS) * np.pi / _DIRECTIONS
@@ -247,7 +248,8 @@ def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> fl
 
 def _towards_left(plane: _Plane, up: Floats, trajectories: Trajectories) -> _Plane:
     left = np.cross(up, front(up, trajectories, plane.normal))
-    return plane if plane.normal @ left >= 0.0 else _Plane(-plane.normal, -plane.offset)
+    normal = towards(plane.normal, left)
+    return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
 
 
 # --- points ------------------------------------------------------------------------------------------
