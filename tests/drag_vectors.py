@@ -276,6 +276,7 @@ def by_hand():
         ((50, 20), 0.775),
         ((10, 20), 0.875),
     ]
+    wide, narrow = (made([[[0.0, 0.0], [100.0, 0.0], [100.0, y], [0.0, y]]], [[0]]) for y in (60.0, 4.0))
     from_its_end = made([[[50.0, 50.0], [50.0, 50.0]]], [[0]])
     short = made([[[52.0, 50.0], [50.0, 50.0]]], [[0]])
     one_short = made([arm(178), arm(0), arm(90, 2.0)], [[0, 1], [2]])
@@ -288,6 +289,8 @@ def by_hand():
             ([0.1], *((to, [value]) for to, value in round_it)),  # step by step round the bend
             ([0.1], ((10, 19.5), [0.875])),  # nearer by far: it changes
         ),
+        "wide hairpin": answered(wide, ([0.1], ((20, 35), [1 / 6])), ([0.1], ((20, 50), [5 / 6]))),
+        "narrow hairpin": answered(narrow, ([0.1], ((20, 3.5), [1 / 6]))),
         "slider seen from its end": answered(from_its_end, ([0.0], ((0, -12), [0.5]), ((0, 12), [0.0]))),
         "slider nearly seen from its end": answered(short, ([0.0], ((-6, 20), [0.25]), ((-30, 0), [1.0]))),
         "axis seen from its end": answered(
@@ -296,8 +299,34 @@ def by_hand():
         "both ends set before": answered(
             made([arm(180), arm(0)], [[0, 1]]), ([0.5, 0.7], ((9, 0), [0.0, 0.3]), ((-36, 0), [0.2, 0.0]))
         ),
+        "joystick far away": answered(
+            made([arm(180, 2.0), arm(0, 2.0), arm(90, 3.0)], [[0, 1], [2]]), ([0.0] * 3, ((6, -9), [0.0, 0.5, 0.5]))
+        ),
+        "fan with a short member between": _fan_with_a_short_member(),
+        "fan out of reach": _fan_out_of_reach(),
         "thirty per cent to the right": answered(three, ([0.0] * 3, ((27, -2), [0.0, 0.3, 0.0222]))),
     }
+
+
+def _fan_with_a_short_member():
+    """The outer two are more than 180 degrees apart on their other side, and never set together."""
+    a, b, c = (np.array(arm(*each)[1]) for each in ((10, 90.0), (80, 20.0), (150, 90.0)))
+    goal = a + 0.9 * c
+    share = float((goal - b) @ a / (a @ a))
+    fan = made([[[0.0, 0.0], each.tolist()] for each in (a, b, c)], [[0], [1], [2]])
+    return answered(fan, ([0.0] * 3, (goal.tolist(), [share, 1.0, 0.0])))
+
+
+def _fan_out_of_reach():
+    """Of two pairs as good, the one in use; else the nearer."""
+    a, b, c, d = (np.array(arm(each)[1]) for each in (10, 55, 100, 150))
+    return answered(
+        made([[[0.0, 0.0], each.tolist()] for each in (a, b, c, d)], [[0], [1], [2], [3]]),
+        ([0.5, 0.5, 0.0, 0.0], ((3.0 * b - 0.5 * (a + b)).tolist(), [1.0, 1.0, 0.0, 0.0])),
+        ([0.0, 0.5, 0.5, 0.0], ((3.0 * b - 0.5 * (b + c)).tolist(), [0.0, 1.0, 1.0, 0.0])),
+        ([0.0, 0.0, 0.5, 0.5], ((5.0 * (b + c) - 0.5 * (c + d)).tolist(), [0.0, 1.0, 1.0, 0.0])),
+        ([0.0, 0.9, 0.0, 0.0], ((0.03 * a - 0.1 * b).tolist(), [0.03, 0.8, 0.0, 0.0])),
+    )
 
 
 def answered(element, *drags):

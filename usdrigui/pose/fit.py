@@ -1,4 +1,4 @@
-"""Bounded least squares on sums of polylines: the small problem behind every drag.
+"""Bounded least squares on sums of polylines: the small problem behind every pull of the skin.
 
 A point's path under one control is a polyline; where several controls act, their paths add up.  Given
 where the points should go, find the least change of the controls that brings them there:
