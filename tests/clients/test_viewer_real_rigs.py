@@ -51,7 +51,7 @@ def shown(request, browser, tmp_path_factory):
 @pytest.fixture(autouse=True)
 def at_rest(shown):
     viewer = shown[0]
-    viewer.page.evaluate("() => { const { session } = usdrigui.app; session.show(session.rest, null, null); }")
+    viewer.page.evaluate("usdrigui.app.session.clear()")
     viewer.page.evaluate("usdrigui.app.view.home()")
     viewer.option("handles", True)
     viewer.option("skinDrag", True)
