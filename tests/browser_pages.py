@@ -41,10 +41,14 @@ def chromium(playwright, *more_flags):
 class Viewer:
     """A viewer page in the browser, driven with the mouse."""
 
-    def __init__(self, browser, path, size=(1200, 760), permissions=(), draw=None):
+    def __init__(self, browser, path, size=(1200, 760), permissions=(), draw=None, script=None):
+        """`script` runs in the page before its own."""
         self.trouble = []
         viewport = {"width": size[0], "height": size[1]}
-        self.page = browser.new_page(viewport=viewport, permissions=list(permissions))
+        context = browser.new_context(viewport=viewport, permissions=list(permissions))
+        if script:
+            context.add_init_script(script)
+        self.page = context.new_page()
         self.page.on("console", self._heard)
         self.page.on("pageerror", lambda error: self.trouble.append(str(error)))
         self.page.on("request", self._asked)
@@ -137,4 +141,4 @@ class Viewer:
         return shot
 
     def close(self):
-        self.page.close()
+        self.page.context.close()

@@ -17,7 +17,7 @@ def test_writes_one_page(layer, tmp_path):
 def test_serves_and_says_where(layer, monkeypatch, capsys):
     real, stop = serve.serve, threading.Event()
 
-    def once(html, open_browser, announce):
+    def once(html, open_browser, announce, name):
         def told(address):
             announce(address)
             assert urllib.request.urlopen(address, timeout=10).status == 200
@@ -28,6 +28,7 @@ def test_serves_and_says_where(layer, monkeypatch, capsys):
             open_browser=open_browser,
             announce=lambda address: threading.Thread(target=told, args=[address]).start(),
             stop=stop,
+            name=name,
         )
 
     monkeypatch.setattr(serve, "serve", once)

@@ -3,7 +3,7 @@
 
 import { text } from 'node:stream/consumers';
 
-import { animationLayer, poseLayer, workFromLayer } from '../../viewer/src/animation_layer.js';
+import { animationLayer, poseLayer, keysFromLayer } from '../../viewer/src/animation_layer.js';
 import { readScene } from '../../viewer/src/scene.js';
 import { Session } from '../../viewer/src/session.js';
 
@@ -48,7 +48,7 @@ function at(session, time) {
 function reloaded(character, layer, times) {
   if (!layer) return null;
   const session = new Session(character);
-  const { keys, standing } = workFromLayer(layer, session);
+  const { keys, standing } = keysFromLayer(layer, session);
   session.load('Load', keys, standing);
   return times.map((time) => at(session, time));
 }

@@ -49,6 +49,15 @@ def test_addresses_differ_and_cannot_be_guessed():
         assert len(one.path) > 40
 
 
+def test_a_page_comes_back_at_its_port_and_another_one_beside_it():
+    """Browsers keep what a page stores by its port."""
+    with page_server(PAGE, "char.rigui.usda") as first, page_server(PAGE, "char.rigui.usda") as second:
+        assert first.server_port != second.server_port
+    with page_server(PAGE, "char.rigui.usda") as again:
+        assert again.server_port == first.server_port
+        assert again.path != first.path
+
+
 @pytest.mark.parametrize(
     "path", ["/", "/favicon.ico", "/../etc/passwd", "//etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/x" * 40]
 )

@@ -86,13 +86,14 @@ def _view(arguments: argparse.Namespace) -> Exit:
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
     read = _spared((arguments.html,), loaded, arguments)
-    html = page.page_html(loaded.characters, title=Path(arguments.layer).name, study=arguments.study)
+    name = Path(arguments.layer).name
+    html = page.page_html(loaded.characters, title=name, study=arguments.study)
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html, read)
         say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
     worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
-    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now)
+    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name)
     say(f"usdrigui: showed {arguments.layer}", arguments)
     return Exit.OK
 

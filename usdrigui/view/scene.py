@@ -8,6 +8,7 @@ always give the same bytes (docs/decisions/070-viewer-scene.md has the measured 
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import zlib
@@ -82,6 +83,7 @@ class _Body:
 def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
     return {
         "root": rig.root,
+        "identity": _identity(rig),
         "up": _list(rig.up),
         "metresPerUnit": rig.metres_per_unit,
         "meshes": [_mesh(body, mesh) for mesh in rig.meshes],
@@ -97,6 +99,14 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         "clip": _clip(body, rig),
         "layout": _layout(rig, layout),
     }
+
+
+def _identity(rig: Rig) -> str:
+    """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or animation."""
+    found = hashlib.sha256(json.dumps([rig.root, [each.name for each in rig.controls]]).encode())
+    for mesh in rig.meshes:
+        found.update(mesh.path.encode() + np.ascontiguousarray(mesh.points, dtype="<f4").tobytes())
+    return found.hexdigest()[:32]
 
 
 def _mesh(body: _Body, mesh: RigMesh) -> Json:
@@ -183,6 +193,7 @@ def _clip(body: _Body, rig: Rig) -> Json | None:
     return {
         "times": _list(rig.clip.times),
         "framesPerSecond": rig.clip.frames_per_second,
+        "thinned": any(each.code == "CLIP_THINNED" for each in rig.issues),
         "weights": body.reals(rig.clip.weights),
         "locals": body.reals(rig.clip.locals),
     }

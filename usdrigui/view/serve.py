@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import os
 import secrets
 import threading
 import webbrowser
@@ -11,6 +13,8 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 _MOST_DRAINED = 1 << 20
+_FIRST_PORT, _PORTS = 49152, 16384
+_PORTS_TRIED = 8
 
 
 def serve(
@@ -18,14 +22,16 @@ def serve(
     open_browser: bool = True,
     announce: Callable[[str], None] | None = None,
     stop: threading.Event | None = None,
+    name: str = "",
 ) -> None:
     """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
 
-    The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random port and a random token
-    of 256 bits; every other path or host name gets 404, every other method than GET and HEAD gets 405.
-    `announce` is told the address before the browser opens.
+    The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits and a port that
+    `name` chooses: browsers keep what a page stores by its port, so that a page of the same name finds its work
+    again.  Every other path or host name gets 404, every other method than GET and HEAD gets 405.  `announce` is
+    told the address before the browser opens.
     """
-    with page_server(html) as server:
+    with page_server(html, name) as server:
         threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
         if announce is not None:
             announce(server.address)
@@ -43,18 +49,24 @@ class PageServer(ThreadingHTTPServer):
     """Server of one page; `address` is where it is."""
 
     daemon_threads = True
+    allow_reuse_address = os.name == "posix"
+    """Elsewhere it would let two servers share a port."""
 
-    def __init__(self, page: bytes) -> None:
-        super().__init__(("127.0.0.1", 0), _Handler)
+    def __init__(self, page: bytes, port: int) -> None:
+        super().__init__(("127.0.0.1", port), _Handler)
         self.page = page
         self.path = f"/{secrets.token_urlsafe(32)}/"
         self.host = f"127.0.0.1:{self.server_port}"
         self.address = f"http://{self.host}{self.path}"
 
 
-def page_server(html: str) -> PageServer:
-    """A server, bound but not yet serving, of one page."""
-    return PageServer(html.encode("utf-8"))
+def page_server(html: str, name: str = "") -> PageServer:
+    """A server, bound but not yet serving, of one page; at any free port where those of its name are taken."""
+    first = int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "big") % _PORTS
+    for port in (*(_FIRST_PORT + (first + i) % _PORTS for i in range(_PORTS_TRIED)), 0):
+        with suppress(OSError):
+            return PageServer(html.encode("utf-8"), port)
+    raise OSError("no port of 127.0.0.1 can be bound")
 
 
 class _Handler(BaseHTTPRequestHandler):

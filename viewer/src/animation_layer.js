@@ -5,6 +5,7 @@
 // the sphere: weights are exact at all times, joints at every whole frame and every sample of the clip and the keys.
 
 import { decomposed } from './matrix.js';
+import { keysFrom, sayKeys } from './work.js';
 
 /**
  * The layer as usda text ('' when nothing is animated by hand), to be put above the asset in `subLayers`, and the names
@@ -18,7 +19,7 @@ export function animationLayer(session) {
   const work = { keys, standing };
   const states = statesAt(session, timesOf(animation, work), (time) => animation.at(time, work));
   const [first, last] = animation.range(keys);
-  return layer(session, written, states, first, last, sayWork(session, work));
+  return layer(session, written, states, first, last, sayKeys(session, work));
 }
 
 /** The present pose as such a layer, with one sample at the present frame. */
@@ -28,35 +29,16 @@ export function poseLayer(session) {
   const states = statesAt(session, [frame], () => ({ ...base, values }));
   const all = [...session.controls.keys()];
   const standing = new Map(all.map((control) => [control, values[control]]));
-  return layer(session, all, states, frame, frame, sayWork(session, { keys: new Map(), standing }));
+  return layer(session, all, states, frame, frame, sayKeys(session, { keys: new Map(), standing }));
 }
 
 /** Keys and standing values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
-export function workFromLayer(text, session) {
+export function keysFromLayer(text, session) {
   const match = /string work = ("(?:[^"\\]|\\.)*")/.exec(text);
   if (!text.startsWith('#usda') || !match) throw new Error('This layer was not written by the viewer.');
-  const found = workFrom(JSON.parse(unquoted(match[1])), session);
+  const found = keysFrom(JSON.parse(unquoted(match[1])), session);
   if (!found.keys.size && !found.standing.size) throw new Error('No control of this character is named in the layer.');
   return found;
-}
-
-/** Keys and standing values by names of controls, for JSON. */
-export function sayWork({ controls }, { keys, standing }) {
-  const byName = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
-  return {
-    keys: byName(keys, (track) => track.map((key) => key.map(rounded))),
-    standing: byName(standing, rounded),
-  };
-}
-
-/** The opposite of `sayWork`; controls that the character lacks and values that are none are left out. */
-export function workFrom({ keys = {}, standing = {} }, { controls }) {
-  const index = new Map(controls.map(({ name }, i) => [name, i]));
-  const known = (entries, isValid) => new Map(
-    Object.entries(entries).filter(([name, value]) => index.has(name) && isValid(value)).map(([name, value]) => [index.get(name), value]),
-  );
-  const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every((key) => Array.isArray(key) && key.length === 2 && key.every(Number.isFinite));
-  return { keys: known(keys, isTrack), standing: known(standing, Number.isFinite) };
 }
 
 // --- states ------------------------------------------------------------------------------------------

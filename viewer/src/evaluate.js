@@ -130,6 +130,7 @@ export class Evaluation {
 
   start(participant) {
     const { session } = this.app;
+    session.trial = true;
     this.before = { work: session.snapshot(), history: session.history, options: { ...session.options } };
     this.participant = participant;
     this.trials = trialsFor(participant, session);

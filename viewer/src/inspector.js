@@ -1,7 +1,7 @@
 // The panel on the right: what is selected, what acts at a clicked point, how things are shown, poses and
 // layout in and out.
 
-import { poseLayer, workFromLayer } from './animation_layer.js';
+import { keysFromLayer, poseLayer } from './animation_layer.js';
 import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
 import { COLOURS, familyName } from './overlay.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
@@ -260,10 +260,14 @@ export class Inspector {
       act('Zero all', 'Every control to its default', () => session.zero()),
       act('Reset all', 'Every control to the pose of the layout', () => session.reset()),
       act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
-      act('Save JSON', 'Download the pose', () => download('pose.json', poseToJson(session), 'application/json')),
+      act('Save JSON', 'Download the pose', () => {
+        download('pose.json', poseToJson(session), 'application/json');
+        session.emit('saved');
+      }),
       act('Save pose layer', 'Download the pose as a USD layer', () => {
         const { text, unwritten } = poseLayer(session);
         if (text) download('pose.usda', text, 'text/plain');
+        session.emit('saved');
         if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
       }),
       act('Load…', 'A pose or layer saved before', async () => {
@@ -287,7 +291,7 @@ export class Inspector {
     const { session, say } = this;
     try {
       if (text.startsWith('#usda')) {
-        const { keys, standing } = workFromLayer(text, session);
+        const { keys, standing } = keysFromLayer(text, session);
         if (keys.size) session.load('Load keys', keys, standing);
         else session.edit('Load pose', () => session.set(standing));
       } else {

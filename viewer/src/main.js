@@ -1,6 +1,7 @@
 // The page: reads the scene, builds the panels around the viewport, and wires them to one session.
 
 import './style.css';
+import { Autosave, browserStorage } from './autosave.js';
 import { ControlList } from './control_list.js';
 import { make, segmented, toggle } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
@@ -11,6 +12,7 @@ import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { Timeline } from './timeline.js';
 import { View } from './view.js';
+import { resume } from './work.js';
 
 const SHORTCUTS = [
   ['Drag a handle', 'its control; Ctrl for fine steps'],
@@ -36,8 +38,11 @@ class App {
     this.scene = scene;
     this.node = document.getElementById('app');
     this.notice = make('div', { class: 'notice', role: 'status', hidden: true });
-    this.sessions = scene.characters.map(() => null);
+    this.offer = make('div', { class: 'offer', role: 'alertdialog', 'aria-label': 'Work from before', hidden: true });
+    this.storage = browserStorage();
+    this.kept = scene.characters.map(() => null);
     this.open(0);
+    for (const event of ['pagehide', 'beforeunload']) window.addEventListener(event, (leaving) => this.leave(leaving));
     listenToKeys(this.shortcuts());
   }
 
@@ -45,9 +50,12 @@ class App {
   open(index) {
     if (this.evaluation?.running) this.evaluation.finish();
     this.timeline?.stop();
+    this.kept[this.index]?.autosave.flush();
     this.session?.leave();
     this.index = index;
-    this.session = this.sessions[index] ??= new Session(this.scene.characters[index]);
+    const { session, autosave } = (this.kept[index] ??= this.begin(this.scene.characters[index]));
+    this.session = session;
+    autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
     this.view = new View(this.session);
     this.timeline = new Timeline(this.session, (text) => this.say(text));
     this.list = new ControlList(this.session, this.view);
@@ -56,18 +64,55 @@ class App {
     this.evaluation = new Evaluation(this);
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();
-    this.view.node.append(this.evaluation.panel, this.help, this.notice);
+    this.view.node.append(this.evaluation.panel, this.help, this.offer, this.notice);
     const middle = make('div', { class: 'middle' }, this.list.node, this.view.node, this.inspector.node);
     this.node.replaceChildren(this.makeBar(), middle, this.timeline.node);
     this.node.className = 'ready';
+    this.offerWork(autosave);
+  }
+
+  begin(character) {
+    const session = new Session(character);
+    return { session, autosave: new Autosave(session, this.storage) };
+  }
+
+  // --- work from before ------------------------------------------------------------------------------
+
+  /** Offer what an earlier page has left of this character. */
+  offerWork(autosave) {
+    const found = autosave.offered;
+    this.offer.hidden = !found;
+    if (!found) return;
+    const button = (label, act) => make('button', { type: 'button', onclick: () => {
+      act();
+      autosave.discard(found);
+      this.offerWork(autosave);
+    } }, label);
+    const restore = () => {
+      resume(this.session, found.work);
+      autosave.flush();
+    };
+    const when = new Date(found.saved).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+    this.offer.replaceChildren(
+      make('span', {}, `Your work of ${when}: ${found.words}`),
+      button('Restore', restore),
+      button('Discard', () => {}),
+    );
+  }
+
+  /** Keep all work, and let the browser ask where some cannot be kept. */
+  leave(event) {
+    const kept = this.kept.filter(Boolean).map(({ autosave }) => autosave);
+    kept.forEach((autosave) => autosave.flush());
+    if (kept.some((autosave) => autosave.isUnsaved)) event.preventDefault();
   }
 
   // --- bar -------------------------------------------------------------------------------------------
 
   /** Show one of the characters as if for the first time. */
   startAfresh(index = this.index) {
-    this.session.leave();
-    this.sessions[index] = null;
+    this.kept[index]?.autosave.forget();
+    this.kept[index] = null;
     this.open(index);
   }
 
@@ -195,6 +240,7 @@ class App {
     Object.assign(this.session.options, options);
     this.view.stage.setTarget(null);
     this.session.history = history;
+    this.session.trial = false;
     this.session.restore(work);
     this.session.emit('options');
     this.view.setColumns(null);

@@ -35,6 +35,7 @@ export class Timeline {
     });
     this.ticks = make('div', { class: 'ticks', 'aria-hidden': 'true' });
     this.number = make('output', { class: 'frame' });
+    this.unkeyed = make('output', { class: 'unkeyed', title: 'Changed here and not keyed: they end with this frame. K keys them.' });
     return make(
       'footer',
       { class: 'timeline', 'aria-label': 'Time' },
@@ -42,6 +43,7 @@ export class Timeline {
       button('‹', 'Previous key', () => this.step(-1)),
       button('›', 'Next key', () => this.step(1)),
       this.number,
+      this.unkeyed,
       make('div', { class: 'scrub' }, this.ticks, this.slider),
       button('Key', 'Key the selected controls, or all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
@@ -59,6 +61,8 @@ export class Timeline {
     Object.assign(this.slider, { min: first, max: last, value: this.frame });
     this.slider.style.setProperty('--at', along(this.frame));
     this.playButton.textContent = this.playing ? '■' : '▶';
+    const loose = session.unkeyed().length;
+    this.unkeyed.textContent = loose ? `${loose} not keyed` : '';
     this.autoButton.setAttribute('aria-pressed', String(session.options.autoKey));
     this.ticks.replaceChildren(...this.keyFrames().map((frame) => make('i', { style: { left: along(frame) } })));
   }

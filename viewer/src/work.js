@@ -1,0 +1,78 @@
+// An animator's work on one character as JSON: keys, standing values, what is changed and not keyed, locks, and
+// elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
+
+/** Keys and standing values by names of controls. */
+export function sayKeys({ controls }, { keys, standing }) {
+  const byName = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
+  return {
+    keys: byName(keys, (track) => track.map((key) => key.map(rounded))),
+    standing: byName(standing, rounded),
+  };
+}
+
+/** The opposite of `sayKeys`; controls that the character lacks and values that are none are left out. */
+export function keysFrom({ keys, standing }, { controls }) {
+  return { keys: byControl(keys, controls, isTrack), standing: byControl(standing, controls, Number.isFinite) };
+}
+
+/** All work of a session; null where there is none. */
+export function workOf(session) {
+  const { frame, neutral, values, controls, elements, moved, locks } = session;
+  const from = neutral ? session.rest : session.given;
+  const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
+  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size) return null;
+  return {
+    frame,
+    neutral,
+    ...sayKeys(session, session),
+    changed: Object.fromEntries(changed.map((index) => [controls[index].name, values[index]])),
+    locks: [...locks].map((index) => controls[index].name),
+    moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
+  };
+}
+
+/** Take up work in a session, as one undoable step; what the character does not have is left out. */
+export function resume(session, work) {
+  const { controls, elements } = session;
+  const before = session.snapshot();
+  const { keys, standing } = keysFrom(work, session);
+  session.locks = new Set(controls.flatMap(({ name }, index) => (work.locks?.includes(name) ? [index] : [])));
+  for (const [name, entry, placement] of work.moved ?? []) {
+    const element = elements.list.find((each) => each.name === name && each.members.length === placement.members.length);
+    if (!element) continue;
+    elements.restore(element, placement);
+    session.moved.set(element.index, entry);
+  }
+  const neutral = work.neutral === true;
+  const frame = Number.isFinite(work.frame) ? work.frame : session.frame;
+  const given = neutral ? Float64Array.from(session.rest) : session.animation.at(frame, { keys, standing }).values;
+  const values = Float64Array.from(given);
+  byControl(work.changed, controls, Number.isFinite).forEach((value, index) => (values[index] = value));
+  session.restore({ frame, neutral, keys, standing, given, values });
+  session.step('Restore work', before);
+  session.emit('options');
+  session.emit('layout');
+}
+
+/** "12 keys of 3 controls, 2 changes that are not keyed". */
+export function worded({ keys, standing, changed, moved }) {
+  const tracks = Object.values(keys ?? {});
+  const count = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
+  const sum = tracks.reduce((total, track) => total + track.length, 0);
+  const loose = Object.keys({ ...standing, ...changed }).length;
+  return [
+    sum ? `${count(sum, 'key')} of ${count(tracks.length, 'control')}` : '',
+    loose ? `${count(loose, 'control')} changed without a key` : '',
+    moved?.length ? `${count(moved.length, 'element')} moved` : '',
+  ].filter(Boolean).join(', ') || 'locks';
+}
+
+function byControl(entries, controls, isValid) {
+  const index = new Map(controls.map(({ name }, i) => [name, i]));
+  const known = Object.entries(entries ?? {}).filter(([name, value]) => index.has(name) && isValid(value));
+  return new Map(known.map(([name, value]) => [index.get(name), value]));
+}
+
+const isTrack = (track) =>
+  Array.isArray(track) && track.length > 0 && track.every((key) => Array.isArray(key) && key.length === 2 && key.every(Number.isFinite));
+const rounded = (value) => Number(value.toPrecision(9));
