@@ -203,7 +203,7 @@ def _with_settings(inputs: ProblemInputs, candidates: Candidates, weight: float,
     changed = replace(
         settings,
         objective=replace(settings.objective, displacement_weight=weight),
-        symmetry=replace(settings.symmetry, plane_price=plane * settings.symmetry.plane_price),
+        symmetry=replace(settings.symmetry, plane_weight=plane * settings.symmetry.plane_weight),
     )
     other = placement_problem(inputs.face, candidates, inputs.placement.groups, inputs.requests, changed).problem
     same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))

@@ -87,7 +87,7 @@ def _grow(attribute: Usd.Attribute, scale: np.ndarray) -> None:
 def run_batch(assets: Path, out: Path, options: list[str], timeout: float) -> tuple[float, dict[str, int]]:
     """Seconds and counts of one `usdrigui batch`; on a cluster of its own if no `options` say where."""
     command = [sys.executable, "-m", "usdrigui", "batch", str(assets / "*.usdc"), "--output-dir", str(out), "--json"]
-    command += ["--bare", f"--timeout={timeout}", "--threads=1"]
+    command += ["--bare", f"--timeout={timeout}"]
     if options:
         done = subprocess.run([*command, *options], capture_output=True, text=True, check=False)
     else:

@@ -62,7 +62,7 @@ def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTE
         settings.overlap_max,
         settings.overlap_radius * width,
         settings.overlap_sharpness / (settings.overlap_radius * width),
-        settings.overlap_reach * settings.overlap_radius * width,
+        settings.overlap_cutoff * settings.overlap_radius * width,
         1.0 - settings.displacement_weight,
     )
     typical = float(np.median([np.linalg.norm(offsets, axis=1).max() for offsets, _ in motions]))
@@ -159,7 +159,7 @@ def _variable(
     displacement = copies * length[points] / typical
     cost = own_costs(samples, handles, overlap, width) - settings.displacement_weight * displacement
     free = np.isfinite(cost)
-    beside = settings.beside_price * copies
+    beside = settings.off_face_penalty * copies
     return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), beside, displacement[free])
 
 

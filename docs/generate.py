@@ -1,22 +1,26 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from usdrigui/settings/parts.py, issue-codes.md from usdrigui/codes.py, schema.md from
-schemas/generatedSchema.usda.  With ``--check``
-nothing is written and the exit code says whether the pages are up to date.
+settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from usdrigui/codes.py,
+schema.md from schemas/generatedSchema.usda.  With ``--check`` nothing is written and the exit code says whether the
+pages are up to date.
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
+import dataclasses
+import inspect
 import sys
+import typing
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from pxr import Sdf
 
 from usdrigui.codes import CODES
-from usdrigui.settings import PRESETS
-from usdrigui.settings import parts as settings_parts
+from usdrigui.settings import PRESETS, Settings
+from usdrigui.settings.table import About, settings_in
 
 ROOT = Path(__file__).resolve().parents[1]
 NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
@@ -44,8 +48,6 @@ def pages() -> dict[str, str]:
 
 def settings_page() -> str:
     """Every setting with its type, default and meaning."""
-    tree = ast.parse(Path(settings_parts.__file__).read_text(encoding="utf-8"))
-    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     parts = [
         "# Settings\n",
         NOTE,
@@ -58,14 +60,23 @@ def settings_page() -> str:
         "which controls the character has. They take one file: that of `--config`; without it that of the layout's\n"
         "own name (`looks/cfg.toml` for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\n"
         "the layout stands over, wherever the layout lies. For an asset, by itself or with its layout attached, it is\n"
-        "`CHAR.rigui.toml` beside it. A layer over a layout (corrections) takes that of the layout if it has none.\n",
+        "`CHAR.rigui.toml` beside it. A layer over a layout (corrections) takes that of the layout if it has none.\n\n"
+        "`usdrigui config-schema > usdrigui.schema.json` writes a JSON Schema of all of this. An editor with a TOML\n"
+        "language server (Even Better TOML, taplo) completes and checks a configuration whose first line is\n"
+        "`#:schema ./usdrigui.schema.json`.\n",
     ]
-    for field in (node for node in classes["Settings"].body if isinstance(node, ast.AnnAssign)):
-        name = ast.unparse(field.target)
-        kind = ast.unparse(field.annotation)
-        inner = kind.removeprefix("Mapping[str, ").removesuffix("]")
-        table = f'[{name}."NAME"]' if kind.startswith("Mapping") else f"[{name}]"
-        parts.append(f"\n## `{table}`\n\n{ast.get_docstring(classes[inner]) or ''}\n\n" + _table(classes[inner]))
+    levels = {level: [] for level in ("user", "expert", "paper")}
+    for name, hint in typing.get_type_hints(Settings).items():
+        free = typing.get_origin(hint) is Mapping
+        part = typing.get_args(hint)[1] if free else hint
+        for level, found in levels.items():
+            rows = [_row(each, about) for each, about in settings_in(part) if about.level == level]
+            heading = f'`[{name}."NAME"]`' if free else f"`[{name}]`"
+            text = f"{inspect.cleandoc(part.__doc__)}\n\n" if level == "user" else ""
+            found += [f"\n### {heading}\n\n{text}{_HEAD}{''.join(rows)}"] if rows else []
+    parts += ["\n## Settings that one can see\n", *levels["user"]]
+    parts += ["\n## Limits and thresholds, for experts\n", *levels["expert"]]
+    parts += ["\n## What only the preset `paper` needs\n", *levels["paper"]]
     parts.append("\n## Presets\n\n")
     for name, values in PRESETS.items():
         changed = [f"`{part}.{key}` = `{value}`" for part, keys in values.items() for key, value in keys.items()]
@@ -120,21 +131,15 @@ def _flat(text: str) -> str:
     return " ".join(text.split()).replace("|", "or")
 
 
-def _table(node: ast.ClassDef) -> str:
-    rows = ["| key | type | default | meaning |\n|---|---|---|---|\n"]
-    body = node.body
-    for position, statement in enumerate(body):
-        if not isinstance(statement, ast.AnnAssign):
-            continue
-        following = body[position + 1] if position + 1 < len(body) else None
-        text = ""
-        if isinstance(following, ast.Expr) and isinstance(following.value, ast.Constant):
-            text = " ".join(str(following.value.value).split())
-        kind = ast.unparse(statement.annotation).replace("|", "or")
-        default = "" if statement.value is None else ast.unparse(statement.value)
-        default = "{}" if default.startswith("field(") else default
-        rows.append(f"| `{ast.unparse(statement.target)}` | `{kind}` | `{default}` | {text.replace('|', 'or')} |\n")
-    return "".join(rows)
+_HEAD = "| key | type | default | unit | from, to | meaning |\n|---|---|---|---|---|---|\n"
+
+
+def _row(each: dataclasses.Field[Any], about: About) -> str:
+    default = "{}" if each.default is dataclasses.MISSING else repr(each.default)
+    bounds = f"{about.bounds[0]:g}, {about.bounds[1]:g}" if about.bounds else ""
+    kind, doc = (_flat(str(text)) for text in (each.type, about.doc))
+    doc += f" Formerly `{about.was}`." if about.was else ""
+    return f"| `{each.name}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {doc} |\n"
 
 
 def _differs(path: Path, text: str) -> bool:

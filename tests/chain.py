@@ -88,7 +88,7 @@ def _start(rig, settings, base_values):
 def lay_out(rig, settings=None, base_values=None, prior=NO_PRIOR):
     """All the way, solved to optimality."""
     line = problem_of(rig, settings, base_values, prior)
-    return solved(line, replace(line.inputs.settings.solve, gap=1e-9, threads=1))
+    return solved(line, replace(line.inputs.settings.solve, gap=1e-9))
 
 
 def solved(line, settings):

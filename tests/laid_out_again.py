@@ -13,7 +13,7 @@ from usdrigui.solve import solve
 from usdrigui.usd.reader_process import read_rigs_isolated
 
 ASSETS = Path(__file__).resolve().parents[1].parent / "shared" / "assets"
-SETTINGS = load({"solve": {"gap": 1e-2, "threads": 1}})
+SETTINGS = load({"solve": {"gap": 1e-2}})
 
 
 def read(name):

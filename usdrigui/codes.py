@@ -627,7 +627,7 @@ _CODES: dict[str, Code] = {
     "SOLVE_INFEASIBLE": Code(
         "error",
         "No layout keeps all handles apart.",
-        "Allow places beside the face (objective.beside_allowed), make handles smaller or prune fewer candidates.",
+        "Allow places beside the face (objective.off_face_allowed), make handles smaller or prune fewer candidates.",
     ),
     "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
     "SOLVE_MEMORY": Code(

@@ -31,7 +31,7 @@ class ExampleLayers:
     fixed: Path | None = None
     """Its anchors and groups are kept to the point."""
     previous: Path | None = None
-    """Its anchors and groups are kept unless leaving them saves more than ``objective.keep_price``."""
+    """Its anchors and groups are kept unless leaving them saves more than ``objective.keep_penalty``."""
     like: Path | None = None
     """The layout of another character, over that character, to be imitated; not together with `previous`."""
     animations: tuple[Path, ...] = ()
@@ -144,7 +144,7 @@ def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
             raise refuse("CONFIG_VALUE", "--fixed", f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}")
         settings = fixed_by(examples.fixed[rig.root], rig, settings)
     corrected = frozenset(examples.edited.get(rig.root, ()))
-    if corrected and settings.objective.keep_price > 0.0:
+    if corrected and settings.objective.keep_penalty > 0.0:
         settings = fixed_by(_known(examples.previous[rig.root], rig), rig, settings, corrected)
     return settings
 
@@ -156,10 +156,10 @@ def prior_layout_of(examples: Examples, rig: Rig, trajectories: Trajectories, se
     characters to imitate has the path of this one.
     """
     prior = NO_PRIOR
-    if examples.like and settings.like.price > 0.0:
+    if examples.like and settings.like.penalty > 0.0:
         prior = _imitating(examples, rig, trajectories, settings)
     if rig.root in examples.previous:
-        prior = of_previous(examples.previous[rig.root], rig, settings.objective.keep_price)
+        prior = of_previous(examples.previous[rig.root], rig, settings.objective.keep_penalty)
     if rig.root in examples.fixed:
         prior = joined(PriorLayout(kept_groups(examples.fixed[rig.root], rig)), prior)
     return prior
@@ -173,7 +173,7 @@ def _imitating(examples: Examples, rig: Rig, trajectories: Trajectories, setting
     names = settings.like.names
     _check_names(names, other, rig)
     found = find_trajectories(other, settings.trajectories)
-    return of_another(layout, (other, found), (rig, trajectories), names, settings.like.price)
+    return of_another(layout, (other, found), (rig, trajectories), names, settings.like.penalty)
 
 
 def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:

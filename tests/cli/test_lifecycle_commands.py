@@ -124,7 +124,7 @@ def test_the_previous_layout_is_kept_and_the_diff_is_told(folder, capsys):
 def test_at_a_price_of_zero_the_previous_layout_changes_nothing(folder, capsys):
     corrections = corrected(folder, "smile_L", another_point(folder, "smile_L"))
     new = folder / "new.rigui.usda"
-    zero = ("--set", "objective.keep_price=0")
+    zero = ("--set", "objective.keep_penalty=0")
     run(capsys, "process", folder / "char.usda", "--previous", corrections, *zero, "-o", new)
     run(capsys, "process", folder / "char.usda", *zero, "-o", folder / "plain.rigui.usda")
     assert new.read_bytes() == (folder / "plain.rigui.usda").read_bytes()

@@ -104,7 +104,7 @@ def test_an_archive_does_not_replace_an_asset_behind_a_link(folder, capsys):
 def test_the_layout_that_a_run_succeeds_is_replaced(folder):
     """`--previous` names it in order to replace it; an attached one is replaced under `--bare`."""
     before = (folder / "before.rigui.usda").read_bytes()
-    longer = ("--set", "objective.keep_price=0", "--set", "objective.handle_size=0.05")
+    longer = ("--set", "objective.keep_penalty=0", "--set", "objective.handle_size=0.05")
     assert main(["process", ASSET, "--previous", "before.rigui.usda", "-o", "before.rigui.usda", *longer]) == 0
     assert (folder / "before.rigui.usda").read_bytes() != before
     assert main(["process", ASSET, "--bare", "-o", "bare.usda"]) == 0

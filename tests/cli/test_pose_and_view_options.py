@@ -84,7 +84,7 @@ def test_a_view_is_recorded_and_only_what_it_sees_holds_elements(character, tmp_
 
 
 def test_a_flat_layout_keeps_handles_apart_in_the_picture(character, tmp_path):
-    size = ("--set", "objective.handle_size=0.12", "--set", "objective.handle_crowd=0")
+    size = ("--set", "objective.handle_size=0.12", "--set", "objective.max_neighbours=0")
     flat, _ = processed(character, tmp_path, "--space", "view", "--view", "55,0", *size)
     assert flat.space == "view"
     assert nearest(flat) >= flat.handle_width * (1.0 - 1e-5)

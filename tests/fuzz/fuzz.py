@@ -32,7 +32,7 @@ SECONDS = 10.0
 _MEMORY = "/dev/shm" if Path("/dev/shm").is_dir() else None
 """Where syncing costs nothing."""
 _DOCUMENTED = {int(each) for each in Exit} - {int(Exit.BUG)}
-_SETTINGS = (f"read.time_limit={SECONDS}", "read.memory_limit=1024", "solve.work_limit=20000", "solve.threads=1")
+_SETTINGS = (f"read.time_limit={SECONDS}", "read.memory_limit=1024", "solve.work_limit=20000")
 
 
 @dataclass(frozen=True)

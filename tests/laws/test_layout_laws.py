@@ -107,8 +107,8 @@ def test_two_runs_give_the_same_bytes(plain):
 def test_displacement_alone_takes_every_peak():
     alone = chain.settings(
         objective={"displacement_weight": 1.0, "separation": False},
-        candidates={"occlusion_price": 0.0, "occlusion": False},
-        symmetry={"plane_price": 0.0},
+        candidates={"occlusion_weight": 0.0, "occlusion": False},
+        symmetry={"plane_weight": 0.0},
         groups={"opposed": False},
     )
     points, quads = makers.mask()
@@ -150,7 +150,7 @@ def test_more_weight_on_overlap_never_brings_handles_nearer():
             objective={
                 "displacement_weight": weight,
                 "separation": False,
-                "beside_allowed": False,
+                "off_face_allowed": False,
                 "handle_size": 0.1,
                 "overlap_sharpness": 2.0,
             }

@@ -72,11 +72,6 @@ def test_in_every_place(reference, tmp_path):
     assert layer(copy, cwd="/") == expected
 
 
-def test_with_any_number_of_solver_threads(reference):
-    asset, expected = reference
-    assert layer(asset, arguments=["--threads", "1"]) == layer(asset, arguments=["--threads", "2"]) == expected
-
-
 def test_it_names_no_place_and_no_day(reference):
     asset, content = reference
     text = content.decode()

@@ -5,7 +5,7 @@ from laid_out_again import lay_out, read
 from usdrigui.layout.review import review as reviewing
 from usdrigui.settings import load
 
-EXACT = load({"solve": {"gap": 1e-4, "threads": 1}})
+EXACT = load({"solve": {"gap": 1e-4}})
 
 
 def test_a_pair_is_judged_as_one(monkeypatch):

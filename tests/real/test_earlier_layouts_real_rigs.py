@@ -22,7 +22,7 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     rig = read(name)
     _, _, first = lay_out(rig)
     half = replace(first, elements=first.elements[::2])
-    proven = load({"solve": {"gap": 1e-4, "threads": 1}})
+    proven = load({"solve": {"gap": 1e-4}})
     _, found, made = lay_out(rig, proven, fixed={rig.root: half})
     by_control = {member.control: element for element in made.elements for member in element.members}
     for element in half.elements:
@@ -37,7 +37,7 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
 
 def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
     rig = read("vitruvian.usdc")
-    quick = load({"solve": {"gap": 1e-2, "threads": 1, "work_limit": 300_000}})
+    quick = load({"solve": {"gap": 1e-2, "work_limit": 300_000}})
     names = np.random.default_rng(5).permutation([control.name for control in rig.controls])
     coming, going = set(names[:5]), set(names[5:10])
 

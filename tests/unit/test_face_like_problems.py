@@ -43,7 +43,7 @@ def test_a_face_of_few_controls_has_handles_of_the_size_asked_for(instances):
 
 def test_handles_shrink_with_the_crowd_down_to_the_least(instances):
     widths = [share(instances.face_like(4002, controls)) for controls in (22, 140, 300)]
-    assert widths[0] > widths[1] > widths[2] == pytest.approx(ObjectiveSettings().handle_least)
+    assert widths[0] > widths[1] > widths[2] == pytest.approx(ObjectiveSettings().handle_size_min)
 
 
 @pytest.mark.parametrize(("points", "controls"), [(1186, 26), (4002, 22), (5064, 47), (5064, 142)])

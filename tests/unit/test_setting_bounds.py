@@ -3,41 +3,74 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import math
 
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.settings import Settings, load
-from usdrigui.settings.bounds import _BOUNDS
+from usdrigui.settings import ControlSettings, JointSettings, PoseSettings, Settings, load
+from usdrigui.settings.editor_schema import editor_schema
+from usdrigui.settings.table import settings_in
 
 
-def _numbers():
-    """Keys of all numbers that have a default, but for those in free tables."""
+def _settings(kinds=object):
+    """By key, every setting but those in free tables, and what is known of it."""
     parts = {each.name: getattr(Settings(), each.name) for each in dataclasses.fields(Settings)}
     return {
-        f"{name}.{each.name}"
+        f"{name}.{each.name}": about
         for name, part in parts.items()
         if dataclasses.is_dataclass(part)
-        for each in dataclasses.fields(part)
-        if type(getattr(part, each.name)) in (int, float)
+        for each, about in settings_in(part)
+        if isinstance(getattr(part, each.name), kinds) and not isinstance(getattr(part, each.name), bool)
     }
 
 
+BOUNDS = {key: about.bounds for key, about in _settings((int, float)).items()}
+
+
 def test_every_number_has_bounds():
-    assert len(_numbers()) > 30
-    assert _numbers() == set(_BOUNDS)
+    assert len(BOUNDS) > 30
+    assert None not in BOUNDS.values()
 
 
-@pytest.mark.parametrize("key", sorted(_BOUNDS))
+def test_every_setting_is_documented_once_and_few_are_for_everybody():
+    parts = [*(type(getattr(Settings(), name)) for name in ("run", "read", "objective")), ControlSettings, PoseSettings]
+    assert all(len(list(settings_in(part))) == len(dataclasses.fields(part)) for part in parts)
+    user = [key for key, about in _settings().items() if about.level == "user"]
+    tables = [each for part in (ControlSettings, PoseSettings, JointSettings) for each, _ in settings_in(part)]
+    assert len(user) + len(tables) <= 60
+
+
+@pytest.mark.parametrize(
+    ("old", "new"), [("objective.keep_price", "keep_penalty"), ("symmetry.plane_price", "plane_weight")]
+)
+def test_earlier_names_are_read(old, new):
+    part, name = old.split(".")
+    assert getattr(getattr(load({part: {name: 0.5}}), part), new) == 0.5
+
+
+@pytest.mark.parametrize("key", sorted(BOUNDS))
 def test_numbers_beyond_their_bounds_are_refused(key):
     part, name = key.split(".")
-    kind, (least, largest) = type(getattr(getattr(Settings(), part), name)), _BOUNDS[key]
+    kind, (least, largest) = type(getattr(getattr(Settings(), part), name)), BOUNDS[key]
     load({part: {name: kind(least)}})
     load({part: {name: kind(largest)}})
     for value in (kind(least - 1), kind(largest * 2 + 1)):
         with pytest.raises(RigUIError, match=f"CONFIG_VALUE {key}"):
             load({part: {name: value}})
+
+
+def test_the_schema_for_editors_holds_every_setting_with_its_bounds():
+    schema = editor_schema()
+    for key, about in _settings().items():
+        part, name = key.split(".")
+        found = schema["properties"][part]["properties"][name]
+        assert found["description"].startswith(about.doc)
+        assert about.bounds is None or (found["minimum"], found["maximum"]) == about.bounds
+    controls = schema["properties"]["controls"]["additionalProperties"]["properties"]
+    assert controls["place"]["enum"] == ["", "face", "beside", "proxy"]
+    assert json.loads(json.dumps(schema)) == schema
 
 
 @pytest.mark.parametrize("key", ["importance", "within", "glyph_size"])

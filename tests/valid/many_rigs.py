@@ -28,7 +28,7 @@ from zygote import Zygote
 
 from usdrigui.usd import reader_process
 
-_SETTINGS = ("solve.work_limit=2000", "solve.threads=1", "solve.time_limit=20")
+_SETTINGS = ("solve.work_limit=2000", "solve.time_limit=20")
 """The search for the best layout ends early: every other stage is as always."""
 
 

@@ -77,6 +77,10 @@ def parser() -> argparse.ArgumentParser:
     add_detach(commands)
     schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
     schema.set_defaults(run=_schema_path, light=True)
+    configuration = commands.add_parser(
+        "config-schema", help="print a JSON Schema with which editors complete settings"
+    )
+    configuration.set_defaults(run=_config_schema, light=True)
     blender = commands.add_parser("blender-extension", help="write the extension that shows layouts in Blender")
     blender.add_argument("output", type=Path, nargs="?", default=Path("usdrigui_controls.zip"), metavar="ZIP")
     blender.set_defaults(run=_blender_extension)
@@ -96,4 +100,14 @@ def _schema_path(arguments: argparse.Namespace) -> Exit:
 
     del arguments
     print(schema_path())
+    return Exit.OK
+
+
+def _config_schema(arguments: argparse.Namespace) -> Exit:
+    import json
+
+    from usdrigui.settings.editor_schema import editor_schema
+
+    del arguments
+    print(json.dumps(editor_schema(), indent=2))
     return Exit.OK

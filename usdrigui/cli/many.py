@@ -165,8 +165,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     from usdrigui.clients.batch.job import Job
 
     assets = places.find_assets(arguments.patterns)
-    threads = () if arguments.threads is not None else ("--threads", str(_threads_each(arguments)))
-    passed = (*passed_on(arguments), *threads)
+    passed = tuple(passed_on(arguments))
     found, read = [], []
     for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
@@ -176,8 +175,3 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
         found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
     del arguments.asset
     return found, read
-
-
-def _threads_each(arguments: argparse.Namespace) -> int:
-    """Threads for each process, so that together they fill the machine; on a cluster one."""
-    return 1 if arguments.dask else max(1, (os.cpu_count() or 1) // max(1, arguments.jobs))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import dataclasses
 import hashlib
 import os
 import re
@@ -52,7 +51,6 @@ def add_settings(parser: Any, *, layer: bool = False) -> None:
     group.add_argument("--time", type=float, metavar="CODE", help="base pose: the animation at this time code")
     group.add_argument("--gap", type=float, metavar="SHARE", help="relative gap at which to stop")
     group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
-    group.add_argument("--threads", type=int, metavar="N", help="accepted; the solver runs one thread")
     group.add_argument("--time-limit", type=float, metavar="SECONDS", help="stop solving with the best layout so far")
     group.add_argument("--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use")
 
@@ -107,10 +105,8 @@ def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
 
 
 def settings_digest(arguments: argparse.Namespace) -> str:
-    """Digest of everything that the settings of a command say, but for the threads, which change no result."""
-    settings = settings_quietly(arguments)
-    settings = dataclasses.replace(settings, solve=dataclasses.replace(settings.solve, threads=0))
-    return hashlib.sha256(repr(settings).encode()).hexdigest()
+    """Digest of all settings of a command."""
+    return hashlib.sha256(repr(settings_quietly(arguments)).encode()).hexdigest()
 
 
 def passed_on(arguments: argparse.Namespace) -> list[str]:
@@ -137,7 +133,6 @@ _OPTIONS: Mapping[str, tuple[str, str]] = {
     "time": ("read", "time"),
     "gap": ("solve", "gap"),
     "method": ("solve", "method"),
-    "threads": ("solve", "threads"),
     "time_limit": ("solve", "time_limit"),
     "memory_limit": ("solve", "memory_limit"),
     "bare": ("output", "bare"),

@@ -15,6 +15,7 @@ from usdrigui.settings.bounds import check_bounds
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import from_environment
+from usdrigui.settings.table import current_name
 
 
 def load(
@@ -39,7 +40,8 @@ def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
     """`base` (a settings dataclass) with the keys of `source` replaced, checked against the annotations."""
     hints = typing.get_type_hints(type(base))
     changed: dict[str, Any] = {}
-    for key, value in source.items():
+    for given, value in source.items():
+        key = current_name(base, given)
         path = f"{where}.{key}" if where else key
         if key not in hints:
             hint = meant(key, hints)

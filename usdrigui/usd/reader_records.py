@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from usdrigui.errors import Issue
 from usdrigui.model import Floats, Layout, Performance, Record, Rig
-from usdrigui.settings import Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.source import SourceFile
 
 Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
@@ -18,11 +18,11 @@ Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
 class Limits:
     """What the reading process may take."""
 
-    seconds: float = 300.0
+    seconds: float = ReadSettings().time_limit
     """Wall clock."""
-    memory: int = 8192
+    memory: int = ReadSettings().memory_limit
     """MiB of private memory, beyond what USD itself takes."""
-    size: int = 8192
+    size: int = ReadSettings().size_limit
     """MiB of the asset's file."""
 
     @classmethod

@@ -11,11 +11,13 @@ from usdrigui.deform import Posed, knots, posed, sweep
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import coverage_of_smaller
 from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
-from usdrigui.settings import TrajectorySettings
+from usdrigui.settings import CandidateSettings, TrajectorySettings
 from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
 
 STAGE = "trajectories"
 
+_WHOLE_FACE = CandidateSettings().global_coverage
+"""A control that covers more of the smaller ones does not set the size of the face, whatever counts as global."""
 _EMPTY = 1e-7
 """A control that moves nothing further than this share of the character's size is empty."""
 _OUTLIER = 8.0
@@ -175,7 +177,7 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
     if not len(motions):
         return np.zeros(0, dtype=bool)
     covered = coverage_of_smaller((*motions, *excluded), areas)[: len(motions)]
-    flags: Flags = (covered < 0.6) & (peaks <= _OUTLIER * np.median(peaks))
+    flags: Flags = (covered < _WHOLE_FACE) & (peaks <= _OUTLIER * np.median(peaks))
     return flags if flags.any() else np.ones(len(motions), dtype=bool)
 
 

@@ -42,8 +42,8 @@ def handle_width(
     `standing` (motions,) are those of the controls that are to stand on the face, `toward` is the direction to the
     viewer of a flat layout.
 
-    The largest of the widths from ``objective.handle_least`` to ``objective.handle_size`` at which no more
-    than ``objective.handle_crowd`` controls are around one on average; the least where all are too wide.
+    The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at which no more
+    than ``objective.max_neighbours`` controls are around one on average; the least where all are too wide.
     Invariant under rigid motion, uniform scale and the order and density of points.
     """
     points, weights = _wanted(trajectories, views.anywhere, standing)
@@ -56,13 +56,13 @@ def fitting_width(points: Floats, weights: Floats, frame: Floats, face: float, s
 
     `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are those of `points`.
     """
-    most, least = settings.handle_size * face, min(settings.handle_least, settings.handle_size) * face
-    if settings.handle_crowd <= 0.0 or least >= most or not len(points):
+    most, least = settings.handle_size * face, min(settings.handle_size_min, settings.handle_size) * face
+    if settings.max_neighbours <= 0.0 or least >= most or not len(points):
         return most
     if len(points) > _MANY:
         points, weights = _gathered(points, weights, frame, 0.5 * most)
     widths = np.linspace(least, most, _STEPS + 1)
-    fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.handle_crowd)
+    fits = np.flatnonzero(around(points, weights, _AROUND * widths) <= settings.max_neighbours)
     return float(widths[fits[-1]]) if len(fits) else least
 
 

@@ -50,7 +50,7 @@ def labels_of(
         cost += worst
         displacement += least
     if own_mirror_image(face, group, settings):
-        cost += off_plane(face, choice.anchors[:, 0], settings.symmetry.plane_price)
+        cost += off_plane(face, choice.anchors[:, 0], settings.symmetry.plane_weight)
     return choice, cost, displacement
 
 

@@ -85,7 +85,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
     else:
         radius = settings.overlap_radius * face.handle_width
         sharpness = settings.overlap_sharpness / radius
-    cutoff_distance = settings.overlap_reach * radius or np.inf
+    cutoff_distance = settings.overlap_cutoff * radius or np.inf
     overlap = Overlap(settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight)
     return overlap, face.handle_width if settings.separation else _COINCIDENT * trajectories.face_size
 
@@ -143,9 +143,9 @@ def _variable(
 def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings) -> float:
     """Cost of sending the element and its images to the board; inf where they must stand on the face."""
     overrides = [requests.overrides[control] for control in group.controls]
-    if not settings.beside_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
+    if not settings.off_face_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
         return float(np.inf)
-    return settings.beside_price * len(group.copies)
+    return settings.off_face_penalty * len(group.copies)
 
 
 # --- fixed anchors -----------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ two mirror images, negligible against any other cost."""
 
 def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.trajectories.normals, motion, points, settings.candidates.occlusion_price)
+    own = occlusion(face.trajectories.normals, motion, points, settings.candidates.occlusion_weight)
     return own + user_linear_cost(face, motion, points, settings.objective.terms)
 
 

@@ -60,7 +60,7 @@ def with_drawn_handles(layout: Layout, trajectories: Trajectories, settings: Set
     size = width * (1.0 - _ROUNDING) / trajectories.face_size
     return replace(
         settings,
-        objective=replace(settings.objective, handle_size=size, handle_crowd=0.0),
+        objective=replace(settings.objective, handle_size=size, max_neighbours=0.0),
         groups=replace(settings.groups, groups=groups),
     )
 

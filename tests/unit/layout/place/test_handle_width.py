@@ -38,7 +38,7 @@ def test_a_face_with_room_has_handles_of_the_size_asked_for():
 
 
 def test_the_more_controls_want_the_same_places_the_smaller_their_handles():
-    widths = [width(crowd(count), handle_size=0.04, handle_least=0.001) for count in (0, 20, 40, 80)]
+    widths = [width(crowd(count), handle_size=0.04, handle_size_min=0.001) for count in (0, 20, 40, 80)]
     assert widths[0] == 0.04
     assert np.all(np.diff(widths) < -0.002)
 
@@ -50,28 +50,28 @@ def test_controls_far_apart_do_not_crowd_each_other():
 
 
 def test_handles_never_shrink_below_the_least_nor_grow_above_the_largest():
-    assert width(crowd(120), handle_size=0.04, handle_least=0.035) == pytest.approx(0.035)
-    assert width(crowd(120), handle_size=0.03, handle_least=0.2) == 0.03
-    assert width(crowd(120), handle_size=0.04, handle_crowd=0.0) == 0.04
+    assert width(crowd(120), handle_size=0.04, handle_size_min=0.035) == pytest.approx(0.035)
+    assert width(crowd(120), handle_size=0.03, handle_size_min=0.2) == 0.03
+    assert width(crowd(120), handle_size=0.04, max_neighbours=0.0) == 0.04
 
 
 def test_a_crowd_of_what_stands_beside_the_face_does_not_count():
     rig = crowd(80)
     beside = {f"c{i}": {"place": "beside"} for i in range(80)}
-    said = chain.settings(controls=beside, objective={"handle_size": 0.04, "handle_least": 0.001})
+    said = chain.settings(controls=beside, objective={"handle_size": 0.04, "handle_size_min": 0.001})
     face = chain.face_of(rig, said)
     assert face.handle_width == 0.04 * face.trajectories.face_size
 
 
 def test_the_width_does_not_know_how_finely_the_mesh_is_divided():
-    coarse = width(crowd(80), handle_size=0.04, handle_least=0.001)
-    fine = width(crowd(80, *makers.mask(65, 81)), handle_size=0.04, handle_least=0.001)
+    coarse = width(crowd(80), handle_size=0.04, handle_size_min=0.001)
+    fine = width(crowd(80, *makers.mask(65, 81)), handle_size=0.04, handle_size_min=0.001)
     # Points crowded along the middle have no more say than the others.
     points, quads = makers.mask(65, 81)
     across = (np.linspace(-0.8, 0.8, 65) ** 3 / 0.64)[None, :].repeat(81, axis=0).ravel()
     depth = 0.7 * np.sqrt(np.maximum(0.0, 1.0 - (across / 0.95) ** 2 - (points[:, 1] / 1.25) ** 2))
     uneven = width(
-        crowd(80, np.stack([across, points[:, 1], depth], axis=1), quads), handle_size=0.04, handle_least=0.001
+        crowd(80, np.stack([across, points[:, 1], depth], axis=1), quads), handle_size=0.04, handle_size_min=0.001
     )
     assert coarse < 0.035
     assert fine == pytest.approx(coarse, abs=1.01 * STEP)
@@ -80,7 +80,7 @@ def test_the_width_does_not_know_how_finely_the_mesh_is_divided():
 
 @pytest.mark.parametrize("matrix", [100.0 * np.eye(3), 0.01 * ROTATION])
 def test_the_width_turns_and_grows_with_the_character(matrix):
-    rig, said = crowd(80), chain.settings(objective={"handle_size": 0.04, "handle_least": 0.001})
+    rig, said = crowd(80), chain.settings(objective={"handle_size": 0.04, "handle_size_min": 0.001})
     plain, moved = chain.face_of(rig, said), chain.face_of(makers.moved(rig, matrix, (3.0, 1.0, 2.0)), said)
     assert plain.handle_width < 0.035 * plain.trajectories.face_size
     step = STEP * plain.trajectories.face_size
@@ -94,7 +94,7 @@ def test_what_is_around_is_counted_by_hand():
 
 
 def test_a_fine_mesh_is_gathered_into_cells_and_tells_the_same(monkeypatch):
-    said = {"handle_size": 0.04, "handle_least": 0.001, "handle_crowd": 20.0}
+    said = {"handle_size": 0.04, "handle_size_min": 0.001, "max_neighbours": 20.0}
     whole = width(crowd(80), **said)
     monkeypatch.setattr(handles, "_MANY", 10)
     assert width(crowd(80), **said) == pytest.approx(whole, abs=1.01 * STEP)

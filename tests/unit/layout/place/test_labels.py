@@ -8,7 +8,7 @@ import pytest
 from usdrigui.overlap import own_costs
 
 POINTS, QUADS = makers.mask()
-PLAIN = {"occlusion_price": 0.0, "beside_global": False, "beside_composite": False}
+PLAIN = {"occlusion_weight": 0.0, "beside_global": False, "beside_composite": False}
 
 
 def test_of_two_unlike_members_the_lesser_displacement_counts():
@@ -21,7 +21,7 @@ def test_of_two_unlike_members_the_lesser_displacement_counts():
         makers.rig(POINTS, QUADS, shapes),
         chain.settings(
             candidates={**PLAIN, "prune_at": 0.0, "peak_share": 0.2, "occlusion": False},
-            symmetry={"plane_price": 0.0},
+            symmetry={"plane_weight": 0.0},
             objective={"relative_displacement": 0.0},
             groups={"groups": {"both": ["up", "out"]}},
         ),
@@ -42,7 +42,7 @@ def test_a_middle_element_stands_on_the_plane_for_a_price(price, on_plane):
     both = sum(makers.bump(POINTS, (side * 0.3, -0.4), (0, 1, 0), 0.2, 0.10) for side in (-1.0, 1.0))
     shape = both + makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.2, 0.09)
     rig = makers.rig(POINTS, QUADS, {**makers.face_shapes(POINTS), "press": shape})
-    line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_price": price}))
+    line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_weight": price}))
     anchor = chain.by_name(line)["press"].anchor
     assert not anchor.beside
     assert (abs(anchor.position[0]) < 1e-6) == on_plane
@@ -60,7 +60,7 @@ def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_a
         chain.settings(
             candidates=PLAIN,
             groups={"opposed": False},
-            objective={"displacement_weight": 1.0, "separation": kept_apart, "handle_size": 0.3, "handle_crowd": 0.0},
+            objective={"displacement_weight": 1.0, "separation": kept_apart, "handle_size": 0.3, "max_neighbours": 0.0},
         ),
     )
     one, other = (each.anchor for each in line.layout.elements)
@@ -78,7 +78,7 @@ def rig_with(**more):
 
 def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     flat = chain.settings(
-        candidates={"occlusion_price": 0.0}, objective={"relative_displacement": 0.0}, groups={"opposed": False}
+        candidates={"occlusion_weight": 0.0}, objective={"relative_displacement": 0.0}, groups={"opposed": False}
     )
     line = chain.problem_of(makers.face(), flat)
     index = [variable.name for variable in line.problem.variables].index("brow_L")
@@ -94,7 +94,7 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
 
 def test_a_group_counts_its_worst_member():
     both = chain.settings(
-        candidates={"occlusion_price": 0.0}, symmetry={"plane_price": 0.0}, objective={"relative_displacement": 0.0}
+        candidates={"occlusion_weight": 0.0}, symmetry={"plane_weight": 0.0}, objective={"relative_displacement": 0.0}
     )
     line = chain.problem_of(makers.face(), both)
     index = [variable.name for variable in line.problem.variables].index("jawRight_jawLeft")
@@ -144,7 +144,7 @@ def test_the_paper_preset_takes_the_constants_literally():
 def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
     out = makers.bump(POINTS, (0.2, -0.2), (0, 0, 1), 0.2, 0.1)
     up = makers.bump(POINTS, (0.2, -0.2), (0, 1, 0), 0.2, 0.1)
-    flat = chain.settings(candidates={"space": "view", "view": "front", "occlusion_price": 0.0})
+    flat = chain.settings(candidates={"space": "view", "view": "front", "occlusion_weight": 0.0})
     line = chain.problem_of(rig_with(out=out, up=up), flat)
     costs = {variable.name: variable.cost.min(initial=np.inf) for variable in line.problem.variables}
     assert costs["up"] < -0.5

@@ -24,7 +24,7 @@ def costs(rig, **candidates):
     settings = chain.settings(candidates=candidates)
     face = chain.face_of(rig, settings)
     motion = face.trajectories.motions[0]
-    own = occlusion(face.trajectories.normals, motion, motion.points, settings.candidates.occlusion_price)
+    own = occlusion(face.trajectories.normals, motion, motion.points, settings.candidates.occlusion_weight)
     return own, linear_cost(face, motion, motion.points, settings)
 
 
@@ -44,7 +44,7 @@ def test_both_directions_count_where_the_control_goes_both_ways():
 
 
 def test_the_price_is_a_setting():
-    own, _ = costs(sheet(lambda points: np.tile([0.0, 0.0, -1.0], (len(points), 1))), occlusion_price=0.6)
+    own, _ = costs(sheet(lambda points: np.tile([0.0, 0.0, -1.0], (len(points), 1))), occlusion_weight=0.6)
     assert own == pytest.approx(np.full(SIDE * SIDE, 0.6), abs=1e-6)
 
 
