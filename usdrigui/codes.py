@@ -645,6 +645,11 @@ _CODES: dict[str, Code] = {
     "PROBLEM_FILE": Code(
         "error", "The file is no layout problem of this version.", "Save it again with this version.", Exit.FILE
     ),
+    "EXPLANATION_FAILED": Code(
+        "warning",
+        "usdrigui made a mistake while it put into words why a layout is as it is; the layout itself is sound.",
+        "Please report it with the asset and the command.",
+    ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),
 }

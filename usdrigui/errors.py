@@ -8,9 +8,10 @@ records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
+from typing import TypeVar
 
 from usdrigui.codes import CODES, Exit, Severity
 
@@ -21,6 +22,7 @@ __all__ = [
     "RigUIError",
     "Severity",
     "by_cause",
+    "explained",
     "failure_json",
     "issue",
     "meant",
@@ -31,6 +33,9 @@ __all__ = [
 
 
 REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
+
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +82,18 @@ def failure_json(asset: str, error: RigUIError) -> str:
         "issues": [asdict(error.issue)],
     }
     return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
+
+
+def explained(tell: Callable[[], T], instead: T, path: str) -> tuple[T, tuple[Issue, ...]]:
+    """What `tell` says, or `instead` and the warning EXPLANATION_FAILED where it makes a mistake.
+
+    For words about a layout alone, which decide nothing in it: a mistake of ours there costs the words, not the layout.
+    Refusals, interruptions and want of memory pass.
+    """
+    try:
+        return tell(), ()
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        return instead, (issue("EXPLANATION_FAILED", path, f"{type(error).__name__}: {error}"),)
 
 
 def sentences(found: Issue) -> str:

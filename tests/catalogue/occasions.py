@@ -29,6 +29,7 @@ from usdrigui import distributions, pipeline, rays
 from usdrigui.cli import main, supervised
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError, issue, refuse
+from usdrigui.layout.classify import classification
 from usdrigui.layout.motion import trajectory
 from usdrigui.settings import Settings, SolveSettings
 from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
@@ -204,6 +205,15 @@ def _animated(names: str) -> Occasion:
         return command("inspect", smallest.character(folder), "--animation", take)
 
     return occasion
+
+
+def _unexplained(folder: Path, patch: Any) -> Found:
+    """A control that repeats another, where the sentence about it makes a mistake."""
+    path = smallest.character(folder)
+    same = "(0,0,1), (0,0,0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"
+    path.write_text(re.sub(r"\(0,0,0\), .*\(0,0,0.3\), \(0,0,1\)\]", same, path.read_text()))
+    patch.setattr(classification, "explanation", lambda *_: [][1])
+    return command("process", path)
 
 
 def _obsolete(folder: Path, _: Any) -> Found:
@@ -584,6 +594,7 @@ OCCASIONS: Mapping[str, Occasion] = {
     "CLIP_UNKNOWN_CONTROL": _animated("'wing', 'smile'"),
     "CLIP_FOREIGN": _animated("'wing', 'tail'"),
     "LAYER_UNREADABLE": _obsolete,
+    "EXPLANATION_FAILED": _unexplained,
     "BASE_COMPLETE": _based(),
     "BASE_APART": _based(('"Char"', '"Hero"'), ("</Char/", "</Hero/")),
     "BASE_MISMATCH": _based(("Face", "Nose")),

@@ -7,11 +7,12 @@ The stages between a rig and its problem are those of `usdrigui.pipeline.stages`
 
 from __future__ import annotations
 
+import functools
 import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Issue, explained, issue, refuse
 from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, rigs_over
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
@@ -148,7 +149,11 @@ def _lay_out(
     if existing is not None:
         layout = existing_layout.combined(existing, existing_layout.uniquify_names(layout, existing))
     previous = examples.previous.get(rig.root)
-    return _account(inputs, layout, assignment, _changes(inputs, previous, layout, assignment) if previous else None)
+    if previous is None:
+        return _account(inputs, layout, assignment)
+    tell = functools.partial(_changes, inputs, previous, layout, assignment)
+    changes, issues = explained(tell, None, rig.root)
+    return _account(inputs, layout, assignment, changes, issues)
 
 
 def _changes(inputs: ProblemInputs, previous: Layout, layout: Layout, assignment: Assignment) -> Difference:
@@ -157,7 +162,11 @@ def _changes(inputs: ProblemInputs, previous: Layout, layout: Layout, assignment
 
 
 def _account(
-    inputs: ProblemInputs, layout: Layout, assignment: Assignment, changes: Difference | None
+    inputs: ProblemInputs,
+    layout: Layout,
+    assignment: Assignment,
+    changes: Difference | None = None,
+    unexplained: tuple[Issue, ...] = (),
 ) -> CharacterReport:
     rig = inputs.face.rig
     controls = rig.controls
@@ -171,7 +180,7 @@ def _account(
         assignment=assignment,
         rows=rows_of(rig, layout, peaks, inputs.twin_names),
         notes=tuple(note for note in inputs.left_off if note.control in placed),
-        issues=(*inputs.issues, *_nothing_added(inputs, layout)),
+        issues=(*inputs.issues, *unexplained, *_nothing_added(inputs, layout)),
         difference=changes,
         added=_added(inputs, layout),
     )

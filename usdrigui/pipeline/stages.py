@@ -76,6 +76,7 @@ class ProblemInputs:
     face: Face
     similarity: Similarity
     requests: Requests
+    classification: tuple[Classification, ...]
     settings: Settings
     candidates: Candidates
     placement: PlacementProblem
@@ -85,7 +86,8 @@ class ProblemInputs:
     @property
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
-        return (*self.face.rig.issues, *self.face.trajectories.issues)
+        unexplained = (found for each in self.classification for found in each.issues)
+        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained)
 
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
@@ -146,7 +148,7 @@ def problem_at(
         groups = find_groups(face, candidates, alike, requests, settings)
         groups = with_levels(rig, groups, settings.levels, requests.existing_names)
         placement = placement_problem(face, candidates, groups, requests, settings)
-    return ProblemInputs(face, alike, requests, settings, candidates, placement, base_values)
+    return ProblemInputs(face, alike, requests, measured.classification, settings, candidates, placement, base_values)
 
 
 def measure(

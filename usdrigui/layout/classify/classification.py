@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 import numpy as np
 
-from usdrigui.layout.classify.composites import composites
+from usdrigui.errors import Issue, explained
+from usdrigui.layout.classify.composites import composites, explanation
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
@@ -28,6 +30,8 @@ class Classification:
     off_face_reason: str = ""
     coverage: float = 0.0
     """Share of the visible face that it moves notably."""
+    issues: tuple[Issue, ...] = ()
+    """EXPLANATION_FAILED where the reason could not be put into words."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,8 +42,7 @@ class _Evidence:
     moves_everything: bool
     vanishes: bool
     visible_share: float
-    composite: str
-    """Which controls it repeats; empty where it repeats none."""
+    composite: bool
 
 
 def classify(
@@ -60,6 +63,7 @@ def classify(
     every = (*trajectories.motions, *trajectories.excluded)
     covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
     vanish, repeated = visibility_shapes(rig, trajectories, views), composites(rig, trajectories, symmetry, similarity)
+    names = [rig.controls[motion.control].name for motion in trajectories.motions]
     found = []
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
@@ -67,17 +71,21 @@ def classify(
             moves_everything=_moves_everything(trajectories, motion),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion),
-            composite=repeated.get(index, ""),
+            composite=index in repeated,
         )
         category, reason = _category(evidence, motion.control, requests, settings)
-        found.append(Classification(category, reason, float(shares[index])))
+        issues: tuple[Issue, ...] = ()
+        if category == "composite":
+            tell = functools.partial(explanation, repeated[index], names)
+            reason, issues = explained(tell, "repeats other controls", names[index])
+        found.append(Classification(category, reason, float(shares[index]), issues))
     return tuple(found)
 
 
 def _category(
     evidence: _Evidence, control: int, requests: Requests, settings: CandidateSettings
 ) -> tuple[Category, str]:
-    """Category and reason, both empty for a control that is to stand on the face."""
+    """Category and reason, both empty for a control that is to stand on the face; that of a composite is left open."""
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
@@ -90,7 +98,7 @@ def _category(
         return "hidden", "moves only what no view shows"
     # A control that stands on the face already is not sent away because another one was added.
     if settings.beside_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
-        return "composite", evidence.composite
+        return "composite", ""
     if override.place == "beside":
         return "requested", "placed beside the face by the configuration"
     return "", ""

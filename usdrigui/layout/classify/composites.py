@@ -12,6 +12,10 @@ the atoms, so they go to the board.  They are recognised by what they share with
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
 import numpy as np
 from scipy.optimize import nnls
 from scipy.sparse import csr_array
@@ -41,29 +45,52 @@ _FAR_PAIRS = 2
 """Pairs of distant atoms that a spread contains."""
 
 
-def composites(rig: Rig, trajectories: Trajectories, symmetry: Symmetry, similarity: Similarity) -> dict[int, str]:
-    """Indices of the motions that are composites, each with the reason; both twins of a pair or neither."""
+@dataclass(frozen=True)
+class Composite:
+    """Which others a control repeats."""
+
+    kind: Literal["repetition", "mixture", "spread"]
+    parts: tuple[int, ...]
+    """Indices of the motions that are to be named, the strongest first."""
+    amount: float = 1.0
+    """Of a repetition: how far it goes, as a share of the other."""
+
+
+def explanation(composite: Composite, names: Sequence[str]) -> str:
+    """Why a control is a composite, in words; `names` are those of the motions."""
+    parts = [names[part] for part in composite.parts]
+    if composite.kind == "repetition":
+        return f"does the same as {parts[0]}, {composite.amount:.0%} as far"
+    if composite.kind == "mixture":
+        return f"does what {_listed(parts)} do together"
+    return f"moves distant parts of the face at once, as {_listed(parts)} do"
+
+
+def composites(
+    rig: Rig, trajectories: Trajectories, symmetry: Symmetry, similarity: Similarity
+) -> dict[int, Composite]:
+    """The motions that are composites, by index; both twins of a pair or neither."""
     shares = _Shares(rig, trajectories, similarity)
-    found: dict[int, str] = {}
+    found: dict[int, Composite] = {}
     for index in shares.largest_first:
         rest = [i for i in range(len(trajectories.motions)) if i != index and i not in found]
         both_sides = symmetry.twins[trajectories.motions[index].control] == trajectories.motions[index].control
-        reason = shares.repetition(index, rest) or shares.mixture(index, rest)
-        if not reason and both_sides:
-            reason = shares.spread(index, rest)
-        if reason:
-            found[index] = reason
+        composite = shares.repetition(index, rest) or shares.mixture(index, rest)
+        if composite is None and both_sides:
+            composite = shares.spread(index, rest)
+        if composite is not None:
+            found[index] = composite
     return _with_twins(found, trajectories, symmetry)
 
 
-def _with_twins(found: dict[int, str], trajectories: Trajectories, symmetry: Symmetry) -> dict[int, str]:
+def _with_twins(found: dict[int, Composite], trajectories: Trajectories, symmetry: Symmetry) -> dict[int, Composite]:
     """Only those whose twin was found too."""
     index = {motion.control: i for i, motion in enumerate(trajectories.motions)}
     kept = {}
-    for i, reason in found.items():
+    for i, composite in found.items():
         twin = int(symmetry.twins[trajectories.motions[i].control])
         if twin < 0 or index.get(twin, i) in found:
-            kept[i] = reason
+            kept[i] = composite
     return kept
 
 
@@ -80,29 +107,31 @@ class _Shares:
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
         self.far = _distant(trajectories, similarity, rig.up)
 
-    def repetition(self, index: int, rest: list[int]) -> str:
+    def repetition(self, index: int, rest: list[int]) -> Composite | None:
         for other in rest:
             least = _STEP if is_step_of(self.names[index], self.names[other]) else _PARALLEL
             if self.cosine[index, other] > least and self._stronger(other, index):
-                share = self.norm[index] / self.norm[other]
-                return f"does the same as {self.names[other]}, {share:.0%} as far"
-        return ""
+                return Composite("repetition", (other,), float(self.norm[index] / self.norm[other]))
+        return None
 
-    def mixture(self, index: int, rest: list[int]) -> str:
+    def mixture(self, index: int, rest: list[int]) -> Composite | None:
         parts = self._parts(index, rest)
         if not parts:
-            return ""
+            return None
         table, target = self.cosine[np.ix_(parts, parts)], self.cosine[parts, index]
         # The least-squares problem of the fields themselves, by way of their products.
         root = np.linalg.cholesky(table + 1e-4 * np.eye(len(parts)))
-        weights, _ = nnls(root.T, np.linalg.solve(root, target))
+        try:
+            weights, _ = nnls(root.T, np.linalg.solve(root, target))
+        except RuntimeError:  # Too many steps: it mixes no few others.
+            return None
         explained = float(2.0 * weights @ target - weights @ table @ weights)
         effective = float(np.square(weights).sum() ** 2 / max(float((weights**4).sum()), 1e-300))
         if explained < _EXPLAINED or effective < _PARTS:
-            return ""
+            return None
         named = weights > _NAMED * weights.max()
-        strongest = [self.names[parts[i]] for i in np.argsort(-rounded(weights), kind="stable")[:3] if named[i]]
-        return f"does what {_listed(strongest)} do together"
+        strongest = [parts[i] for i in np.argsort(-rounded(weights), kind="stable")[:3] if named[i]]
+        return Composite("mixture", tuple(strongest))
 
     def _parts(self, index: int, rest: list[int]) -> list[int]:
         """What a control may be a mixture of: smaller controls that do some of the same, none of them the control once
@@ -113,13 +142,12 @@ class _Shares:
         repeats = np.tril(self.cosine[np.ix_(some, some)] > _PARALLEL, -1).any(axis=1)
         return [int(i) for i in some[~repeats]]
 
-    def spread(self, index: int, rest: list[int]) -> str:
+    def spread(self, index: int, rest: list[int]) -> Composite | None:
         inside = [i for i in rest if self.contains[index, i] and self.size[i] < self.size[index]]
         pairs = [(a, b) for a in inside for b in inside if a < b and self.far[a, b]]
         if len(pairs) < _FAR_PAIRS:
-            return ""
-        a, b = max(pairs, key=lambda pair: round(float(self.cosine[index, pair].sum()), 9))
-        return f"moves distant parts of the face at once, as {self.names[a]} and {self.names[b]} do"
+            return None
+        return Composite("spread", max(pairs, key=lambda pair: round(float(self.cosine[index, pair].sum()), 9)))
 
     def _stronger(self, a: int, b: int) -> bool:
         if abs(self.norm[a] - self.norm[b]) <= 1e-6 * self.norm[a]:

@@ -1,10 +1,13 @@
 """Composites: controls that repeat others."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
+from usdrigui.layout.classify import classification
 from usdrigui.layout.classify.composites import composites
 
 POINTS, QUADS = makers.mask()
@@ -78,4 +81,19 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
     face = measured.face
     found = composites(face.rig, face.trajectories, face.symmetry, measured.similarity)
     assert [face.rig.controls[face.trajectories.motions[i].control].name for i in found] == ["emotion"]
-    assert "distant" in next(iter(found.values()))
+    assert next(iter(found.values())).kind == "spread"
+
+
+def test_an_explanation_that_fails_costs_the_words_alone(monkeypatch):
+    rig = rig_with(both=SHAPES["smile_L"] + SHAPES["smile_R"])
+    sound = chain.measured(rig).classification
+    monkeypatch.setattr(classification, "explanation", lambda *_: [][1])
+    spoilt = chain.measured(rig).classification
+    (index,) = (i for i, each in enumerate(spoilt) if each.issues)
+    assert replace(spoilt[index], off_face_reason=sound[index].off_face_reason, issues=()) == sound[index]
+    assert [each for i, each in enumerate(spoilt) if i != index] == [each for i, each in enumerate(sound) if i != index]
+    assert spoilt[index].off_face_reason == "repeats other controls"
+    assert (spoilt[index].issues[0].code, spoilt[index].issues[0].path) == ("EXPLANATION_FAILED", "both")
+    monkeypatch.setattr(classification, "explanation", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        chain.measured(rig)
