@@ -73,6 +73,18 @@ def test_same_records_same_page(face):
     assert page_html([face], "face") == page_html([face], "face")
 
 
+def test_work_belongs_to_a_character_not_to_its_layout(face):
+    rig, layout = face
+    meshes = (replace(rig.meshes[0], points=1.01 * rig.meshes[0].points), *rig.meshes[1:])
+
+    def identity(rig, layout):
+        return unpacked(pack([(rig, layout)], "face"))[0]["characters"][0]["identity"]
+
+    assert identity(rig, replace(layout, elements=layout.elements[1:])) == identity(rig, layout)
+    assert identity(replace(rig, meshes=meshes), layout) != identity(rig, layout)
+    assert identity(replace(rig, controls=rig.controls[::-1]), layout) != identity(rig, layout)
+
+
 def test_title_is_escaped(face):
     title = "</title><script>alert('x')</script> & \"co\""
     page = page_html([face], title)

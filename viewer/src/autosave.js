@@ -12,9 +12,8 @@ export class Autosave {
     this.storage = storage;
     this.prefix = `usdrigui ${session.character.identity} `;
     this.slot = `${this.prefix}${Date.now().toString(36)}${Math.random().toString(36).slice(2, 8)}`;
-    this.begun = JSON.stringify(workOf(session));
-    this.stored = this.begun;
-    this.filed = this.begun;
+    this.stored = null; // the work that the browser holds, as text
+    this.filed = null; // and that of the last saved file
   }
 
   /** Follow the session; `onfail` hears once when something cannot be stored. */

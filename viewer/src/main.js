@@ -182,7 +182,7 @@ class App {
     this.notice.textContent = text;
     this.notice.hidden = false;
     clearTimeout(this.silence);
-    this.silence = setTimeout(() => (this.notice.hidden = true), 2400);
+    this.silence = setTimeout(() => (this.notice.hidden = true), Math.max(2400, 70 * text.length)); // time to read it
   }
 
   // --- keys ------------------------------------------------------------------------------------------
