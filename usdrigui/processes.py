@@ -152,11 +152,13 @@ class Printed:
                 del self._kept[:-_KEPT_TEXT]
 
 
-def kill(process: subprocess.Popen[bytes]) -> None:
-    """End a process that nobody has waited for yet, so that `reaped` still finds it."""
+def kill(process: subprocess.Popen[bytes], *, group: bool = False) -> None:
+    """End a process that nobody has waited for yet, so that `reaped` still finds it; `group`: with all its group."""
     with contextlib.suppress(OSError):
         if sys.platform == "win32":
             process.kill()
+        elif group:
+            os.killpg(process.pid, signal.SIGKILL)
         else:
             os.kill(process.pid, signal.SIGKILL)
 

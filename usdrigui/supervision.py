@@ -40,6 +40,8 @@ STOP, KILL = "stop", "kill"
 
 _PATIENCE = 3.0
 """Seconds in which a worker that was asked to stop must have ended, unless it searches or writes."""
+_LAST_WORDS = 2.0
+"""Seconds in which the messages of a worker that was ended must have come."""
 _LAST = 60.0
 """Seconds in which one that searches or writes must have ended after its time was up."""
 
@@ -69,20 +71,22 @@ def supervise(
     *,
     terminals: tuple[bool, bool] = (False, False),
     limit: tuple[float, RigUIError] | None = None,
+    alone: bool = False,
 ) -> Outcome:
     """Run a command in a worker until it ends.
 
     Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text); `events` is where STOP
     and KILL come from; `terminals` tells whether standard output and error are terminals; `limit` is wall clock in
-    seconds and the error that it is when they have passed.
+    seconds and the error that it is when they have passed; `alone` gives the worker a session of its own, which ends
+    with it, where it would else be stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
     with signals_later():
         try:
-            process = _started(arguments, terminals)
+            process = _started(arguments, terminals, alone)
         except (OSError, TypeError, ValueError) as error:
             return _dead(refuse("WORKER_LOST", "", f"the working process cannot be started: {error}"))
-    watch = _Watch(process, show, limit)
+    watch = _Watch(process, show, limit, alone)
     assert process.stdout is not None
     assert process.stderr is not None
     printed = Printed(process.stderr)
@@ -94,7 +98,7 @@ def supervise(
             except Empty:
                 watch.time_passed()
     finally:
-        kill(process)
+        kill(process, group=alone)
         code, peak = reaped(process)
         printed.close()
         assert process.stdin is not None
@@ -103,7 +107,7 @@ def supervise(
     return watch.outcome(End(code, watch.late, peak, printed.text))
 
 
-def _started(arguments: Sequence[str], terminals: tuple[bool, bool]) -> subprocess.Popen[bytes]:
+def _started(arguments: Sequence[str], terminals: tuple[bool, bool], alone: bool) -> subprocess.Popen[bytes]:
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
     process = subprocess.Popen(
@@ -112,6 +116,7 @@ def _started(arguments: Sequence[str], terminals: tuple[bool, bool]) -> subproce
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         env=environment(**shape),
+        start_new_session=alone,
     )
     assert process.stdin is not None
     greeting = {"parent": os.getpid(), "out": terminals[0], "err": terminals[1]}
@@ -136,6 +141,7 @@ class _Watch:
     process: subprocess.Popen[bytes]
     show: Callable[[str, str], None]
     limit: tuple[float, RigUIError] | None
+    alone: bool
     start: float = field(default_factory=time.monotonic)
     ended: bool = False
     late: bool = False
@@ -148,6 +154,8 @@ class _Watch:
     reading: Reading | None = None
     reading_ends: float = 0.0
     kill_at: float = 0.0
+    gone_by: float = 0.0
+    """When a worker that was ended is waited for no longer: something that it started may hold its pipe."""
     patient: bool = False
     writing: tuple[str, ...] = ()
     written: list[str] = field(default_factory=list)
@@ -165,7 +173,9 @@ class _Watch:
     def time_passed(self) -> None:
         """Something's time is up."""
         now = time.monotonic()
-        if self.limit is not None and now >= self.start + self.limit[0]:
+        if self.gone_by:
+            self.ended |= now >= self.gone_by
+        elif self.limit is not None and now >= self.start + self.limit[0]:
             self._end(self.limit[1])
         elif self.kill_at and now >= self.kill_at:
             self._end(self.death or _interrupted())
@@ -214,7 +224,8 @@ class _Watch:
     def _end(self, why: RigUIError | None = None) -> None:
         self.death = why or self.death
         self.limit, self.deadline, self.reading_ends, self.kill_at = None, 0.0, 0.0, 0.0
-        kill(self.process)
+        self.gone_by = time.monotonic() + _LAST_WORDS
+        kill(self.process, group=self.alone)
 
     def _on_print(self, message: dict[str, Any]) -> None:
         self.show(message["stream"], message["text"])

@@ -161,8 +161,10 @@ class Screen:
         outcomes = ("written", "unchanged", "skipped", "refused", "failed")
         told = ", ".join(f"{summary.count(each)} {each}" for each in outcomes if summary.count(each))
         sound = sum(row.sound for row in summary.rows)
-        rate = 60.0 * len(summary.rows) / max(summary.seconds, 1e-9)
-        verdict = f"usdrigui: {sound} of {len(summary.rows)} assets have their layout: {told}"
+        count = len(summary.rows) - summary.count("part")
+        rate = 60.0 * count / max(summary.seconds, 1e-9)
+        stopped = "stopped; " if any(row.code == "INTERRUPTED" for row in summary.rows) else ""
+        verdict = f"usdrigui: {stopped}{sound} of {count} assets have their layout: {told}"
         self._out.print(f"{verdict}; {summary.seconds:.1f} s, {rate:.1f} a minute", soft_wrap=True)
 
     def review(self, found: LayerReview) -> None:

@@ -311,7 +311,7 @@ def _job(script: str, timeout: float = 0.0) -> Occasion:
     from usdrigui.clients.batch.job import Job
 
     def occasion(folder: Path, patch: Any) -> Found:
-        _impersonated(folder, patch, jobs.sys, script)
+        _impersonated(folder, patch, sys, script)
         row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", (), "", timeout))
         return row.exit, [asdict(issue(row.code, row.asset, row.message))]
 
@@ -610,9 +610,9 @@ OCCASIONS: Mapping[str, Occasion] = {
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),
-    "BATCH_TIME_LIMIT": _job("sleep 60", 0.2),
+    "BATCH_TIME_LIMIT": _job("exec sleep 60", 0.2),
     "BATCH_KILLED": _job("kill -KILL $$"),
-    "BATCH_NO_REPORT": _job("exit 7"),
+    "BATCH_NO_REPORT": _job(_told("end", code=7, out="", err="")),
     "BATCH_TOO_MANY": _too_many,
     "BATCH_SCHEDULER": _no_scheduler,
     "ANIMATION_MISSING": _no_animation,

@@ -3,31 +3,21 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import signal
 import subprocess
 import sys
-import threading
 import time
 from pathlib import Path
 
 import pytest
 from processes import children_of, until
 
-from usdrigui.cli import main
 from usdrigui.clients.batch import run
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP] if sys.platform != "win32" else []
-
-
-@pytest.fixture(autouse=True)
-def heeded():
-    """No signal is ignored to begin with, as it is where a shell has put the tests in the background."""
-    before = {each: signal.signal(each, signal.default_int_handler) for each in ENDING}
-    yield
-    for each, handler in before.items():
-        signal.signal(each, handler)
 
 
 def hanging(folder, count=3):
@@ -44,75 +34,46 @@ def gone(process):
     return True
 
 
-@pytest.mark.parametrize("number", ENDING)
-def test_a_signal_ends_the_processes_of_a_batch(tmp_path, number):
-    batch = subprocess.Popen(
-        [sys.executable, "-m", "usdrigui", "batch", hanging(tmp_path), "--jobs", "2"],
+def batch_of(folder, *options):
+    return subprocess.Popen(
+        [sys.executable, "-m", "usdrigui", "batch", hanging(folder), "--jobs", "2", *options],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),  # as not in the background
     )
-    workers = until(lambda: found if len(found := children_of(batch.pid)) == 2 else None)
-    readers = until(lambda: found if len(found := children_of(*workers)) == 2 else None)
-    try:
-        for _ in range(3):  # the later ones come while the processes are being ended, which they must not stop
-            batch.send_signal(number)
-        _, told = batch.communicate(timeout=60)
-        assert batch.returncode == 4
-        assert "INTERRUPTED" in told
-        assert "Traceback" not in told
-        until(lambda: all(map(gone, [*workers, *readers])))
-        assert not [each.name for each in tmp_path.iterdir() if "rigui" in each.name]
-    finally:
-        for each in (*workers, *readers):
-            with contextlib.suppress(OSError):
-                os.kill(each, signal.SIGKILL)
 
 
-@pytest.fixture
-def nothing_to_do(monkeypatch, tmp_path):
-    """A batch whose work is a look at the handlers that hold meanwhile."""
-    seen = []
-
-    def look(jobs, workers):
-        del jobs, workers
-        seen.append([signal.getsignal(each) for each in ENDING])
-        yield from ()
-
-    monkeypatch.setattr(run, "run_local", look)
-    (tmp_path / "char.usda").touch()
-    return ["batch", str(tmp_path / "char.usda"), "--quiet"], seen
+def processes_of(batch):
+    """The batch's worker and those of its assets, all of them."""
+    (worker,) = until(lambda: children_of(batch.pid))
+    return worker, *until(lambda: found if len(found := children_of(worker)) == 2 else None)
 
 
-def test_the_handlers_are_put_back(nothing_to_do):
-    command, seen = nothing_to_do
-    before = [signal.getsignal(each) for each in ENDING]
-    assert main(command) == 0
-    assert not set(seen[0]) & set(before)
-    assert [signal.getsignal(each) for each in ENDING] == before
+@pytest.mark.parametrize("number", ENDING)
+def test_a_signal_ends_the_processes_of_a_batch_and_not_its_account(tmp_path, number):
+    (tmp_path / "a.usd").write_text("#usda 1.0\n")  # refused at once
+    batch = batch_of(tmp_path, "--summary", str(tmp_path / "summary.json"))
+    processes = processes_of(batch)
+    until(lambda: batch.stderr.readline().startswith("[1/4]"))
+    batch.send_signal(number)
+    told, errors = batch.communicate(timeout=60)
+    assert batch.returncode == 4
+    assert "Traceback" not in errors
+    assert told.splitlines()[-1].startswith("usdrigui: stopped; 0 of 4 assets")
+    until(lambda: all(map(gone, processes)))
+    rows = json.loads((tmp_path / "summary.json").read_text())["assets"]
+    assert [row["code"] == "INTERRUPTED" for row in rows] == [False, True, True, True]
+    assert not [each.name for each in tmp_path.iterdir() if "rigui" in each.name]
 
 
-def test_a_signal_that_is_ignored_stays_ignored(nothing_to_do):
-    """As under ``nohup``."""
-    command, seen = nothing_to_do
-    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
-    try:
-        assert main(command) == 0
-        assert seen[0][ENDING.index(signal.SIGHUP)] == signal.SIG_IGN
-        assert signal.getsignal(signal.SIGHUP) == signal.SIG_IGN
-    finally:
-        signal.signal(signal.SIGHUP, before)
-
-
-def test_a_batch_of_another_thread_leaves_the_handlers_alone(nothing_to_do):
-    """Python lets the main thread alone set them."""
-    command, seen = nothing_to_do
-    codes = []
-    thread = threading.Thread(target=lambda: codes.append(main(command)))
-    thread.start()
-    thread.join(60)
-    assert codes == [0]
-    assert seen == [[signal.getsignal(each) for each in ENDING]]
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a process with its parent")
+def test_a_batch_that_is_killed_leaves_no_process(tmp_path):
+    batch = batch_of(tmp_path)
+    processes = processes_of(batch)
+    batch.kill()
+    batch.communicate(timeout=60)
+    until(lambda: all(map(gone, processes)))
 
 
 def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):
@@ -135,6 +96,6 @@ def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):
     monkeypatch.setattr(run, "ThreadPoolExecutor", Pool)
     monkeypatch.setattr(run, "run_job", slow)
     with pytest.raises(KeyboardInterrupt):
-        next(run.run_local(["first", "second", "third"], 1))
+        list(run.run_local(["first", "second", "third"], 1))
     assert given[1].cancelled()
     assert done == ["first"]

@@ -11,7 +11,9 @@ from pathlib import Path
 
 import batch_assets
 import pytest
+import smallest
 from PIL import Image
+from pxr import Sdf
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
@@ -40,7 +42,7 @@ def outcomes(document):
 
 def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, tmp_path, capsys):
     first = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
-    assert first["counts"] == {"written": 2, "unchanged": 0, "skipped": 0, "refused": 1, "failed": 0}
+    assert first["counts"] == {"written": 2, "unchanged": 0, "skipped": 0, "refused": 1, "failed": 0, "part": 0}
     (refused,) = [row for row in first["assets"] if row["outcome"] == "refused"]
     assert (refused["code"], refused["exit"]) == ("FILE_NOT_USD", 1)
     assert refused["repair"]
@@ -51,7 +53,7 @@ def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, t
     layers = {path: path.stat().st_mtime_ns for path in folder.rglob("*.rigui.usda")}
 
     second = batch(folder, capsys, "--sheet", str(tmp_path / "sheet.png"), expected_exit=1)
-    assert second["counts"] == {"written": 0, "unchanged": 0, "skipped": 2, "refused": 1, "failed": 0}
+    assert second["counts"] == {"written": 0, "unchanged": 0, "skipped": 2, "refused": 1, "failed": 0, "part": 0}
     assert {path: path.stat().st_mtime_ns for path in layers} == layers
     same = [(row["face"], row["beside"], row["gap"]) for row in first["assets"]]
     assert [(row["face"], row["beside"], row["gap"]) for row in second["assets"]] == same
@@ -87,7 +89,8 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     job = Job(str(asset), str(output), str(picture), (), "settings")
     files = [Path("split.usda"), Path("a0/char.usda")]
     sources = [{"path": each.as_posix(), "sha256": state.hashed(folder / each).sha256} for each in files]
-    row = jobs.Row(job.asset, job.output, job.picture, "written", 0)
+    paths = tuple(os.path.realpath(folder / each) for each in files)
+    row = jobs.Row(job.asset, job.output, job.picture, "written", 0, sources=paths)
     written = {name: getattr(row, name) for name in row.__slots__}
 
     def remembered():
@@ -131,14 +134,18 @@ def fake(monkeypatch, tmp_path, text):
     return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "", (), "")
 
 
+END = """echo '{"what": "end", "code": 0, "out": "rubbish", "err": ""}'"""
+
+
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 @pytest.mark.parametrize(
     ("text", "code", "exit_code"),
     [
         ("kill -9 $$", "BATCH_KILLED", 4),
-        ("kill -11 $$", "BATCH_KILLED", 4),
-        ("echo rubbish; exit 5", "BATCH_NO_REPORT", 5),
-        ("exit 0", "BATCH_NO_REPORT", 5),
+        ("kill -11 $$", "WORKER_CRASHED", 5),
+        ("echo rubbish; exit 5", "WORKER_CRASHED", 5),
+        ("exit 0", "WORKER_CRASHED", 5),
+        (END, "BATCH_NO_REPORT", 5),
     ],
 )
 def test_a_process_that_dies_is_a_row(monkeypatch, tmp_path, text, code, exit_code):
@@ -156,10 +163,10 @@ def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
 
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
-    fake(monkeypatch, tmp_path, f"[ $4 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
+    fake(monkeypatch, tmp_path, f"[ $5 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
     many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", (), "") for i in range(6)]
     rows = run.run_local(many, 2)
-    assert next(rows).code == "BATCH_NO_REPORT"
+    assert next(rows).code == "WORKER_CRASHED"
     deadline = time.monotonic() + 30
     while not (tmp_path / "pid").exists() and time.monotonic() < deadline:
         time.sleep(0.05)
@@ -168,6 +175,48 @@ def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
     closing.join(30)
     assert not closing.is_alive()
     assert not alive(int((tmp_path / "pid").read_text()))
+
+
+STATES = {
+    "deep": "[" * 100_000,
+    "no table": "[]",
+    "a pipe": None,
+    "a device": '{"sources": [{"path": "/dev/zero"}]}',
+    "another row": '{"about": %s, "sources": [], "row": {"exit": "none"}}',
+}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a pipe and /dev/zero")
+@pytest.mark.parametrize("what", STATES)
+def test_what_is_remembered_may_be_anything(monkeypatch, tmp_path, what):
+    job = fake(monkeypatch, tmp_path, END)
+    for each in (job.asset, job.output):
+        Path(each).touch()
+    path, text = state.state_path(job.output), STATES[what]
+    if text is None:
+        os.mkfifo(path)
+    else:
+        path.write_text(text % json.dumps(state._about(job, [])) if "%" in text else text)
+    assert jobs.run_job(job).code == "BATCH_NO_REPORT"
+
+
+def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_path, capsys):
+    """The part is no character by itself; the pattern, however it is spelt, finds what was done before."""
+    smallest.character(tmp_path)
+    (tmp_path / "typo.usda").write_bytes((tmp_path / "char.usda").read_bytes())
+    (tmp_path / "typo.rigui.toml").write_text("this is [not toml")
+    (tmp_path / "geo.usda").write_text('#usda 1.0\n(\n    defaultPrim = "Hair"\n)\ndef Xform "Hair"\n{\n}\n')
+    whole = Sdf.Layer.FindOrOpen(str(tmp_path / "char.usda"))
+    whole.subLayerPaths.append("./geo.usda")
+    whole.Save()
+    monkeypatch.chdir(tmp_path)
+    outcomes = []
+    for pattern in ("*.usda", "./*.usda", str(tmp_path / "*.usda")):
+        assert main(["batch", pattern, "--jobs", "2", "--json"]) == 2
+        rows = json.loads(capsys.readouterr().out)["assets"]
+        outcomes.append({Path(row["asset"]).stem: (row["outcome"], row["code"]) for row in rows})
+    rest = {"geo": ("part", ""), "typo": ("refused", "CONFIG_SYNTAX")}
+    assert outcomes == [{"char": ("written", "")} | rest, *[{"char": ("skipped", "")} | rest] * 2]
 
 
 def alive(process):

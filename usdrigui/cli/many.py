@@ -5,20 +5,20 @@ from __future__ import annotations
 import argparse
 import contextlib
 import os
-import signal
 import sys
-import threading
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from usdrigui.cli.options import add_settings, command, files_read, passed_on, settings_digest
+from usdrigui import worker
+from usdrigui.cli.options import add_settings, command, files_read, passed_on, settings_digest, settings_quietly
 from usdrigui.cli.outcomes import say, screen_of
-from usdrigui.errors import Exit, refuse
+from usdrigui.errors import Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.clients.batch.job import Job
+    from usdrigui.clients.batch.jobs import Row
 
 
 def add_batch(commands: Any) -> None:
@@ -52,8 +52,7 @@ def _batch(arguments: argparse.Namespace) -> Exit:
     _check_names(arguments)
     jobs, read = _jobs(arguments)
     _check_apart(jobs, read, arguments)
-    with _ended_by_signals():
-        return _all_of(jobs, read, arguments)
+    return _all_of(jobs, read, arguments)
 
 
 def _check_names(arguments: argparse.Namespace) -> None:
@@ -92,12 +91,13 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     screen = screen_of(arguments)
     address = arguments.dask
     start = time.perf_counter()
-    with screen.batch_progress(len(jobs)) as shown:
-        rows = []
-        for row in run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs):
+    rows: list[Row] = []
+    working = run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs)
+    with screen.batch_progress(len(jobs)) as shown, contextlib.closing(working), _until_interrupted():
+        for row in working:
             rows.append(row)
             shown(row)
-    ordered = run.in_order(rows, jobs)
+    ordered = run.with_parts(run.in_order(rows, jobs), jobs)
     summary = run.Summary(ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs)
     written = []
     if arguments.sheet is not None:
@@ -114,33 +114,12 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
 
 
 @contextlib.contextmanager
-def _ended_by_signals() -> Iterator[None]:
-    """SIGTERM, SIGHUP and Ctrl-C all raise KeyboardInterrupt, once: each process of a batch has a session of its own.
-
-    So nobody but the batch ends them, and a second signal must not stop it from doing so.  Signals that are ignored
-    stay ignored, and threads other than the main one may set no handlers.
-    """
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    came: list[int] = []
-
-    def on_signal(number: int, frame: object) -> None:
-        del frame
-        came.append(number)
-        if len(came) == 1:
-            raise KeyboardInterrupt
-
-    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
-    before = {each: signal.getsignal(each) for each in numbers}
-    taken = {each: handler for each, handler in before.items() if handler not in (signal.SIG_IGN, None)}
+def _until_interrupted() -> Iterator[None]:
+    """An interruption ends the work, not the batch: what became of the assets is still to be said."""
     try:
-        for each in taken:
-            signal.signal(each, on_signal)
         yield
-    finally:
-        for each, handler in taken.items():
-            signal.signal(each, handler)
+    except KeyboardInterrupt:
+        worker.be_patient(True)
 
 
 def _openjd(arguments: argparse.Namespace) -> Exit:
@@ -164,14 +143,19 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     from usdrigui.clients.batch import places
     from usdrigui.clients.batch.job import Job
 
+    settings_quietly(arguments)  # what is wrong with the command line is wrong for all assets
     assets = places.find_assets(arguments.patterns)
     passed = tuple(passed_on(arguments))
     found, read = [], []
     for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
         arguments.asset = asset
-        digest = settings_digest(arguments)
         read += files_read(arguments)
-        found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, arguments.again))
+        try:
+            digest = settings_digest(arguments)
+        except RigUIError:
+            digest = ""  # nothing is remembered under it; its own process says what is wrong with its configuration
+        again, named = arguments.again, str(asset) in arguments.patterns
+        found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, again, named))
     del arguments.asset
     return found, read

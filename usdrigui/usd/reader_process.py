@@ -7,10 +7,8 @@ with plain records; whatever becomes of it is an issue code here.  `usdrigui.usd
 
 from __future__ import annotations
 
-import contextlib
 import mmap
 import os
-import signal
 import subprocess
 import sys
 import tempfile
@@ -21,7 +19,7 @@ from typing import IO, TypeVar
 from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.model import Performance
-from usdrigui.processes import End, Printed, Reading, environment, reading_failed, reaped, signals_later
+from usdrigui.processes import End, Printed, Reading, environment, kill, reading_failed, reaped, signals_later
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
 from usdrigui.usd.reader_records import (
@@ -162,7 +160,7 @@ def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds:
         late = not printed.ended(deadline - time.monotonic())
     finally:
         if process is not None:
-            _kill(process)
+            kill(process, group=True)
             code, peak = reaped(process)
             printed.close()
     return End(code, late, peak, printed.text)
@@ -178,14 +176,6 @@ def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Po
         env=environment(OPENBLAS_NUM_THREADS="1"),
         start_new_session=True,
     )
-
-
-def _kill(process: subprocess.Popen[bytes]) -> None:
-    with contextlib.suppress(OSError):
-        if sys.platform == "win32":
-            process.kill()
-        else:
-            os.killpg(process.pid, signal.SIGKILL)
 
 
 # --- the response --------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ No pxr here: this runs in the process that must survive whatever the files hold.
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import os
 import stat
@@ -56,8 +57,10 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
 
 
 def hashed(path: Path | str) -> SourceFile:
-    """Size and digest of a file as it is now; raises OSError."""
+    """Size and digest of a regular file as it is now; raises OSError."""
     absolute = os.path.realpath(path)
+    if not stat.S_ISREG(os.stat(absolute).st_mode):  # noqa: PTH116 (a pipe would keep us waiting, a device has no end)
+        raise OSError(errno.EINVAL, "is not a regular file", absolute)
     with open(absolute, "rb") as stream:  # noqa: PTH123  (paths here may hold bytes that are not text)
         digest = hashlib.file_digest(stream, "sha256")
         return SourceFile(absolute, stream.tell(), digest.hexdigest())

@@ -21,3 +21,5 @@ class Job:
     """Seconds after which the process is ended; 0 for never."""
     again: bool = False
     """Lay out even what has not changed."""
+    named: bool = True
+    """Whether the asset was named in full, not found by a pattern."""

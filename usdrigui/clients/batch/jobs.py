@@ -9,22 +9,23 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import signal
-import subprocess
-import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
+from queue import SimpleQueue
 from time import perf_counter
 from typing import Any
 
 from usdrigui.clients.batch import state
 from usdrigui.clients.batch.job import Job
-from usdrigui.errors import CODES, Exit
+from usdrigui.errors import REPORT_FORMAT, Exit, RigUIError, refuse
+from usdrigui.supervision import KILL, Events, Outcome, supervise
 
-_PROCESSES: set[subprocess.Popen[bytes]] = set()
-_STARTING = threading.Lock()
-"""Held while a process is started or all are ended, so that none is missed."""
+_RUNNING: set[Events] = set()
+"""Where each worker that runs can be told to end."""
+_ENTERING = threading.Lock()
+"""Held while a worker enters them, or all are told, so that none is missed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +37,8 @@ class Row:
     picture: str
     """Empty where none was asked for, and where there is no layout."""
     outcome: str
-    """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch), ``refused`` or ``failed``."""
+    """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch), ``refused``, ``failed``, or
+    ``part``: no character by itself, but a part of another asset of the batch."""
     exit: int
     """Exit code that `usdrigui process` gave or would have given."""
     code: str = ""
@@ -50,55 +52,84 @@ class Row:
     """Largest relative gap of its characters."""
     warnings: int = 0
     seconds: float = 0.0
+    sources: tuple[str, ...] = ()
+    """Real paths of the files that composed it; no part of the summary."""
 
     @property
     def sound(self) -> bool:
         """Whether there is a layout now."""
-        return self.exit == Exit.OK
+        return self.exit == Exit.OK and self.outcome != "part"
 
 
 def run_job(job: Job) -> Row:
     """Lay out one asset, unless nothing has changed since that was last done."""
-    known = None if job.again else state.recall(job)
-    if known is not None:
-        return replace(Row(**known), outcome="skipped", seconds=0.0)
-    state.forget(job)
-    start = perf_counter()
-    code, printed = _process(job)
-    row = replace(_row(job, code, printed), seconds=round(perf_counter() - start, 3))
-    if row.sound:
-        state.remember(job, printed["sources"], asdict(row))
-    return row
+    try:
+        known = None if job.again else _recalled(job)
+        return known or _laid_out(job)
+    except Exception as error:
+        return failed(job, refuse("BUG", "", f"{type(error).__name__}: {error}"))
+
+
+def failed(job: Job, error: RigUIError) -> Row:
+    """The row of an asset that has no layout because of an error."""
+    found = error.issue
+    outcome = "refused" if found.code.startswith(("SOURCE_", "CONFIG_", "FILE_")) else "failed"
+    where = f"{found.path}: " if found.path not in ("", job.asset) else ""
+    row = Row(job.asset, job.output, "", outcome, int(error.exit_code), found.code)
+    return replace(row, message=where + found.message)
 
 
 def end_all() -> None:
-    """End every process that `run_job` has started in this process and that still runs."""
-    with _STARTING:
-        for each in tuple(_PROCESSES):
-            _end(each)
+    """End every worker that `run_job` has started in this process and that still runs."""
+    with _ENTERING:
+        for each in _RUNNING:
+            each.put(KILL)
 
 
-# --- the process -------------------------------------------------------------------------------------
+def _recalled(job: Job) -> Row | None:
+    """The row that the last batch remembers, if it is one and still holds."""
+    known = state.recall(job)
+    try:
+        row = None if known is None else Row(**known)
+    except TypeError:
+        return None
+    if row is None or any(type(getattr(row, name)) is not kind for name, kind in _KINDS.items()):
+        return None
+    return replace(row, outcome="skipped", seconds=0.0)
 
 
-def _process(job: Job) -> tuple[int, dict[str, Any]]:
-    """Exit code (minus a signal; one more than any signal when the time was up) and report of the process."""
-    files = [_no_option(job.asset), "-o", _no_option(job.output)]
-    command = [sys.executable, "-m", "usdrigui", "process", *files, "--json", *job.arguments]
+_KINDS = {each.name: {"str": str, "int": int, "float": float}.get(str(each.type), tuple) for each in fields(Row)}
+"""Of each column its type."""
+
+
+def _laid_out(job: Job) -> Row:
+    state.forget(job)
+    start = perf_counter()
+    outcome = _supervised(job)
+    row = replace(_row(job, outcome), seconds=round(perf_counter() - start, 3))
+    if row.sound:
+        state.remember(job, json.loads(outcome.out)["sources"], asdict(row))
+    return row
+
+
+def _supervised(job: Job) -> Outcome:
+    """How `usdrigui process` ends on the asset, in a worker of its own."""
+    command = ["process", _no_option(job.asset), "-o", _no_option(job.output), "--json", *job.arguments]
     if job.picture:
         command += ["--preview", _no_option(job.picture)]
-    with _started(command) as process:
-        try:
-            printed, _ = process.communicate(timeout=job.timeout or None)
-        except subprocess.TimeoutExpired:
-            _end(process)
-            process.communicate()
-            return _TIME_IS_UP, {}
+    late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {job.timeout:g} s")
+    events: Events = SimpleQueue()
+    with _ENTERING:
+        _RUNNING.add(events)
     try:
-        document = json.loads(printed)
-    except ValueError:
-        return process.returncode, {}
-    return process.returncode, document if isinstance(document, dict) else {}
+        return supervise(command, _ignore, events, limit=(job.timeout, late) if job.timeout else None, alone=True)
+    finally:
+        with _ENTERING:
+            _RUNNING.discard(events)
+
+
+def _ignore(stream: str, text: str) -> None:
+    del stream, text
 
 
 def _no_option(path: str) -> str:
@@ -106,79 +137,48 @@ def _no_option(path: str) -> str:
     return os.path.join(os.curdir, path) if path.startswith("-") else path  # noqa: PTH118 (a Path drops the dot)
 
 
-_TIME_IS_UP = -1000
-
-
-@contextlib.contextmanager
-def _started(command: list[str]) -> Iterator[subprocess.Popen[bytes]]:
-    """The process, in a group of its own so that the reader that it starts can be ended with it."""
-    with _STARTING:
-        process = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, start_new_session=True
-        )
-        _PROCESSES.add(process)
-    try:
-        yield process
-    finally:
-        _PROCESSES.discard(process)
-        _end(process)
-        process.wait()
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    if process.poll() is None:
-        with contextlib.suppress(OSError):
-            if sys.platform == "win32":
-                process.kill()
-            else:
-                os.killpg(process.pid, signal.SIGKILL)
-
-
 # --- the row -----------------------------------------------------------------------------------------
 
 
-def _row(job: Job, code: int, document: Mapping[str, Any]) -> Row:
-    empty = Row(job.asset, job.output, "", "failed", int(Exit.BUG))
-    if code == _TIME_IS_UP:
-        return _failed(empty, "BATCH_TIME_LIMIT", f"was not done within {job.timeout:g} s")
-    if code < 0:
-        return _failed(empty, "BATCH_KILLED", f"its process was ended by {_signal(-code)}")
-    if document.get("format") != "usdrigui.report":
-        return _failed(empty, "BATCH_NO_REPORT", f"its process ended with code {code} and said nothing")
+def _row(job: Job, outcome: Outcome) -> Row:
+    if outcome.death is not None:
+        lost = outcome.death.issue.code == "WORKER_LOST"
+        return failed(job, refuse("BATCH_KILLED", "", outcome.death.issue.message) if lost else outcome.death)
+    document = _report(outcome.out)
+    if document is None:
+        return failed(job, refuse("BATCH_NO_REPORT", "", f"its process ended with code {outcome.code} without one"))
     if document["outcome"] == "refused":
         found = document["issues"][0]
         where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
-        return replace(empty, outcome="refused", exit=code, code=found["code"], message=where + found["message"])
-    return _laid_out(replace(empty, picture=job.picture), code, document)
+        row = Row(job.asset, job.output, "", "refused", outcome.code, found["code"])
+        return replace(row, message=where + found["message"])
+    return _with_counts(Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document)
 
 
-def _laid_out(empty: Row, code: int, document: Mapping[str, Any]) -> Row:
+def _report(text: str) -> dict[str, Any] | None:
+    """The report that a process has printed."""
+    with contextlib.suppress(ValueError):
+        document = json.loads(text)
+        if isinstance(document, dict) and document.get("format") == REPORT_FORMAT:
+            return document
+    return None
+
+
+def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
     counts = [each["counts"] for each in document["characters"]]
     gaps = [each["solution"]["gap"] for each in document["characters"]]
     face, beside, left_off = (sum(each[place] for each in counts) for place in ("face", "beside", "left off"))
-    warnings = sum(each["severity"] == "warning" for each in document["issues"])
+    folder = Path(row.asset).parent
     return replace(
-        empty,
-        outcome=document["outcome"],
-        exit=code,
+        row,
         controls=face + beside + left_off,
         face=face,
         beside=beside,
         left_off=left_off,
         gap=max((each for each in gaps if each is not None), default=0.0),
-        warnings=warnings,
+        warnings=sum(each["severity"] == "warning" for each in document["issues"]),
+        sources=tuple(os.path.realpath(folder / each["path"]) for each in document["sources"]),
     )
-
-
-def _failed(row: Row, code: str, message: str) -> Row:
-    return replace(row, code=code, message=message, exit=int(CODES[code].exit))
-
-
-def _signal(number: int) -> str:
-    try:
-        return signal.Signals(number).name
-    except ValueError:
-        return f"signal {number}"
 
 
 Watch = Callable[[Row], None]

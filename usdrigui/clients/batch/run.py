@@ -9,17 +9,22 @@ from __future__ import annotations
 import importlib
 import json
 import math
-from collections.abc import Iterable, Iterator, Sequence
+import os
+import time
+from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from usdrigui.clients.batch.job import Job
-from usdrigui.clients.batch.jobs import Row, end_all, run_job
+from usdrigui.clients.batch.jobs import Row, end_all, failed, run_job
 from usdrigui.errors import CODES, Exit, refuse
 
 FORMAT = "usdrigui.batch"
 VERSION = 1
+OUTCOMES = ("written", "unchanged", "skipped", "refused", "failed", "part")
+_ENDING = 2.0
+"""Seconds in which what runs must have ended."""
 _RETRIES = 3
 """Workers that a job may lose before it is given up."""
 
@@ -45,24 +50,60 @@ class Summary:
         return sum(row.outcome == outcome for row in self.rows)
 
 
-def run_local(jobs: Sequence[Job], workers: int) -> Iterator[Row]:
-    """Rows as they are done, `workers` at a time; leaving the loop early ends what still runs."""
+def run_local(jobs: Sequence[Job], workers: int) -> Generator[Row, None, None]:
+    """Rows as they are done, `workers` at a time; leaving the loop early ends what still runs.
+
+    An interruption ends it too; the rows that are known by then come before KeyboardInterrupt does.
+    """
     pool = ThreadPoolExecutor(max_workers=max(1, workers))
     futures: list[Future[Row]] = []
+    told: set[Future[Row]] = set()
     try:
         for job in jobs:  # within, as Python would do at its exit all that an interruption leaves in the pool
             futures.append(pool.submit(run_job, job))  # noqa: PERF401 (what was handed out until then is known)
         for future in as_completed(futures):
+            told.add(future)
             yield future.result()
+    except KeyboardInterrupt:
+        _end(pool, futures)
+        yield from [each.result() for each in futures if each not in told and each.done() and not each.cancelled()]
+        raise
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
-        while running := [each for each in futures if not each.done()]:
-            end_all()  # again and again: a job that was taken up just before may start its process just after
-            wait(running, timeout=0.05)
-        pool.shutdown()
+        _end(pool, futures)
 
 
-def run_on_dask(jobs: Sequence[Job], address: str) -> Iterator[Row]:
+def _end(pool: ThreadPoolExecutor, futures: Sequence[Future[Row]]) -> None:
+    """End what runs; a thread that compares what is remembered of a large asset is not waited for."""
+    pool.shutdown(wait=False, cancel_futures=True)
+    end = time.monotonic() + _ENDING
+    while time.monotonic() < end and (running := [each for each in futures if not each.done()]):
+        end_all()  # again and again: a job that was taken up just before may start its worker just after
+        wait(running, timeout=0.05)
+
+
+def in_order(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
+    """The rows in the order of the jobs, with one for each job that has none because the batch was stopped."""
+    known = {row.output: row for row in rows}
+    stopped = refuse("INTERRUPTED", "", "the batch was stopped before this asset was done")
+    return tuple(known.get(job.output) or failed(job, stopped) for job in jobs)
+
+
+def with_parts(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
+    """The rows, where a file that a pattern found and that is no character is a part of the asset that needs it."""
+    rows = tuple(rows)
+    named = {job.output for job in jobs if job.named}
+    whole = {path: row.asset for row in rows if row.sound for path in row.sources[1:]}
+
+    def told(row: Row) -> Row:
+        asset = whole.get(os.path.realpath(row.asset))
+        if asset is None or row.outcome != "refused" or row.exit != Exit.REFUSED or row.output in named:
+            return row
+        return replace(row, outcome="part", exit=int(Exit.OK), code="", message=f"is a part of {asset}")
+
+    return tuple(map(told, rows))
+
+
+def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]:
     """Rows as they are done by a cluster; a job whose worker dies is given to another one.
 
     Raises EXTRA_MISSING without dask.distributed, BATCH_SCHEDULER where no scheduler answers.
@@ -84,12 +125,6 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Iterator[Row]:
             yield future.result() if future.status == "finished" else _lost(by_key[future.key], future.exception())
 
 
-def in_order(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
-    """The rows in the order of the jobs."""
-    place = {job.output: index for index, job in enumerate(jobs)}
-    return tuple(sorted(rows, key=lambda row: place[row.output]))
-
-
 def to_json(summary: Summary) -> str:
     """The summary as a JSON document."""
     document: dict[str, Any] = {
@@ -99,7 +134,7 @@ def to_json(summary: Summary) -> str:
         "where": summary.where,
         "workers": summary.workers,
         "seconds": round(summary.seconds, 3),
-        "counts": {each: summary.count(each) for each in ("written", "unchanged", "skipped", "refused", "failed")},
+        "counts": {each: summary.count(each) for each in OUTCOMES},
         "assets": [_plain(row) for row in summary.rows],
     }
     return json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
@@ -108,9 +143,9 @@ def to_json(summary: Summary) -> str:
 def _plain(row: Row) -> dict[str, Any]:
     gap = row.gap if math.isfinite(row.gap) else None
     repair = CODES[row.code].repair if row.code in CODES else ""
-    return {**asdict(row), "gap": gap, "repair": repair}
+    columns = {key: value for key, value in asdict(row).items() if key != "sources"}
+    return {**columns, "gap": gap, "repair": repair}
 
 
 def _lost(job: Job, error: BaseException | None) -> Row:
-    row = Row(job.asset, job.output, "", "failed", int(CODES["BATCH_KILLED"].exit), "BATCH_KILLED")
-    return replace(row, message=f"the cluster gave it up: {type(error).__name__}")
+    return failed(job, refuse("BATCH_KILLED", "", f"the cluster gave it up: {type(error).__name__}"))

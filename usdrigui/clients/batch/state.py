@@ -7,7 +7,10 @@ every file that composed it, the layer and the picture, if one is asked for, are
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
+import os
+import stat
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -20,6 +23,8 @@ from usdrigui.version import __version__
 
 FORMAT = "usdrigui.batch.state"
 VERSION = 1
+_SIZE = 16 << 20
+"""Bytes that such a file may have."""
 
 
 def state_path(output: str) -> Path:
@@ -28,24 +33,33 @@ def state_path(output: str) -> Path:
 
 
 def recall(job: Job) -> dict[str, Any] | None:
-    """The row of the last batch, if laying out again would give the same; else None."""
+    """The row of the last batch, if laying out again would give the same; else None, whatever the file holds."""
     try:
-        known = json.loads(state_path(job.output).read_bytes())
+        known = json.loads(_content(state_path(job.output)))
         about = _about(job, known["sources"])
         if not job.picture:
             about["picture"] = known["about"]["picture"]  # one that nobody asks for now changes nothing
-        same = known["about"] == about and known["row"]["asset"] == job.asset
-        # Rows are told apart by the layer, which may have had another name then, seen from another folder.
-        return {**known["row"], "output": job.output, "picture": job.picture} if same else None
-    except (OSError, ValueError, KeyError, TypeError):
+        # Names are of this batch: the last one may have been started in another folder.
+        row = {**known["row"], "asset": job.asset, "output": job.output, "picture": job.picture}
+        return {**row, "sources": _paths(job, known["sources"])} if known["about"] == about else None
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
+
+
+def _content(path: Path) -> bytes:
+    """What a small regular file holds; raises OSError for what is none."""
+    found = path.stat()
+    if not stat.S_ISREG(found.st_mode) or found.st_size > _SIZE:
+        raise OSError(errno.EINVAL, "is not what a batch has written", str(path))
+    return path.read_bytes()
 
 
 def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, Any]) -> None:
     """Write the file; where that fails, the asset is laid out again next time."""
     with contextlib.suppress(OSError, RigUIError):
         about = _about(job, sources)
-        document = {"format": FORMAT, "version": VERSION, "about": about, "sources": list(sources), "row": dict(row)}
+        row = {key: value for key, value in row.items() if key != "sources"}
+        document = {"format": FORMAT, "version": VERSION, "about": about, "sources": list(sources), "row": row}
         # A file changed since it was read must not count as laid out.
         if about["sources"] == [each["sha256"] for each in sources]:
             commit(json.dumps(document, indent=2) + "\n", state_path(job.output), read=[job.asset])
@@ -59,11 +73,17 @@ def forget(job: Job) -> None:
 
 def _about(job: Job, sources: Sequence[Mapping[str, str]]) -> dict[str, Any]:
     """Everything that the result depends on, as it is now; raises OSError where a file is gone."""
-    folder = Path(job.asset).parent
     return {
         "usdrigui": __version__,
         "settings": job.settings,
-        "sources": [hashed(folder / each["path"]).sha256 for each in sources],
+        "asset": os.path.relpath(os.path.realpath(job.asset), os.path.realpath(Path(job.output).parent)),
+        "sources": [hashed(each).sha256 for each in _paths(job, sources)],
         "output": hashed(job.output).sha256,
         "picture": hashed(job.picture).sha256 if job.picture else "",
     }
+
+
+def _paths(job: Job, sources: Sequence[Mapping[str, str]]) -> tuple[str, ...]:
+    """The files that composed an asset, by their real paths."""
+    folder = Path(job.asset).parent
+    return tuple(os.path.realpath(folder / each["path"]) for each in sources)
