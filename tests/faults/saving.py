@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import contextlib
 import json
 import os
 import random
@@ -50,7 +51,8 @@ def save_during_attaches(count: int, folder: Path, seed: int = 0) -> dict[str, o
 
     asset = skel_stages.head(folder / "char.usda")
     layer = folder / "char.rigui.usda"
-    assert main(["process", str(asset), "--bare", "--quiet", "-o", str(layer)]) == 0
+    with contextlib.redirect_stdout(sys.stderr):
+        assert main(["process", str(asset), "--bare", "--quiet", "-o", str(layer)]) == 0
     old = asset.read_bytes()
     saved = old + b"# somebody's save\n"
     return _trials(
