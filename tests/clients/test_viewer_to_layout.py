@@ -165,14 +165,3 @@ def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):
         diagonal = np.linalg.norm(np.ptp(expected, axis=0))
         # A SkelAnimation's scales have 11 bits.
         assert np.abs(points - expected[: len(points)]).max() < 3e-4 * diagonal
-
-
-def test_a_pull_leaves_joints_that_carry_the_whole_head_alone(viewer):
-    """The skeleton's head joint moves every point of the face further than any shape does."""
-    wide = viewer.page.evaluate(
-        """() => {
-          const { session } = usdrigui.app;
-          return session.controls.map(({ name, kind }, i) => [name, kind, session.isWide(i)]);
-        }"""
-    )
-    assert {kind for _, kind, is_wide in wide if is_wide} <= {"joint"}
