@@ -16,13 +16,17 @@ from scipy.sparse.csgraph import connected_components
 
 from usdrigui.model import Floats, Indices, RigMesh
 
+_TURNED = 1e-3
+"""Share of a face by which a triangle must be turned against it: folded slivers are no concave faces."""
 
-def triangles(face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False) -> Indices:
-    """Fan triangulation of polygons as ``(t, 3)`` point indices, counter-clockwise from outside.
 
-    `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a USD mesh.  Faces of fewer
-    than three points give nothing.  `left_handed` faces are turned round, so that the normals computed
-    from the result always point outward.
+def triangles(points: Floats, face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False) -> Indices:
+    """Triangulation of polygons as ``(t, 3)`` point indices, counter-clockwise from outside.
+
+    `points` ``(n, 3)``, `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a USD mesh.  Faces of
+    fewer than three points give nothing, one of k points k - 2 triangles: a fan, or ears where a fan would leave a
+    concave face.  `left_handed` faces are turned round, so that the normals computed from the result always point
+    outward.
     """
     counts, indices = np.asarray(face_counts, dtype=np.int64), np.asarray(face_indices, dtype=np.int64)
     faces = triangle_faces(counts)
@@ -33,6 +37,9 @@ def triangles(face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool
     step = np.arange(len(faces)) - np.repeat(np.cumsum(made) - made, made)
     first = starts[faces]
     corners = np.stack([indices[first], indices[first + step + 1], indices[first + step + 2]], axis=1)
+    for face in _left_by_fan(points, corners, faces, len(counts)):
+        polygon = indices[starts[face] : starts[face] + counts[face]]
+        corners[faces == face] = polygon[_ears(points[polygon])]
     return corners[:, [0, 2, 1]] if left_handed else corners
 
 
@@ -48,7 +55,7 @@ def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Ind
     start = 0
     for mesh in meshes:
         if mesh.visible or not visible_only:
-            parts.append(triangles(mesh.face_counts, mesh.face_indices, mesh.left_handed) + start)
+            parts.append(triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed) + start)
         start += len(mesh.points)
     return np.concatenate(parts)
 
@@ -135,6 +142,40 @@ def components(corners: Indices, places: Indices) -> Indices:
     graph = _graph(edges(corners, places), len(places))
     _, labels = connected_components(graph, directed=False)
     return np.asarray(labels[places], dtype=np.int64)
+
+
+def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:
+    """Faces some triangle of whose fan is turned against the face as a whole: the fan leaves the face there.
+
+    `corners` (t, 3) are the fans of `count` faces, `faces` (t,) the face of each triangle.
+    """
+    normals = _doubled_normals(points, corners)
+    # The sum over a fan is twice the polygon's vector area, whichever corner the fan starts from.
+    whole = np.stack([np.bincount(faces, weights=axis, minlength=count) for axis in normals.T], axis=1)[faces]
+    turned = np.einsum("ti,ti->t", normals, whole) < -_TURNED * np.einsum("ti,ti->t", whole, whole)
+    return np.unique(faces[turned])
+
+
+def _ears(polygon: Floats) -> Indices:
+    """(k - 2, 3) triangles of a polygon (k, 3), by clipping ears (Meisters 1975); the fan for what has none."""
+    normal = _doubled_normals(polygon, np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])).sum(axis=0)
+    left, found = list(range(len(polygon))), []
+    while len(left) > 3:
+        ear = next((at for at in range(len(left)) if _is_ear(polygon, left, at, normal)), 1)
+        found.append((left[ear - 1], left[ear], left[(ear + 1) % len(left)]))
+        del left[ear]
+    return np.array([*found, tuple(left)], dtype=np.int64)
+
+
+def _is_ear(polygon: Floats, left: list[int], at: int, normal: Floats) -> bool:
+    """Whether the corner `at` of what is `left` of a polygon is convex and no other corner lies in its triangle."""
+    ends = (left[at - 1], left[at], left[(at + 1) % len(left)])
+    a, b, c = polygon[list(ends)]
+    if np.cross(b - a, c - b) @ normal <= 0.0:
+        return False
+    others = polygon[[each for each in left if each not in ends]]
+    sides = np.stack([np.cross(end - start, others - start) @ normal for start, end in ((a, b), (b, c), (c, a))])
+    return not (sides >= 0.0).all(axis=0).any()
 
 
 def _doubled_normals(points: Floats, corners: Indices) -> Floats:

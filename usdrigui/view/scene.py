@@ -111,7 +111,7 @@ def _identity(rig: Rig) -> str:
 
 def _mesh(body: _Body, mesh: RigMesh) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
-    corners = triangles(mesh.face_counts, mesh.face_indices, mesh.left_handed)
+    corners = triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed)
     return {
         "path": mesh.path,
         "visible": mesh.visible,
