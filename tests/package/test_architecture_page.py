@@ -1,4 +1,4 @@
-"""ARCHITECTURE.md names files and tests that exist."""
+"""ARCHITECTURE.md is one page and names files and tests that exist, each file by the noun of its paragraph."""
 
 import re
 from pathlib import Path
@@ -24,3 +24,20 @@ def test_every_test_named_exists():
 def test_every_decision_named_exists():
     known = {path.name[:3] for path in (ROOT / "docs" / "decisions").glob("*.md")}
     assert set(re.findall(r"\b(0\d\d)\b", PAGE)) <= known
+
+
+ROWS = re.findall(r"^\| (?:\d|[\d., ]+) \| (.+?) \| `([^`|]+)` \| [^|]+ \|$", PAGE, re.MULTILINE)
+"""Paragraph and file of each row about the paper."""
+
+
+def test_each_paragraph_names_one_file_by_its_noun():
+    assert len(ROWS) > 25
+    assert len({path for _, path in ROWS}) == len(ROWS), "one file, one paragraph"
+    for paragraph, path in ROWS:
+        (noun,) = re.findall(r"\*\*(.+?)\*\*", paragraph)
+        assert noun.replace(" ", "_") in Path(path).stem, (noun, path)
+
+
+def test_it_is_one_page_with_one_figure():
+    assert len(PAGE.splitlines()) < 100
+    assert PAGE.count("```") == 2
