@@ -92,7 +92,7 @@ def close(first, second, where=""):
         for each in fields(first):
             close(getattr(first, each.name), getattr(second, each.name), f"{where}.{each.name}")
     elif isinstance(first, float):
-        # 12 digits of the power of two above are kept (`author._settled`): half of the last one may be lost.
+        # 12 digits of the power of two above are kept (`author.settled`): half of the last one may be lost.
         assert first == pytest.approx(second, rel=1.5e-11, abs=1e-9), where
     else:
         assert first == second, where

@@ -4,8 +4,11 @@ import chain
 import makers
 import numpy as np
 import pytest
+from pxr import Sdf
 
 from usdrigui import ties
+from usdrigui.usd.carry import PointShape
+from usdrigui.usd.element_prims import author_shape
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -45,3 +48,12 @@ def test_noise_in_the_last_bits_changes_no_layout(seed):
         points = face.meshes[0].points
         noise = 1e-16 * np.abs(points).max() * rng.integers(-2, 3, points.shape)
         assert choices(makers.moved(face, np.eye(3), noise)) == choices(face)
+
+
+def test_offsets_of_drawn_shapes_are_written_without_their_last_digits():
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    shape = PointShape(0, np.array([1.0]), np.array([[[24484.791, 9.1e-13, 0.0], [0.25, -5.6e-17, 1e-4]]]))
+    author_shape(Sdf.CreatePrimInLayer(layer, "/Shape"), shape)
+    (first, second) = layer.GetAttributeAtPath("/Shape.offsets").default
+    assert (first[1], second[1]) == (0.0, 0.0)
+    assert np.allclose([first[0], second[2]], [24484.791, 1e-4], rtol=1e-6)

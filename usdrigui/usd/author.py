@@ -131,13 +131,13 @@ def usd_value(type_name: str, value: Any) -> Any:
     """A Python or numpy value as the type that USD stores for `type_name`."""
     if type_name in _ARRAYS:
         kind, dtype = _ARRAYS[type_name]
-        return kind.FromNumpy(np.ascontiguousarray(_settled(value, type_name), dtype=dtype))
+        return kind.FromNumpy(np.ascontiguousarray(settled(value, type_name), dtype=dtype))
     if type_name in _LISTS:
         return _LISTS[type_name]([str(each) for each in value])
-    return _SCALARS[type_name](_settled(value, type_name))
+    return _SCALARS[type_name](settled(value, type_name))
 
 
-def _settled(value: Any, type_name: str) -> Any:
+def settled(value: Any, type_name: str) -> Any:
     """Numbers without the last digits, which depend on the processor: sums are formed in another order on each.
 
     Kept are 12 digits (9 in single precision) of the largest number of the value.
@@ -150,8 +150,8 @@ def _settled(value: Any, type_name: str) -> Any:
     mantissa, exponent = np.frexp(largest)
     scale = (exponent + (1.5 * mantissa >= 1.0)) * np.log10(2.0) if largest > 0.0 else 0.0
     decimals = min(_DIGITS[type_name] - int(np.ceil(scale)), 290)  # ten to that power is finite
-    settled = np.round(numbers, decimals) + 0.0  # no -0
-    return settled if settled.ndim else settled.item()
+    kept = np.round(numbers, decimals) + 0.0  # no -0
+    return kept if kept.ndim else kept.item()
 
 
 @functools.cache

@@ -155,7 +155,7 @@ def _author_shapes(prim: Sdf.PrimSpec, rig: Rig, shapes: tuple[PointShape, ...])
 def author_shape(child: Sdf.PrimSpec, shape: PointShape) -> None:
     """A layer has thousands of these, so nothing is looked up here."""
     between: set[str] = set()
-    table = shape.offsets.astype(np.float32)
+    table = author.settled(shape.offsets, "vector3f[]").astype(np.float32)
     for weight, offsets in zip(shape.weights.tolist(), table, strict=True):
         name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
         attribute = Sdf.AttributeSpec(child, name, _VECTORS, Sdf.VariabilityUniform)
