@@ -300,8 +300,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "board",
         "4 · Global and hidden controls beside the face",
-        "What moves the whole head and what no view shows stands on a board beside the face, under a heading. On"
-        " request a hidden control stands at the nearest visible place instead.",
+        "What moves the whole head and what is hidden in all views stands on a board beside the face, under a heading."
+        " On request a hidden control stands at the nearest visible place instead.",
         (
             Panel("by default"),
             Panel("the tongue at its proxy", '[controls.tongueOut]\nplace = "proxy"'),

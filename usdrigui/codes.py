@@ -77,7 +77,7 @@ _CODES: dict[str, Code] = {
     "SOURCE_CRASHES_USD": Code(
         "error",
         "USD crashed, or gave an answer without sense, while it read the asset.",
-        "Export the asset again; if a sound file does this, report it to the makers of USD.",
+        "Export the asset again; if usdchecker passes on the file, please file an OpenUSD issue.",
     ),
     "SOURCE_TIME_LIMIT": Code(
         "error",
@@ -321,7 +321,7 @@ _CODES: dict[str, Code] = {
     ),
     "FIXED_IMPOSSIBLE": Code(
         "error",
-        "A fixed anchor asks for what no layout can give.",
+        "The fixed anchors are infeasible.",
         "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
         Exit.USAGE,
     ),

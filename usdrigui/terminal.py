@@ -37,7 +37,7 @@ _LOG_WIDTH = 160
 
 _PAUSE = 5.0
 """Seconds between two lines about one long stage, where the output is not a terminal."""
-_WRAPPED = ("why", "flags", "element", "twin", "nearest", "where", "before", "now")
+_WRAPPED = ("why", "flags", "element", "twin", "nearest", "at", "before", "now")
 """Columns that give way when the line is too long."""
 
 _LEAST = 16
@@ -49,8 +49,8 @@ _LONGEST_NAME = 60
 _GAP = 2
 """Characters between two columns."""
 
-_KEPT = "kept: the share of its peak displacement that a control has at its handle"
-"""What the column of this name tells."""
+_DISPLACEMENT = "displacement: at the handle, as a share of the control's peak"
+"""What the column of this name holds."""
 
 Watch = Callable[["Event"], None]
 
@@ -173,7 +173,7 @@ class Screen:
             for root, review in found.characters:
                 self._out.print(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
                 self._table(_review_table(review.elements))
-                self._out.print(f"  {_KEPT}; w: handle widths")
+                self._out.print(f"  {_DISPLACEMENT}; w: handle widths")
             self._issues(found.issues)
         counts = {
             severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
@@ -226,20 +226,20 @@ class Screen:
 
     def _character(self, character: CharacterReport) -> None:
         elements = character.layout.elements
-        standing = len(elements) - len(character.added)
-        told = f"{len(elements)} elements" + (f", {standing} of which stand in another layer" if standing else "")
-        self._out.print(f"{character.root}: {told}")
-        placed = [row for row in character.rows if not standing or row.element in character.added]
+        existing = len(elements) - len(character.added)
+        summary = f"{len(elements)} elements" + (f", {existing} of which are in another layer" if existing else "")
+        self._out.print(f"{character.root}: {summary}")
+        placed = [row for row in character.rows if not existing or row.element in character.added]
         if placed:
             self._table(_rows_table(placed))
         for note in character.notes:
             self._out.print(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
         self._out.print(
-            f"  on the face {character.count('face')}, beside it {character.count('beside')}, "
+            f"  on the face {character.count('face')}, on the board {character.count('beside')}, "
             f"left off {character.count('left off')}; "
-            f"controls on the face keep {_percent(character.kept)} of their peak displacement"
-            f"{f' ({_KEPT})' if placed else ''}",
+            f"handles on the face have {_percent(character.kept)} of the peak displacement"
+            f"{f' ({_DISPLACEMENT})' if placed else ''}",
             soft_wrap=True,
         )
         self._out.print(
@@ -265,16 +265,17 @@ def _ignore(event: Event) -> None:
 
 
 def _rows_table(rows: Sequence[ControlRow]) -> Table:
-    table = _table("control", "kind", "place", "element", "twin", "kept", "why")
+    table = _table("control", "kind", "place", "element", "twin", "displacement", "why")
     for row in rows:
-        kept = _percent(row.kept) if math.isfinite(row.kept) else ""
+        share = _percent(row.kept) if math.isfinite(row.kept) else ""
+        place = "board" if row.place == "beside" else row.place
         element = row.element if row.element != row.control else ""
-        table.add_row(*map(_cell, (row.control, row.kind, row.place, element, row.twin, kept, row.reason)))
+        table.add_row(*map(_cell, (row.control, row.kind, place, element, row.twin, share, row.reason)))
     return table
 
 
 def _review_table(elements: Sequence[ElementReview]) -> Table:
-    table = _table("element", "kept", "linear", "overlap", "nearest", "handles apart", "gain elsewhere", "where")
+    table = _table("element", "displacement", "linear", "overlap", "nearest", "handles apart", "improvement", "at")
     for each in elements:
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
         gain = f"{each.gain:.3f}" if each.better else ""
@@ -294,7 +295,7 @@ def _changes_table(changes: Sequence[Change]) -> Table:
 
 
 def _batch_table(rows: Sequence[Row]) -> Table:
-    table = _table("asset", "outcome", "face", "beside", "off", "gap", "warnings", "seconds", "why")
+    table = _table("asset", "outcome", "face", "board", "off", "gap", "warnings", "seconds", "why")
     for row in rows:
         counts = [str(each) if row.sound else "" for each in (row.face, row.beside, row.left_off)]
         gap = f"{row.gap:.1e}" if row.sound else ""

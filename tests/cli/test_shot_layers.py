@@ -107,7 +107,7 @@ def test_the_report_tells_what_stands_and_the_new_ones_are_proven(made, capsys):
     assert character["solution"]["status"] == "optimal"
     main(["process", str(made / "shot.usda"), "--base", str(made / "char.rigui.usda"), "--dry-run"])
     printed = capsys.readouterr().out
-    assert "which stand in another layer" in printed
+    assert "which are in another layer" in printed
     assert "browCrease" in printed
     assert "smile_L" not in printed
 

@@ -10,8 +10,8 @@ from usdrigui.model.rig import LeftOff
 
 ElementKind = Literal["slider", "patch", "fan"]
 Category = Literal["", "global", "hidden", "composite", "requested"]
-"""Why a control does not stand on the face: it moves the face as a whole, moves only what no view shows, repeats what
-atomic controls do together, or the configuration says so; empty for a control that is to stand there."""
+"""Why a control does not stand on the face: it moves the face as a whole, only affects geometry hidden in all views,
+repeats what atomic controls do together, or the configuration says so; empty for a control that is to stand there."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,7 +45,7 @@ def check_outputs(targets: Iterable[Path | None], read: Iterable[Path | str] = (
     given = [each for each in targets if each is not None]
     for target in given:
         if {target.suffix.lower(), Path(os.path.realpath(target)).suffix.lower()} & {*_USD_SUFFIXES}:
-            raise refuse("FILE_TARGET", str(target), "is named as a USD file, which this is not")
+            raise refuse("FILE_TARGET", str(target), "output is not USD; use another file extension")
     check_not_read(given, read)
 
 

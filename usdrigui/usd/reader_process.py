@@ -73,7 +73,7 @@ def asset_below(found: LayoutsResult, layer: Path) -> str:
         named = f"{', '.join(brought[:_LAYERS_TOLD])}{' and more' if len(brought) > _LAYERS_TOLD else ''}"
         reason = f"is no layout but a stage that references some; the layers that hold them: {named}"
         raise refuse("SOURCE_MISSING", str(layer), reason)
-    raise refuse("SOURCE_MISSING", str(layer), "has no sublayer that it stands over")
+    raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
 
 
 def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:

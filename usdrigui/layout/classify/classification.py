@@ -95,12 +95,12 @@ def _category(
         if evidence.coverage_of_smaller > settings.global_coverage or evidence.moves_everything:
             return "global", "moves the face as a whole"
     if settings.beside_hidden and evidence.visible_share < settings.hidden_share:
-        return "hidden", "moves only what no view shows"
+        return "hidden", "only affects geometry hidden in all views"
     # A control that stands on the face already is not sent away because another one was added.
     if settings.beside_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
         return "composite", ""
     if override.place == "beside":
-        return "requested", "placed beside the face by the configuration"
+        return "requested", "placed on the board by the configuration"
     return "", ""
 
 

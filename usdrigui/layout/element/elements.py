@@ -31,6 +31,7 @@ from usdrigui.model import (
 )
 from usdrigui.settings import Settings
 
+_CROWDED = "moved off the face: too crowded; this control lost the least displacement"
 _ON_PLANE = 1e-3
 """An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
 
@@ -58,7 +59,7 @@ def layout(
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
         if label < 0:
-            reason = "left the face to more telling elements" if len(choice.anchors) else "no place on the face"
+            reason = _CROWDED if len(choice.anchors) else "no place on the face"
             board.extend(BoardEntry(group, copy, "crowded", reason) for copy in group.copies)
         else:
             elements.extend(_on_face(face, group, choice, int(label), requests, settings))

@@ -162,7 +162,7 @@ def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
     seen = face.views.anywhere
     for element in elements:
         if not seen[_point(face.rig, element)]:
-            yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "no view shows its anchor")
+            yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 
 # --- how good it is ----------------------------------------------------------------------------------
