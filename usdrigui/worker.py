@@ -38,6 +38,7 @@ def start() -> None:
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), _worker.on_signal)
+    sys.unraisablehook = _worker.on_unraisable
     threading.Thread(target=_worker.listen, daemon=True).start()
 
 
@@ -97,6 +98,11 @@ def stop_requested() -> bool:
     return _worker is not None and _worker.asked
 
 
+def interrupted() -> bool:
+    """Whether a request to stop has broken into the work; what fails after that fails of it."""
+    return _worker is not None and _worker.interrupted
+
+
 def print_now(text: str) -> None:
     """Print a line of the result that cannot wait for the end, as progress that a farm reads."""
     sys.stdout.write(f"{text}\n")
@@ -132,6 +138,7 @@ class _Worker:
     def __init__(self, requests: int, messages: int) -> None:
         self.asked = False
         self.patient = False
+        self.interrupted = False
         self._heard = False
         self._telling = False
         self._requests, self._messages = requests, messages
@@ -156,11 +163,14 @@ class _Worker:
         """Wait for requests to stop, and for the supervisor's end."""
         while os.read(self._requests, 1):
             self.asked = True
-            if hasattr(signal, "pthread_kill"):
-                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-            else:
-                _thread.interrupt_main()
+            self._wake()
         os._exit(int(Exit.LIMIT))
+
+    def _wake(self) -> None:
+        if hasattr(signal, "pthread_kill"):
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+        else:
+            _thread.interrupt_main()
 
     def on_signal(self, number: int, frame: object) -> None:
         """Interrupt the work, once, unless it will look for the request itself or is amid a write or a message.
@@ -171,7 +181,16 @@ class _Worker:
         if self.asked and not (self._telling or self._heard):
             self._heard = True
             if not self.patient:
+                self.interrupted = True
                 raise KeyboardInterrupt
+
+    def on_unraisable(self, unraisable: Any) -> None:
+        """An interruption that came amid a callback, where Python drops it, comes once more."""
+        if isinstance(unraisable.exc_value, KeyboardInterrupt):
+            self._heard = False
+            self._wake()
+        else:
+            sys.__unraisablehook__(unraisable)
 
 
 class _Stream(io.TextIOBase):

@@ -46,6 +46,12 @@ def test_no_save_is_lost_to_an_edit():
     assert {"written", "SOURCE_CHANGED"} <= found["ends"].keys(), "the saves came all too early or all too late"
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="looks for processes in /proc")
+def test_kills_and_signals_end_commands_with_a_documented_code_and_nothing_torn():
+    found = harness(HERE / "ends.py", "--count", 6, "--only", "process", "batch")
+    assert found["faults"] == []
+
+
 def test_two_runs_at_once_write_the_same_bytes():
     found = harness(HERE / "pairs.py", "--count", 2)
     assert found["faults"] == []

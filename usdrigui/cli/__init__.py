@@ -34,20 +34,30 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"warning: {found.code} {sentences(found)}", file=sys.stderr)
     try:
         return int(arguments.run(arguments))
-    except RigUIError as error:
-        return _refused(error, arguments)
     except KeyboardInterrupt:
-        worker.discard_result()
-        return _refused(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
-    except MemoryError:
+        return _interrupted(arguments)
+    except Exception as error:
+        return _interrupted(arguments) if worker.interrupted() else _failed(error, arguments)
+
+
+def _interrupted(arguments: argparse.Namespace) -> int:
+    worker.discard_result()
+    return _refused(refuse("INTERRUPTED", "", "stopped before there was a result"), arguments)
+
+
+def _failed(error: Exception, arguments: argparse.Namespace) -> int:
+    """How a command ends that has raised an error."""
+    if isinstance(error, RigUIError):
+        return _refused(error, arguments)
+    if isinstance(error, MemoryError):
         return _refused(refuse("RUN_MEMORY_LIMIT", "", "there is no more memory"), arguments)
-    except BrokenPipeError:
+    if isinstance(error, BrokenPipeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(Exit.FILE)
-    except OSError as error:
-        return _refused(refuse("FILE_ACCESS", str(error.filename or ""), error.strerror or str(error)), arguments)
-    except Exception as error:
-        return broken(error, arguments)
+    if isinstance(error, OSError):
+        reason = error.strerror or str(error)
+        return _refused(refuse("FILE_ACCESS", str(error.filename or ""), reason), arguments)
+    return broken(error, arguments)
 
 
 def _refused(error: RigUIError, arguments: argparse.Namespace) -> int:

@@ -1,0 +1,168 @@
+"""Kill and signal every command at random moments, its worker too: no torn file, no orphan, every exit documented.
+
+    python tests/faults/ends.py --count 500
+
+Prints one JSON document: how often each command ended how, and the faults.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import contextlib
+import json
+import os
+import random
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))
+sys.path.append(str(Path(__file__).parents[1] / "catalogue"))
+
+COMMANDS = {
+    "process": "process char.usda -o out.usda --report report.json --preview picture.png",
+    "process again": "process char.usda --bare --set objective.overlap_max=1",
+    "inspect": "inspect char.usda --json",
+    "check": "check char.rigui.usda",
+    "diff": "diff char.rigui.usda bare.usda",
+    "view": "view char.rigui.usda --html page.html",
+    "picture": "picture char.rigui.usda -o picture.png",
+    "picker": "picker char.rigui.usda --svg picker.svg",
+    "attach": "attach char.usda bare.usda",
+    "detach": "detach attached.usda bare.usda",
+    "batch": "batch char.usda second.usda --jobs 2 --output-dir many --summary summary.json",
+    "openjd": "openjd *.usda -o job.json",
+}
+WAYS = ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL", "worker SIGKILL", "worker SIGSEGV")
+DOCUMENTED = {0, 1, 2, 3, 4}
+VERDICT = re.compile(r"^usdrigui: (?!\w+_\w+|INTERRUPTED|BUG)", re.MULTILINE)
+"""A line of the verdict, as opposed to that of its code."""
+
+
+def made(folder: Path) -> Path:
+    """A character, its layout, a bare one, and a copy that has it attached."""
+    import smallest
+
+    smallest.character(folder)
+    run("process char.usda", folder)
+    run("process char.usda --bare -o bare.usda", folder)
+    for name in ("second.usda", "attached.usda"):
+        shutil.copy(folder / "char.usda", folder / name)
+    run("attach attached.usda bare.usda", folder)
+    return folder
+
+
+def run(line: str, folder: Path) -> None:
+    subprocess.run([sys.executable, "-m", "usdrigui", *line.split()], cwd=folder, check=True, capture_output=True)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Every file by its name; a document that holds times counts by its being whole."""
+    found = {}
+    for path in sorted(each for each in folder.rglob("*") if each.is_file()):
+        content = path.read_bytes()
+        timed = path.suffix == ".json" and path.name != "job.json"
+        found[path.relative_to(folder).as_posix()] = b"whole" if timed and json.loads(content) else content
+    return found
+
+
+def processes_in(folder: Path) -> list[int]:
+    """Processes that work in the folder."""
+    found = []
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            if (entry / "cwd").readlink() == folder and b" Z " not in (entry / "stat").read_bytes():
+                found.append(int(entry.name))
+        except OSError:
+            continue
+    return found
+
+
+def end(name: str, way: str, wait: float, folder: Path) -> tuple[int, str]:
+    """Run the command and end it after a while; its exit code and all that it printed."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", "usdrigui", *COMMANDS[name].split()],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    time.sleep(wait)
+    target = process.pid
+    if way.startswith("worker"):
+        target = next((each for each in sorted(processes_in(folder)) if each != process.pid), 0)
+    if target and process.poll() is None:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(target, getattr(signal, way.split()[-1]))
+    out, err = process.communicate(timeout=120)
+    return process.returncode, out + err
+
+
+def faults_of(way: str, code: int, printed: str, folder: Path, known: dict[str, set[bytes]]) -> list[str]:
+    """What is wrong with an end."""
+    found = []
+    unborn = code in {-signal.SIGTERM, -signal.SIGHUP, -signal.SIGINT, 130} and not VERDICT.search(printed)
+    crashed = code == 5 and way == "worker SIGSEGV"
+    if not (code in DOCUMENTED or unborn or crashed or (code == -signal.SIGKILL and way == "SIGKILL")):
+        found.append(f"exit {code}")
+    if ("Traceback" in printed and not unborn) or (code in (4, 5) and len(VERDICT.findall(printed)) != 1):
+        found.append(f"says {printed[-300:]!r}")
+    until = time.monotonic() + 5
+    while (left := processes_in(folder)) and time.monotonic() < until:
+        time.sleep(0.02)
+    if left:
+        found.append("orphans")
+    try:
+        now = {key: value for key, value in contents(folder).items() if ".rigui-tmp" not in key}
+    except ValueError:
+        return [*found, "a torn document"]
+    found += [f"torn {key}" for key, value in now.items() if value not in known.get(key, set())]
+    found += [f"lost {key}" for key, values in known.items() if key not in now and None not in values]
+    return found
+
+
+def main(count: int, seed: int, names: list[str]) -> dict[str, object]:
+    """Ends, and what became of them."""
+    chance, seen, faults = random.Random(seed), collections.Counter[str](), []
+    with tempfile.TemporaryDirectory() as place:
+        pristine = made(Path(place).resolve())
+        folder = pristine.with_name(pristine.name + "-now")
+        before, known, usual = contents(pristine), {}, {}
+        for name in names:
+            shutil.copytree(pristine, folder)
+            start = time.monotonic()
+            run(COMMANDS[name], folder)
+            usual[name] = time.monotonic() - start
+            after = contents(folder)
+            known[name] = {key: {before.get(key), after.get(key)} for key in {*before, *after}}
+            shutil.rmtree(folder)
+        for number in range(count):
+            name, way = names[number % len(names)], WAYS[number // len(names) % len(WAYS)]
+            shutil.copytree(pristine, folder)
+            code, printed = end(name, way, usual[name] * chance.uniform(0, 1.05), folder)
+            seen[f"{way}: {'before it began' if code in (-1, -2, -15, 130) else f'exit {code}'}"] += 1
+            faults += [f"{name}, {way}: {each}" for each in faults_of(way, code, printed, folder, known[name])]
+            if any(".rigui-tmp" in each.name for each in folder.rglob("*")):
+                seen["a temporary left"] += 1
+                run(COMMANDS[name], folder)
+                faults += [f"{name}: not swept: {each}" for each in folder.rglob("*") if ".rigui-tmp" in each.name]
+            shutil.rmtree(folder)
+    return {"ends": count, "seen": dict(sorted(seen.items())), "faults": faults}
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=500)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--only", nargs="+", choices=COMMANDS, default=list(COMMANDS))
+    asked = parser.parse_args()
+    result = main(asked.count, asked.seed, asked.only)
+    print(json.dumps(result, indent=2))
+    sys.exit(bool(result["faults"]))
