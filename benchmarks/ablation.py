@@ -233,7 +233,7 @@ def _least(cost: Floats) -> int:
 def _row(inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: float, seconds: float) -> Row:
     soft = replace(inputs.placement.problem, separation=0.0)
     cost = total_cost(soft, labels)
-    chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name)
+    chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name, name)
     made = layout_of(inputs, chosen)
     points = anchors_of(inputs, labels)
     return Row(

@@ -4,8 +4,8 @@
 
 Cases: the real rigs, folded (symmetric pairs once) and unfolded; a head of 100 K points made from ict_face57
 by subdivision; face-like problems at the sizes of the paper's Table 1, and crowded ones.  Methods: ``ours``; the
-paper's pipeline at 20, 5 and 1 % of the candidates; HiGHS on the raw McCormick program; toulbar2 on the whole
-problem; CPLEX's integer quadratic program, as far as its free size goes.  The paper's pipeline solves its
+paper's pipeline at 20, 5 and 1 % of the candidates; HiGHS on the program of the whole problem; toulbar2 on what
+our reduction leaves; CPLEX's integer quadratic program, as far as its free size goes.  The paper's pipeline solves its
 clusters by our solver or, as ``paper 5% cplex`` and as the paper did, by CPLEX's integer quadratic program.
 
 Every run is a process of its own: wall and processor seconds of the solve alone, peak memory of the process.  Every
@@ -31,23 +31,25 @@ import numpy as np
 from instances import CROWDED, TABLE_1, face_like, subdivided
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import Assignment, LayoutProblem
+from usdrigui.model import Assignment, Floats, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import load_problem, save_problem, solve
 from usdrigui.solve.assignment import assignment, forbidden_price
-from usdrigui.solve.blocks import Labels, Pool, all_labels, block_pool, singles
-from usdrigui.solve.highs import solve_part
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import Labels, Pool, all_labels, block_pool, singles
+from usdrigui.solve.milp import solve_milp
+from usdrigui.solve.pair_costs import near_blocks, pair_matrix
 from usdrigui.solve.paper import solve_by_clusters
-from usdrigui.solve.subproblem import whole_part
-from usdrigui.solve.tables import Table, near_blocks, pair_tables
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.reduced_problem import ReducedProblem
 
 ASSETS = Path(__file__).resolve().parents[2] / "shared" / "assets"
 RIGS = ("ict_face57.usdc", "mh_expr34.usdc", "godette.usdc", "openusd_blendshapes.usda", "vitruvian.usdc")
 METHODS = ("ours", "paper 20%", "paper 5%", "paper 5% cplex", "paper 1%", "mccormick", "toulbar2", "cplex")
 FREE_CPLEX = 1000
 """Variables and constraints of CPLEX's free size."""
+FEW = 5000
+"""Candidates of which all pairs are written down."""
 SAME = 1e-6
 """Costs that differ by no more are of equally good layouts."""
 SMALL = (500, 12)
@@ -192,7 +194,7 @@ def _paper(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any
     settings = SolveSettings(method="paper", clusters=2, sample=share, time_limit=seconds, work_limit=UNLIMITED)
     if not method.endswith("cplex"):
         return _by_us(problem, settings) | {"bound": None}
-    found = solve_by_clusters(problem, Watch(settings), _integer_quadratic)
+    found = solve_by_clusters(problem, Budget(settings), _integer_quadratic)
     return {"cost": found.cost, "bound": None, "note": found.status}
 
 
@@ -209,34 +211,29 @@ def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:
 
 
 def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
-    """HiGHS on x, y >= x_r + x_s - 1 as the costs are, no reduction, no reparametrisation."""
+    """HiGHS on the program of the whole problem, costs as they are: no reduction, no reparametrisation."""
     del method
-    watch = Watch(SolveSettings(time_limit=seconds))
+    budget = Budget(SolveSettings(time_limit=seconds, work_limit=UNLIMITED))
     labels = all_labels(problem)
-    if len(labels.label) > 8000:
+    if len(labels.label) > FEW:
         return {"note": f"{len(labels.label)} candidates: too large to write down"}
-    pool, tables, price = _written_down(problem, labels, watch)
-    unary = [pool.cost[a:b] for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)]
-    cut = float(labels.best.sum()) + price - 1e-6
-    found = solve_part(whole_part(unary, tables, price), cut, watch, 10**6, pairs=2_000_000)
-    if found is None:
-        return {"note": "over 2 million products"}
-    cost = None
-    if found.chosen:
-        chosen = pool.start[:-1] + np.array([found.chosen[at] for at in range(pool.count)])
-        cost = total_cost(problem, labels.label[chosen])
+    pool, pairs, price = _written_down(problem, labels, budget)
+    left = ReducedProblem(pool.variable, np.arange(len(pool.cost)), pool.cost.copy(), pairs)
+    left.normalize()
+    found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget)
+    cost = None if found.chosen is None else total_cost(problem, labels.label[found.chosen])
     return {"cost": cost, "bound": found.bound}
 
 
 def _cplex(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
     """CPLEX's integer quadratic program over all candidates, hard pairs priced."""
     del method
-    found = _integer_quadratic(problem, Watch(SolveSettings(time_limit=seconds)))
+    found = _integer_quadratic(problem, Budget(SolveSettings(time_limit=seconds)))
     return {"cost": found.cost, "bound": found.bound}
 
 
-def _integer_quadratic(problem: LayoutProblem, watch: Watch) -> Assignment:
-    """A problem's best layout by CPLEX, within the watch's time; raises CannotRunError."""
+def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
+    """A problem's best layout by CPLEX, within the budget's time; raises CannotRunError."""
     try:
         import cplex
     except ImportError as error:
@@ -245,35 +242,33 @@ def _integer_quadratic(problem: LayoutProblem, watch: Watch) -> Assignment:
     labels = all_labels(problem)
     if len(labels.label) + len(problem.variables) > FREE_CPLEX:
         raise CannotRunError(f"{len(labels.label)} candidates: beyond the free size")
-    pool, tables, price = _written_down(problem, labels, watch)
+    pool, pairs, price = _written_down(problem, labels, budget)
     program = cplex.Cplex()
     program.set_results_stream(None)
     program.set_log_stream(None)
     program.set_warning_stream(None)
     program.parameters.threads.set(1)
-    program.parameters.timelimit.set(watch.seconds_left)
+    program.parameters.timelimit.set(budget.seconds_left)
     program.parameters.mip.tolerances.mipgap.set(1e-4)
     program.variables.add(obj=pool.cost.tolist(), types="B" * len(pool.cost))
     for a, b in zip(pool.start[:-1].tolist(), pool.start[1:].tolist(), strict=True):
         program.linear_constraints.add([[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0])
-    terms = []
-    for table in tables:
-        i, j = np.nonzero(table.costs)
-        rows, columns = pool.start[table.first] + table.rows[i], pool.start[table.second] + table.columns[j]
-        terms += zip(rows.tolist(), columns.tolist(), np.minimum(table.costs[i, j], price).tolist(), strict=True)
+    rows, columns = np.nonzero(pairs)
+    costs = np.minimum(pairs[rows, columns], price)
+    terms = list(zip(rows.tolist(), columns.tolist(), costs.tolist(), strict=True))
     program.objective.set_quadratic_coefficients(terms)
     program.solve()
     values = np.array(program.solution.get_values())
     chosen = np.array([a + values[a:b].argmax() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)])
-    watch.found("cplex", bound=program.solution.MIP.get_best_objective())
-    return assignment(problem, labels, labels.label[chosen], watch, "cplex")
+    budget.found("cplex", bound=program.solution.MIP.get_best_objective())
+    return assignment(problem, labels, labels.label[chosen], budget, "cplex")
 
 
-def _written_down(problem: LayoutProblem, labels: Labels, watch: Watch) -> tuple[Pool, list[Table], float]:
+def _written_down(problem: LayoutProblem, labels: Labels, budget: Budget) -> tuple[Pool, Floats, float]:
     """Every label by itself, the costs of all pairs, and what stands for a pair that is forbidden."""
     pool = block_pool(labels, singles(labels))
-    tables = pair_tables(problem, pool, near_blocks(problem, pool, watch), labels.label)
-    return pool, tables, forbidden_price(problem, labels)
+    pairs = pair_matrix(problem, pool, near_blocks(problem, pool, budget), labels.label)
+    return pool, pairs, forbidden_price(problem, labels)
 
 
 _SOLVERS = {"ours": _ours, "paper": _paper, "mccormick": _mccormick, "toulbar2": _toulbar2, "cplex": _cplex}

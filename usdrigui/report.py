@@ -199,6 +199,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "difference": _difference(character.difference) if character.difference is not None else None,
         "solution": {
             "method": assignment.method,
+            "closed_by": assignment.closed_by,
             "status": assignment.status,
             "cost": assignment.cost,
             "bound": assignment.bound,

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from usdrigui.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
     from usdrigui.layout.review.difference import Change, Difference
     from usdrigui.layout.review.review import ElementReview
+    from usdrigui.model import Assignment
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
 
@@ -243,8 +244,8 @@ class Screen:
             soft_wrap=True,
         )
         self._out.print(
-            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap:.2e} "
-            f"({solution.gap_in_play:.2e} of what is in play), {solution.status} by {solution.method}"
+            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap_in_play:.2e} of what "
+            f"the choice can change ({solution.gap:.2e} of the cost), {_ending(solution)}"
         )
         if character.difference is not None:
             self._out.print("since the previous layout:")
@@ -347,6 +348,13 @@ def _verdict(report: Report) -> str:
     target = f" {report.output}" if report.output else ""
     gap = max((character.assignment.gap for character in report.characters), default=0.0)
     return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the face, gap {gap:.1e}"
+
+
+def _ending(solution: Assignment) -> str:
+    """What closed the problem, or the limit that came first."""
+    if solution.status == "optimal":
+        return f"proved by {solution.closed_by}"
+    return f"stopped by the {solution.closed_by}" if "limit" in solution.closed_by else "interrupted"
 
 
 def _percent(share: float) -> str:

@@ -13,10 +13,20 @@ from layout_problems import crowd, random_problem
 from usdrigui.model import LayoutProblem, Overlap
 from usdrigui.overlap import element_distance, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import blocks
-from usdrigui.solve.blocks import Blocks, Labels, all_labels, block_pool, cheapest, halve, in_play, selected, whole
-from usdrigui.solve.tables import near_blocks, refined
-from usdrigui.solve.watch import Watch
+from usdrigui.solve import label_geometry as blocks
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import (
+    Blocks,
+    Labels,
+    all_labels,
+    block_pool,
+    cheapest,
+    halve,
+    in_play,
+    selected,
+    whole,
+)
+from usdrigui.solve.pair_costs import near_blocks, refined
 
 
 def usable(problem: LayoutProblem) -> bool:
@@ -30,8 +40,8 @@ def problems() -> tuple[LayoutProblem, ...]:
     return tuple(each for each in drawn if usable(each))
 
 
-def watch() -> Watch:
-    return Watch(SolveSettings())
+def budget() -> Budget:
+    return Budget(SolveSettings())
 
 
 def parts(labels: Labels, times: int) -> Blocks:
@@ -60,7 +70,7 @@ def pairs_wrong(problem: LayoutProblem, times: int) -> int:
     pool = block_pool(labels, found)
     costs = np.zeros((len(found.variable), len(found.variable)))
     known = np.zeros(costs.shape, dtype=bool)
-    for pairs in near_blocks(problem, pool, watch()):
+    for pairs in near_blocks(problem, pool, budget()):
         np.add.at(costs, (pairs.first, pairs.second), pairs.costs)
         known[pairs.first, pairs.second] = True
     wrong = 0
@@ -167,11 +177,11 @@ def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
     for problem in problems():
         labels = all_labels(problem)
         found = parts(labels, 1)
-        older = near_blocks(problem, block_pool(labels, found), watch())
+        older = near_blocks(problem, block_pool(labels, found), budget())
         first = Blocks(found.members[found.start[:-1]], np.arange(len(found.variable) + 1), found.variable)
         pool = block_pool(labels, first)
-        mine = refined(problem, pool, older, np.arange(len(found.variable)), watch(), found.sizes == 1)
-        wanted = near_blocks(problem, pool, watch())
+        mine = refined(problem, pool, older, np.arange(len(found.variable)), budget(), found.sizes == 1)
+        wanted = near_blocks(problem, pool, budget())
         for one, other in zip(mine, wanted, strict=True):
             key = {(a, b): cost for a, b, cost in zip(other.first, other.second, other.costs, strict=True)}
             got = {(a, b): cost for a, b, cost in zip(one.first, one.second, one.costs, strict=True)}

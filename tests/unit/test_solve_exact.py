@@ -18,33 +18,20 @@ import pytest
 from layout_problems import crowd, random_problem
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Overlap, Variable
+from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import (
-    Progress,
-    bounds,
-    groups,
-    local_search,
-    pricing,
-    reduce,
-    residual_search,
-    search,
-    solve,
-    splitting,
-)
+from usdrigui.solve import Progress, local_search, milp, partition, reduce, solve
 from usdrigui.solve.assignment import forbidden_price
-from usdrigui.solve.blocks import Blocks, Labels, all_labels, singles
+from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import solve_whole
-from usdrigui.solve.memory import planned_for_prices
-from usdrigui.solve.residual import Residual, bounded_blocks
-from usdrigui.solve.subproblem import Part
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
+from usdrigui.solve.reduced_problem import ReducedProblem
 
 Way = Callable[[pytest.MonkeyPatch], None]
 ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
-PART = max(75, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "300")) // 4)
+PART = max(40, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "160")) // 4)
 """Random problems compared with enumeration, of each of the four parts."""
 
 
@@ -86,38 +73,57 @@ def verdicts(seeds: range) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("part", range(4))
-def test_agrees_with_enumeration_on_random_problems(part: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    if part % 2:
-        by_blocks(monkeypatch)
-    assert verdicts(range(PART * part, PART * part + PART)) == []
+def one_matrix(_: pytest.MonkeyPatch) -> None:
+    """Small problems are looked at label by label."""
 
 
-def test_groups_agree_with_enumeration_on_random_problems(monkeypatch: pytest.MonkeyPatch) -> None:
-    by_groups(monkeypatch)
-    assert verdicts(range(10_000, 10_000 + PART)) == []
+def by_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Small problems are cut into blocks first, as large ones are."""
+    monkeypatch.setattr(partition, "ONE_BY_ONE", 0)
 
 
-@pytest.mark.parametrize("way", ["as one problem", "by blocks", "by groups"])
+def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Triplets are looked for among blocks already."""
+    by_blocks(monkeypatch)
+    monkeypatch.setattr(reduce, "FRUSTRATED", -np.inf)
+
+
+def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that dual ascent leaves goes to HiGHS."""
+    monkeypatch.setattr(reduce, "_tightened", lambda problem, _: problem)
+
+
+WAYS = [one_matrix, by_blocks, by_triplets, by_program]
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
+    way(monkeypatch)
+    first = PART * WAYS.index(way)
+    assert verdicts(range(first, first + PART)) == []
+
+
+@pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("seed", range(4))
-def test_proves_crowds_optimal(seed: int, way: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    if way == "by blocks":
-        by_blocks(monkeypatch)
-    if way == "by groups":
-        by_groups(monkeypatch, 20)
+def test_proves_crowds_optimal(seed: int, way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
+    way(monkeypatch)
     problem = crowd(seed, variables=4, candidates=30)
     best = solve(problem, ENUMERATE)
     assert faults(problem, solve(problem, HIGHS), best) == []
 
 
-def test_crowd_needs_more_than_the_pairwise_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = crowd(1, variables=5, candidates=30)
-    assert solve(problem, HIGHS).status == "optimal"
-    for step in ("searched", "grouped"):
-        monkeypatch.setattr(reduce, step, lambda residual, *_: residual)
-    limited = solve(problem, replace(HIGHS, work_limit=150_000))
-    assert limited.status == "stopped"
-    assert limited.bound < limited.cost
+    found = solve(problem, HIGHS)
+    assert (found.method, found.status) == ("bounds", "optimal")
+    assert "highs" not in [each.name for each in found.steps]
+    by_program(monkeypatch)
+    found = solve(problem, HIGHS)
+    assert (found.method, found.status) == ("highs", "optimal")
+    figures = dict(next(each.figures for each in found.steps if each.name == "highs"))
+    assert figures["columns"] > figures["labels"] > 0
+    assert figures["rows"] > 0
+    assert figures["lp_bound"] <= figures["bound"] + 1e-9 <= figures["cutoff"] + 2e-9
 
 
 def _nothing(*_: object) -> None:
@@ -132,7 +138,7 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
     monkeypatch.setattr(local_search.Incumbent, "search", _nothing)
     monkeypatch.setattr(local_search.Incumbent, "improve_from", _nothing)
     monkeypatch.setattr(local_search, "descend", _nothing)
-    monkeypatch.setattr(reduce, "likely_solution", lambda residual, _: residual.chosen)
+    monkeypatch.setattr(reduce, "iterated_local_search", lambda _, first, _seed: first)
     count = 0
     for problem in problems:
         best = solved(problem, ENUMERATE)
@@ -142,145 +148,28 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
     return count
 
 
-def by_groups(monkeypatch: pytest.MonkeyPatch, labels: int = 0) -> None:
-    """Small problems take the way of large ones, blocks, prices and groups, until no more than `labels` are left."""
-    by_blocks(monkeypatch)
-    monkeypatch.setattr(splitting, "FEW_LABELS", 0)
-    monkeypatch.setattr(residual_search, "LARGEST", labels)
-
-
-def by_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Small problems are cut into blocks first, as large ones are."""
-    monkeypatch.setattr(splitting, "ONE_BY_ONE", 0)
-
-
 def random_problems() -> list[LayoutProblem]:
     return [random_problem(seed) for seed in range(40)] + [crowd(seed, 4, 20) for seed in range(10)]
 
 
-@pytest.mark.parametrize("way", [by_blocks, None])
-def test_bounds_hold_whatever_the_local_search_finds(way: Way | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    if way:
-        way(monkeypatch)
+@pytest.mark.parametrize("way", WAYS)
+def test_bounds_hold_whatever_the_local_search_finds(way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
+    way(monkeypatch)
     assert overstated(random_problems(), monkeypatch) == 0
 
 
-def test_bounds_of_groups_hold_whatever_the_local_search_finds(monkeypatch: pytest.MonkeyPatch) -> None:
-    by_groups(monkeypatch)
-    assert overstated(random_problems(), monkeypatch) == 0
-
-
-def by_prices(monkeypatch: pytest.MonkeyPatch, problem: LayoutProblem) -> None:
-    """Searches of single labels go by priced costs."""
-
-    def priced(residual: Residual, watch: Watch) -> Residual:
-        solution = residual.pool.start[:-1] + residual.chosen
-        return pricing._priced(residual, solution, problem.overlap.radius, watch)
-
-    monkeypatch.setattr(reduce, "at_better_costs", priced)
-
-
-def test_bounds_of_searches_at_prices_hold(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(5)]
-    by_prices(monkeypatch, problems[0])
-    assert overstated(problems, monkeypatch, 300_000) == 0
-
-
-def test_what_prices_take_off_forgotten_by_the_search_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    problems = [crowd(seed, 4, 20) for seed in range(5)]
-    by_prices(monkeypatch, problems[0])
-    honest = residual_search._left
-
-    def forgetful(residual: Residual, watch: Watch) -> Part | None:
-        part = honest(residual, watch)
-        if part is not None:
-            part.constant -= residual.dual.constant
-        return part
-
-    monkeypatch.setattr(residual_search, "_left", forgetful)
-    assert overstated(problems, monkeypatch, 300_000) > 0
-
-
-def test_prices_left_behind_take_their_bound_with_them() -> None:
-    problem = crowd(1, variables=5, candidates=30)
-    watch = Watch(HIGHS)
-    labels = all_labels(problem)
-    forbidden = forbidden_price(problem, labels)
-    residual = bounded_blocks(problem, labels, singles(labels), forbidden, watch)
-    watch.found("test", cost=solve(problem, HIGHS).cost)
-    solution = residual.pool.start[:-1] + residual.chosen
-    priced = pricing._priced(residual, solution, problem.overlap.radius, watch)
-    true = pricing.without_prices(priced, watch)
-    assert priced.bound > true.bound
-    assert true.bound == true.dual.bound()  # what groups gain is added to it
-
-
-def test_prices_are_not_looked_for_with_too_little_work_left_for_them_to_cool() -> None:
-    problem = crowd(1, variables=5, candidates=30)
-    watch = Watch(replace(HIGHS, work_limit=1_000_000))
-    labels = all_labels(problem)
-    residual = bounded_blocks(problem, labels, singles(labels), forbidden_price(problem, labels), watch)
-    watch.found("test", cost=solve(problem, HIGHS).cost)
-    solution = residual.pool.start[:-1] + residual.chosen
-    dear = replace(residual, pricing=2 * watch.work_left)
-    assert pricing.repriced(dear, solution, problem.overlap.radius, watch) is dear
-    priced = pricing.repriced(replace(residual, pricing=watch.work_left), solution, problem.overlap.radius, watch)
-    assert priced.priced
-    assert 0 < priced.pricing < 1_000_000
-
-
-def test_what_prices_link_already_counts_when_more_are_planned() -> None:
-    problem = crowd(1, variables=8, candidates=100)
-    watch = Watch(HIGHS)
-    labels = all_labels(problem)
-    residual = bounded_blocks(problem, labels, singles(labels), forbidden_price(problem, labels), watch)
-    watch.found("test", cost=solve(problem, HIGHS).cost)
-    solution = residual.pool.start[:-1] + residual.chosen
-    watch.settings = replace(HIGHS, memory_limit=int(planned_for_prices(residual)) + 1)
-    priced = pricing.repriced(residual, solution, problem.overlap.radius, watch)
-    assert priced.priced
-    assert pricing.repriced(priced, solution, problem.overlap.radius, watch) is priced
-
-
-def test_search_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = search.Part.bounds
-
-    def raised(self: search.Part) -> tuple[float, Floats]:
-        bound, excess = honest(self)
-        return bound + 1e-4, excess
-
-    by_blocks(monkeypatch)
-    monkeypatch.setattr(search.Part, "bounds", raised)
-    assert overstated(random_problems(), monkeypatch) > 0
-
-
-def test_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = bounds.Dual.parts
-
-    def raised(self: bounds.Dual, member: Indices | None = None) -> tuple[float, list[Floats]]:
-        bound, excess = honest(self, member)
-        return bound + 1e-4, excess
-
-    by_blocks(monkeypatch)
-    monkeypatch.setattr(bounds.Dual, "parts", raised)
-    assert overstated(random_problems(), monkeypatch) > 0
-
-
-def test_group_bound_raised_by_a_hair_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = groups._solve
-
-    def raised(*arguments: Any) -> tuple[search.Found, int]:
-        found, used = honest(*arguments)
-        return replace(found, bound=found.bound + 1e-4), used
-
-    by_groups(monkeypatch)
-    monkeypatch.setattr(pricing, "FAR", np.inf)  # At priced costs groups prove less than there is.
-    monkeypatch.setattr(groups, "_solve", raised)
+@pytest.mark.parametrize(
+    ("owner", "name"), [(ReducedProblem, "bound"), (ReducedProblem, "label_lower_bounds"), (milp._Program, "_lowered")]
+)
+def test_a_bound_raised_by_a_hair_is_caught(owner: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = getattr(owner, name)
+    (by_program if owner is milp._Program else by_blocks)(monkeypatch)
+    monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + 1e-4)
     assert overstated(random_problems(), monkeypatch) > 0
 
 
 def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = splitting.thinned
+    honest = partition.thinned
 
     def off(labels: Labels, parts: Blocks, slack: Floats) -> Blocks:
         shifted = slack.copy()
@@ -290,7 +179,7 @@ def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
         return honest(labels, parts, shifted)
 
     by_blocks(monkeypatch)
-    monkeypatch.setattr(splitting, "thinned", off)
+    monkeypatch.setattr(partition, "thinned", off)
     try:
         assert overstated(random_problems(), monkeypatch) > 0
     except (ValueError, IndexError):
@@ -310,7 +199,7 @@ def test_infeasible_problems_are_told_at_once_however_their_bound_is_rounded() -
     problem = random_problem(5000453, 6, 8)  # its bound ended one unit of rounding below what is never allowed
     with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
         solve(problem, ENUMERATE)
-    spent = Watch(replace(HIGHS, work_limit=10**6))
+    spent = Budget(replace(HIGHS, work_limit=10**6))
     with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
         solve_whole(problem, spent)
     assert spent.work < 10**4
@@ -396,7 +285,7 @@ def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
 )
 def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
     labels = all_labels(with_copies(crowd(3, variables=5, candidates=300), copies))
-    blocks = splitting.first_blocks(labels, Watch(replace(HIGHS, **limits)))
+    blocks = partition.first_blocks(labels, Budget(replace(HIGHS, **limits)))
     assert (blocks.sizes.max() == 1) == single
     assert np.sort(blocks.members).tolist() == list(range(len(labels.label)))
 
@@ -410,13 +299,11 @@ def test_work_ends_near_its_limit() -> None:
 
 def test_memory_is_planned_before_it_is_spent() -> None:
     problem = crowd(7, variables=8, candidates=400)
-    plan = 230  # MiB: little more than the matrices of a search take
-    found = solve(problem, SolveSettings(memory_limit=plan))
-    assert "memory limit" in [each.name for each in found.steps]
-    assert found.status == "stopped"
+    found = solve(problem, SolveSettings(memory_limit=1))
+    assert (found.status, found.closed_by) == ("stopped", "memory limit")
     assert found.bound <= found.cost
     free = solve(problem, SolveSettings(work_limit=400_000))
-    assert "memory limit" not in [each.name for each in free.steps]
+    assert free.closed_by != "memory limit"
 
 
 def test_importing_the_package_loads_no_solver() -> None:

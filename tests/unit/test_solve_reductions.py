@@ -12,9 +12,9 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import LayoutProblem, Overlap, Variable
 from usdrigui.settings import Settings, SolveSettings, load
 from usdrigui.solve import solve
+from usdrigui.solve.budget import Budget
 from usdrigui.solve.clusters import clusters
 from usdrigui.solve.paper import sample
-from usdrigui.solve.watch import Watch
 
 SEPARATION = 0.1
 
@@ -172,24 +172,24 @@ def test_more_clusters_never_beat_the_whole() -> None:
 
 
 def test_parts_share_what_is_left_of_the_limits() -> None:
-    watch = Watch(SolveSettings(work_limit=900))
-    part = watch.part(1 / 3)
+    budget = Budget(SolveSettings(work_limit=900))
+    part = budget.part(1 / 3)
     assert part.settings.work_limit == 300
     assert part.settings.time_limit == 0
-    watch.spend(100)
-    assert watch.part(1 / 2).settings.work_limit == 400
-    watch.spend(900)
-    assert watch.part(1.0).settings.work_limit == 0
-    assert watch.part(1.0).stopped()
+    budget.spend(100)
+    assert budget.part(1 / 2).settings.work_limit == 400
+    budget.spend(900)
+    assert budget.part(1.0).settings.work_limit == 0
+    assert budget.part(1.0).stopped()
 
 
 def test_parts_share_the_time_and_the_request_to_stop() -> None:
-    timed = Watch(SolveSettings(time_limit=1000.0)).part(0.25)
+    timed = Budget(SolveSettings(time_limit=1000.0)).part(0.25)
     assert 200.0 < timed.settings.time_limit <= 250.0
-    assert Watch(SolveSettings(time_limit=1e-9)).part(1.0).stopped()
+    assert Budget(SolveSettings(time_limit=1e-9)).part(1.0).stopped()
     asked = []
-    watch = Watch(SolveSettings(), stop=lambda: bool(asked))
-    part = watch.part(0.5)
+    budget = Budget(SolveSettings(), stop=lambda: bool(asked))
+    part = budget.part(0.5)
     assert not part.stopped()
     asked.append(True)
     assert part.stopped()

@@ -28,6 +28,10 @@ class Assignment(Record):
     in_play: float
     """cost minus the sum over variables of their least linear cost: what the choice can change (>= 0)."""
     method: str
+    """What ran last: ``bounds`` where nothing was left for a solver, or the solver's name."""
+    closed_by: str
+    """The method that proved the gap, or the limit that kept it from that: ``time limit``, ``work limit``,
+    ``memory limit``, ``node limit`` or ``interrupt``."""
     steps: tuple[Step, ...] = ()
 
     @property

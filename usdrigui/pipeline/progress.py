@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from usdrigui.solve.watch import Progress
+    from usdrigui.solve.budget import Progress
 
 
 @dataclass(frozen=True, slots=True)

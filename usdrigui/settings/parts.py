@@ -400,12 +400,12 @@ class SolveSettings:
     """How the layout problem is solved, and for how long."""
 
     method: Literal["highs", "paper", "enumerate", "toulbar2"] = setting(
-        "highs", "Solver of the layout problem.", level="expert"
+        "highs", "Solver of what dual bounds and tests leave of the layout problem.", level="expert"
     )
     gap: float = setting(0.0001, "Relative gap at which a solution is called optimal.", bounds=(0.0, 1.0))
     work_limit: int = setting(
         60_000_000,
-        "Search nodes and pair evaluations after which the solver stops with what it has; reproducible.",
+        "Pair evaluations and the like after which the solver stops with what it has; reproducible.",
         bounds=(0, 2**62),
         level="expert",
     )

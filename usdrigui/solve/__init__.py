@@ -9,8 +9,8 @@ from collections.abc import Callable
 
 from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.settings import SolveSettings
+from usdrigui.solve.budget import Budget, Progress
 from usdrigui.solve.exchange import load_problem, save_problem
-from usdrigui.solve.watch import Progress, Watch
 
 __all__ = ["Progress", "load_problem", "save_problem", "solve"]
 
@@ -28,19 +28,15 @@ def solve(
     layout is allowed, SOLVE_MEMORY or SOLVE_TOO_LARGE when the method cannot hold the problem, SOLVE_EXTRA
     when the method's package is not installed.
     """
-    watch = Watch(settings, progress, stop)
+    budget = Budget(settings, progress, stop)
     if settings.method == "paper":
         from usdrigui.solve.paper import solve_by_clusters
 
-        return solve_by_clusters(problem, watch)
+        return solve_by_clusters(problem, budget)
     if settings.method == "enumerate":
         from usdrigui.solve.enumerate import solve_by_enumeration
 
-        return solve_by_enumeration(problem, watch)
-    if settings.method == "toulbar2":
-        from usdrigui.solve.toulbar2 import solve_by_toulbar2
-
-        return solve_by_toulbar2(problem, watch)
+        return solve_by_enumeration(problem, budget)
     from usdrigui.solve.exact import solve_whole
 
-    return solve_whole(problem, watch)
+    return solve_whole(problem, budget)

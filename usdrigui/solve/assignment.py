@@ -7,8 +7,8 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import GAP_FLOOR, Assignment, Indices, LayoutProblem
 from usdrigui.overlap import total_cost
-from usdrigui.solve.blocks import Labels
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import Labels
 
 SAFETY = 2e-11
 """Share of a bound, and of the least costs it is made of, taken off for rounding."""
@@ -33,7 +33,7 @@ def allowed_below(least: float, forbidden: float) -> float:
     return least + forbidden - 0.5
 
 
-def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: Watch, method: str) -> Assignment:
+def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, budget: Budget, method: str) -> Assignment:
     """The record of a solution, its cost worked out by the objective itself.
 
     Raises SOLVE_INFEASIBLE when the layout has handles too near each other: either none is allowed, or the
@@ -42,9 +42,9 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: W
     cost = total_cost(problem, chosen)
     if not np.isfinite(cost):
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
-    rounding = SAFETY * (abs(watch.bound) + float(np.abs(labels.best).sum()))
-    bound = min(watch.bound - rounding, cost) if np.isfinite(watch.bound) else -np.inf
-    closed = cost - bound <= watch.settings.gap * max(abs(cost), GAP_FLOOR)
+    rounding = SAFETY * (abs(budget.bound) + float(np.abs(labels.best).sum()))
+    bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf
+    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR)
     return Assignment(
         labels=chosen,
         cost=cost,
@@ -52,7 +52,8 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, watch: W
         status="optimal" if closed else "stopped",
         in_play=max(0.0, cost - float(labels.best.sum())),
         method=method,
-        steps=tuple(watch.steps),
+        closed_by=method if closed else budget.limit or "work limit",
+        steps=tuple(budget.steps),
     )
 
 

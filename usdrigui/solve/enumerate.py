@@ -9,13 +9,13 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, Floats, LayoutProblem
 from usdrigui.overlap import pair_costs
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.budget import Budget
 
 MOST = 4_000_000
 """Layouts that are enumerated at most; one number each."""
 
 
-def solve_by_enumeration(problem: LayoutProblem, watch: Watch) -> Assignment:
+def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     """The best of all layouts.  Raises SOLVE_TOO_LARGE or SOLVE_INFEASIBLE."""
     labels = [
         np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.beside) else []).astype(np.int64)
@@ -35,10 +35,12 @@ def solve_by_enumeration(problem: LayoutProblem, watch: Watch) -> Assignment:
         raise refuse("SOLVE_INFEASIBLE", "solve", "no layout keeps all handles apart")
     best = np.unravel_index(int(total.argmin()), total.shape)
     cost = float(total.min())
-    watch.note("enumeration", layouts=layouts)
+    budget.note("enumeration", layouts=layouts)
     least = sum(float(_finite_least(each.cost, each.beside)) for each in problem.variables)
     chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
-    return Assignment(chosen, cost, cost, "optimal", max(0.0, cost - least), "enumerate", tuple(watch.steps))
+    return Assignment(
+        chosen, cost, cost, "optimal", max(0.0, cost - least), "enumerate", "enumerate", tuple(budget.steps)
+    )
 
 
 def _finite_least(cost: Floats, beside: float) -> float:

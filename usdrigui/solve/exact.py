@@ -7,11 +7,13 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below, assignment, forbidden_price
-from usdrigui.solve.blocks import Labels, all_labels, cheapest, halve, in_play, selected, whole
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import Labels, all_labels, cheapest, halve, in_play, selected, whole
 from usdrigui.solve.local_search import Incumbent
-from usdrigui.solve.reduce import reduce
-from usdrigui.solve.splitting import affordable_at_once
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.milp import solve_milp
+from usdrigui.solve.partition import affordable_at_once
+from usdrigui.solve.reduce import Partition, reduce
+from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 HALVINGS = 6
 """The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every variable."""
@@ -21,57 +23,83 @@ TRIES = 2
 """Attempts per variable among all labels that may be in a better layout."""
 
 
-def solve_whole(problem: LayoutProblem, watch: Watch) -> Assignment:
+def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     """Best layout over every candidate of every variable, with a lower bound (paper eq. 2-5, unreduced).
 
     Raises SOLVE_INFEASIBLE when no layout is allowed.
     """
+    if budget.settings.method == "toulbar2":
+        check_installed()
     labels = all_labels(problem)
     empty = [each.name for each, best in zip(problem.variables, labels.best, strict=True) if not np.isfinite(best)]
     if empty:
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no candidate and no place beside the face for {', '.join(empty)}")
     if not problem.variables:
-        watch.found("local search", cost=0.0, bound=0.0)
-        return assignment(problem, labels, labels.label, watch, "highs")
+        budget.found("local search", cost=0.0, bound=0.0)
+        return assignment(problem, labels, labels.label, budget, "bounds")
     forbidden = forbidden_price(problem, labels)
-    watch.ceiling = allowed_below(float(labels.best.sum()), forbidden)
-    watch.found("linear costs", bound=float(labels.best.sum()))
-    count = len(labels.label)
-    labels, incumbent = _first_layout(problem, labels, forbidden, watch)
-    watch.note("local search", cost=incumbent.cost, labels=count, work=watch.work)
-    residual = reduce(problem, labels, forbidden, watch, incumbent)
-    watch.note(
-        "blocks",
-        cost=incumbent.cost,
-        bound=watch.bound,
-        blocks=len(residual.blocks.variable),
-        labels=int(residual.blocks.sizes.sum()),
-        work=watch.work,
-    )
-    return assignment(problem, labels, labels.label[incumbent.chosen], watch, "highs")
+    budget.ceiling = allowed_below(float(labels.best.sum()), forbidden)
+    budget.found("linear costs", bound=float(labels.best.sum()))
+    count, method = len(labels.label), "bounds"
+    labels, incumbent = _first_layout(problem, labels, forbidden, budget)
+    budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
+    left = reduce(problem, labels, budget, incumbent)
+    budget.note("reduce", **_figures(left), cost=incumbent.cost, bound=budget.bound, work=budget.work)
+    if left is not None and left.exact and not budget.closed() and not budget.stopped():
+        method = _solve_reduced(labels, left, incumbent, budget)
+    return assignment(problem, labels, labels.label[incumbent.chosen], budget, method)
 
 
-def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> tuple[Labels, Incumbent]:
+def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
+    """Give what is left to the solver that the settings name; the name of that."""
+    method, cutoff = budget.settings.method, budget.cutoff
+    if method == "toulbar2":
+        linear = left.pool.cost[left.problem.labels]
+        found = solve_by_toulbar2(left.problem, linear, left.pairs, cutoff, budget)
+    else:
+        method = "highs"
+        found = solve_milp(left.problem, cutoff, budget)
+    if found.chosen is not None:
+        incumbent.improve_from(left.representatives(labels, found.chosen))
+    budget.found(method, bound=found.bound)
+    budget.note(method, **found.figures, bound=found.bound, work=budget.work)
+    return method
+
+
+def _figures(left: Partition | None) -> dict[str, float]:
+    """What the reduction has left."""
+    if left is None:
+        return {"labels": 0}
+    problem = left.problem
+    return {
+        "blocks": len(problem.labels),
+        "labels": int(left.blocks.sizes[problem.labels].sum()),
+        "excluded_pairs": int(np.isinf(problem.pairs).sum()),
+        "triplets": len(problem.messages),
+    }
+
+
+def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> tuple[Labels, Incumbent]:
     """A good layout, and the labels that a better one may use."""
-    if affordable_at_once(labels, watch):
-        incumbent = Incumbent(problem, labels, forbidden, watch)
+    if affordable_at_once(labels, budget):
+        incumbent = Incumbent(problem, labels, forbidden, budget)
         incumbent.construct()
     else:
-        labels, chosen = _roughly(problem, labels, forbidden, watch)
-        incumbent = Incumbent(problem, labels, forbidden, watch)
+        labels, chosen = _roughly(problem, labels, forbidden, budget)
+        incumbent = Incumbent(problem, labels, forbidden, budget)
         incumbent.start_from(chosen)
     incumbent.search(TRIES * len(problem.variables))
     return labels, incumbent
 
 
-def _roughly(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> tuple[Labels, Indices]:
+def _roughly(problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> tuple[Labels, Indices]:
     """The labels that a layout better than a rough one may use, and those among them that the rough one chooses.
 
     What a label costs against all others is dear to work out where there are many, so a layout of few labels, far
     apart, comes first: it rules out most of the others by their linear costs alone.
     """
     rough = _cheapest_places(labels)
-    incumbent = Incumbent(problem, selected(labels, rough), forbidden, watch)
+    incumbent = Incumbent(problem, selected(labels, rough), forbidden, budget)
     incumbent.construct()
     incumbent.search(ROUGH_TRIES * len(problem.variables))
     chosen = rough[incumbent.chosen]

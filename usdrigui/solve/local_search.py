@@ -14,8 +14,8 @@ import numpy as np
 
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below
-from usdrigui.solve.blocks import ALL, Labels, Pool, pair_bounds, squared
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import ALL, Labels, Pool, pair_bounds, squared
 
 STEP = "local search"
 WORSE = 0.02
@@ -27,13 +27,13 @@ CACHE_SHARE = 0.2
 class Neighbours:
     """What one label costs against every other label, remembered."""
 
-    def __init__(self, problem: LayoutProblem, labels: Labels, watch: Watch) -> None:
+    def __init__(self, problem: LayoutProblem, labels: Labels, budget: Budget) -> None:
         self._problem = problem
         self._labels = labels
-        self._watch = watch
+        self._budget = budget
         self._known: OrderedDict[int, tuple[Indices, Floats]] = OrderedDict()
         self._entries = 0
-        self._most = int(CACHE_SHARE * watch.settings.memory_limit * 2**20 / 16)
+        self._most = int(CACHE_SHARE * budget.settings.memory_limit * 2**20 / 16)
         overlap, separation = problem.overlap, problem.separation
         self._extents = [
             [one.extent(ALL, other, overlap.reach, separation) for other in labels.pool.bodies]
@@ -72,7 +72,7 @@ class Neighbours:
                 near = near[together[pool.variable[other.owner[near]]]]
                 if not len(near):
                     continue
-                self._watch.spend(len(near))
+                self._budget.spend(len(near))
                 piece, _ = pair_bounds(
                     one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation
                 )
@@ -198,14 +198,14 @@ class State:
 class Incumbent:
     """The best layout so far, and the ways to a better one."""
 
-    def __init__(self, problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch) -> None:
-        self.neighbours = Neighbours(problem, labels, watch)
+    def __init__(self, problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> None:
+        self.neighbours = Neighbours(problem, labels, budget)
         self.state = State(labels, self.neighbours, forbidden)
         self.chosen = self.state.chosen.copy()
         self.cost = np.inf
         self._forbidden = forbidden
-        self._watch = watch
-        self._generator = np.random.default_rng(watch.settings.seed)
+        self._budget = budget
+        self._generator = np.random.default_rng(budget.settings.seed)
         self._tried: set[bytes] = set()
 
     def construct(self) -> None:
@@ -232,7 +232,7 @@ class Incumbent:
         """Large-neighbourhood search: take a few rivals out, put them back in another order, descend."""
         self.state.set(self.chosen)
         for attempt in range(tries):
-            if attempt % 8 == 0 and (self._watch.stopped() or self._watch.closed()):
+            if attempt % 8 == 0 and (self._budget.stopped() or self._budget.closed()):
                 return
             group = _group(self.state, self._generator)
             for variable in group:
@@ -243,14 +243,14 @@ class Incumbent:
 
     def _settle(self, variables: Iterable[int]) -> float:
         """Descend, and remember the layout if it is the best so far; its cost."""
-        descend(self.state, variables, self._watch)
+        descend(self.state, variables, self._budget)
         cost = self.state.total()
         if cost < self.cost - 1e-9:
             self.state.refresh()
             cost = self.state.total()
         if cost < self.cost - 1e-9:
             self.chosen, self.cost = self.state.chosen.copy(), cost
-            self._watch.found(STEP, _cost(self.state, self._forbidden))
+            self._budget.found(STEP, _cost(self.state, self._forbidden))
         return cost
 
 
@@ -267,7 +267,7 @@ def insert(state: State, order: Iterable[int]) -> None:
         state.place(int(variable), state.best(int(variable))[0])
 
 
-def descend(state: State, variables: Iterable[int], watch: Watch) -> None:
+def descend(state: State, variables: Iterable[int], budget: Budget) -> None:
     """Move one variable at a time to its cheapest label until none of those touched gains."""
     queue = deque(int(each) for each in variables)
     for _ in range(50 * len(queue)):
@@ -275,7 +275,7 @@ def descend(state: State, variables: Iterable[int], watch: Watch) -> None:
             return
         variable = queue.popleft()
         label, cost = state.best(variable)
-        watch.spend(1 + int(state.pool.start[variable + 1] - state.pool.start[variable]) // 64)
+        budget.spend(1 + int(state.pool.start[variable + 1] - state.pool.start[variable]) // 64)
         if cost < state.cost_of(variable) - 1e-9:
             before = state.touching(variable)
             state.place(variable, label)

@@ -13,10 +13,10 @@ import numpy as np
 from usdrigui.model import Assignment, ExtraPairs, Flags, Floats, Indices, LayoutProblem, Variable
 from usdrigui.overlap import pair_costs
 from usdrigui.solve.assignment import assignment
-from usdrigui.solve.blocks import all_labels
+from usdrigui.solve.budget import Budget
 from usdrigui.solve.clusters import clusters
 from usdrigui.solve.exact import solve_whole
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.label_geometry import all_labels
 
 _NO_WEIGHT = 1e-9
 """Weight of candidates that do not move as their viewer sees them: kept when nothing else is left."""
@@ -24,8 +24,8 @@ _NO_WEIGHT = 1e-9
 
 def solve_by_clusters(
     problem: LayoutProblem,
-    watch: Watch,
-    solve_cluster: Callable[[LayoutProblem, Watch], Assignment] = solve_whole,
+    budget: Budget,
+    solve_cluster: Callable[[LayoutProblem, Budget], Assignment] = solve_whole,
 ) -> Assignment:
     """Place cluster after cluster, the largest first, each over a sample of its candidates.
 
@@ -33,7 +33,7 @@ def solve_by_clusters(
     linear cost.  All clusters share one allowance of work and time, by their numbers of elements.  Raises
     SOLVE_INFEASIBLE when former elements leave one without a place.
     """
-    settings = watch.settings
+    settings = budget.settings
     generator = np.random.default_rng(settings.seed)
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
@@ -41,17 +41,17 @@ def solve_by_clusters(
         priced = [_beside_placed(problem, at, placed, chosen) for at in cluster]
         kept = sample([each.displacement for each in priced], settings.sample, generator, _allowed(priced))
         part = _restricted(problem, cluster, priced, kept)
-        mine = watch.part(len(cluster) / (len(problem.variables) - len(placed)))
+        mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
         solution = solve_cluster(part, mine)
-        watch.spend(mine.work)
-        watch.note("cluster", elements=len(cluster), labels=sum(map(len, kept)), cost=solution.cost, work=mine.work)
+        budget.spend(mine.work)
+        budget.note("cluster", elements=len(cluster), labels=sum(map(len, kept)), cost=solution.cost, work=mine.work)
         for variable, labels, label in zip(cluster, kept, solution.labels, strict=True):
             chosen[variable] = labels[label] if label >= 0 else -1
         placed += cluster
     everything = all_labels(problem)
-    watch.found("paper", bound=float(everything.best.sum()))
-    watch.note("paper", clusters=settings.clusters, sample=settings.sample, work=watch.work)
-    return assignment(problem, everything, chosen, watch, "paper")
+    budget.found("paper", bound=float(everything.best.sum()))
+    budget.note("paper", clusters=settings.clusters, sample=settings.sample, work=budget.work)
+    return assignment(problem, everything, chosen, budget, "paper")
 
 
 def sample(

@@ -2,96 +2,215 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass
 
-from usdrigui.model import LayoutProblem
-from usdrigui.solve.blocks import Labels
+import numpy as np
+
+from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.iterated_local_search import RUNS, TRIES, descended, iterated_local_search, label_costs
+from usdrigui.solve.label_geometry import Blocks, Labels, Pool, block_pool, member_slack, selected
 from usdrigui.solve.local_search import Incumbent
-from usdrigui.solve.pace import Pace
-from usdrigui.solve.pricing import at_better_costs, repriced, without_prices
-from usdrigui.solve.residual import STEP, Residual, bounded_blocks
-from usdrigui.solve.residual_search import few_enough, grouped, likely_solution, searched
-from usdrigui.solve.splitting import few_labels, first_blocks, split
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_matrix, refined
+from usdrigui.solve.partition import first_blocks, split
+from usdrigui.solve.reduced_problem import ReducedProblem, reduced
+from usdrigui.solve.triplets import tightened
 
-TRIES = 16
-"""Attempts of large-neighbourhood search per variable once the bound rises slowly."""
-HANDFUL = 100
-"""Labels left up to which they are searched at once: a better layout first would save less than it takes to find."""
-THINNED = 0.8
-"""Share of the labels left below which they are bounded again before they are searched."""
-SOLVED = 0.1
-"""Share of the gap allowed within which single labels with prices count as solved: the rest is the prices' fault."""
+STEP = "blocks"
+"""Name of the reduction in what is told of it."""
+SWEEPS = 8
+"""Of dual ascent on new blocks."""
+LARGEST_TESTED = 1200
+"""Labels whose pairs are tested: that takes the cube of their number."""
+LIKELY = 2000
+"""Labels among which a good layout is looked for while others are still held in blocks."""
+FEW_GONE = 0.1
+"""Share of the labels that tests must exclude to go on."""
+FRUSTRATED = 0.7
+"""Share of the distance to the cutoff that the blocks' own solution must leave before triplets are looked for."""
+NEAR = 0.02
+"""Share of the way to the cutoff in which blocks are split while the bound rises well."""
+SLOW = 0.1
+"""Share of what the bound misses by which it rises slowly."""
 
 
-def reduce(problem: LayoutProblem, labels: Labels, forbidden: float, watch: Watch, incumbent: Incumbent) -> Residual:
-    """Split and discard blocks until the gap is closed or a limit is reached.
+@dataclass(frozen=True, eq=False)
+class Partition:
+    """Blocks of candidates, and what is left of the problem that they bound from below."""
 
-    `incumbent` holds the best layout known of these labels; it is improved on the way.
+    blocks: Blocks
+    pool: Pool
+    near: list[NearPairs]
+    problem: ReducedProblem
+    """Its labels are blocks."""
+    pairs: Floats
+    """(n, n) pair costs of its labels, without messages."""
+
+    @property
+    def exact(self) -> bool:
+        """Whether every block is a single label."""
+        return bool(self.blocks.sizes.max(initial=1) == 1)
+
+    def representatives(self, labels: Labels, chosen: Indices) -> Indices:
+        """(variables,) for the block that a solution of the problem chooses its member of least linear cost."""
+        found = np.empty(len(chosen), dtype=np.int64)
+        for variable, at in enumerate(self.problem.labels[chosen]):
+            members = self.blocks.members[self.blocks.start[at] : self.blocks.start[at + 1]]
+            found[variable] = members[labels.pool.cost[members].argmin()]
+        return found
+
+
+def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: Incumbent) -> Partition | None:
+    """What bounds leave of a problem: labels, and pairs of them, that a layout below `budget.cutoff` may use.
+
+    None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds the best layout
+    known of these labels; it is improved on the way.
     """
-    blocks = first_blocks(labels, watch)
-    residual = bounded_blocks(problem, labels, blocks, forbidden, watch)
-    pace = Pace()
-    while True:
-        examined = _examined(labels, residual, watch, pace, problem.overlap.radius, incumbent)
-        if not examined.all_keep(watch.cut):
-            watch.found(STEP, bound=watch.cut)
-        if watch.closed() or watch.stopped():
-            return examined
-        parts = split(labels, examined, pace.share, watch)
-        if parts is None:
-            return examined
-        smaller = bounded_blocks(problem, labels, parts[0], forbidden, watch, examined, parts[1])
-        pace = pace.after(residual, examined, smaller, watch.cut)
-        residual = smaller
+    first = _bounded(problem, labels, first_blocks(labels, budget), budget)
+    found: Partition | None = first
+    share, searched = NEAR, first.exact
+    while found is not None:
+        if share > NEAR and not searched:
+            searched = True
+            incumbent.improve_from(_likely_layout(problem, labels, found, budget))
+        found = _examined(labels, found, budget, incumbent)
+        if found is None or found.exact or budget.closed() or budget.stopped():
+            break
+        bound = found.problem.bound()
+        smaller = _split(problem, labels, found, share, budget)
+        if smaller is None:
+            break
+        found = smaller
+        slow = found.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
+        share = min(1.0, 2.0 * share) if slow else NEAR
+    if found is None:
+        budget.found(STEP, bound=budget.cutoff)
+    return found
 
 
-def _examined(
-    labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
-) -> Residual:
-    """Tell of the bound, raise it by search where splitting no longer would, and try the blocks' solution."""
-    watch.found(STEP, bound=min(residual.bound, watch.cut))
-    incumbent.improve_from(residual.representatives(labels, residual.chosen))
-    if watch.closed() or watch.stopped():
-        return residual
-    if pace.slow and not pace.searched:
-        incumbent.search(TRIES * residual.pool.count)
-    if few_enough(residual, watch.cut):
-        alive = residual.alive(watch.cut)
-        if HANDFUL < alive.sum() < THINNED * len(alive):
-            return residual
-        residual = _as_one_problem(labels, residual, watch, pace, radius, incumbent)
-    elif residual.exact or (residual.frustrated(watch.cut) and not few_labels(labels, residual, watch)):
-        residual = _by_groups(labels, residual, watch, pace, radius, incumbent)
+def _bounded(
+    problem: LayoutProblem,
+    labels: Labels,
+    blocks: Blocks,
+    budget: Budget,
+    older: Partition | None = None,
+    parent: Indices | None = None,
+) -> Partition:
+    """The problem of some blocks after a few sweeps of dual ascent, from the messages of the blocks that they are
+    part of: `parent` (blocks,) tells which of the `older`."""
+    pool = block_pool(labels, blocks)
+    candidate = np.where(blocks.sizes == 1, labels.label[blocks.members[blocks.start[:-1]]], -2)
+    numbers = np.arange(len(pool.cost))
+    if older is None or parent is None:
+        near = near_blocks(problem, pool, budget)
+        pairs = pair_matrix(problem, pool, near, candidate)
+        left = ReducedProblem(pool.variable, numbers, pool.cost.copy(), pairs.copy())
     else:
-        return residual
-    incumbent.improve_from(residual.representatives(labels, residual.chosen))
-    watch.found(STEP, bound=min(residual.bound, watch.cut))
-    solved = residual.exact and residual.value - residual.bound < SOLVED * watch.allowed
-    return replace(without_prices(residual, watch), barren=True) if solved else residual
+        same = (blocks.sizes > 1) | (older.blocks.sizes[parent] == 1)
+        near = refined(problem, pool, older.near, parent, budget, same)
+        pairs = pair_matrix(problem, pool, near, candidate)
+        place = np.empty(len(older.pool.cost), dtype=np.int64)
+        place[older.problem.labels] = np.arange(len(older.problem.labels))
+        left = older.problem.refined(numbers, place[parent], pool.cost - older.pool.cost[parent], older.pairs, pairs)
+    return Partition(blocks, pool, near, left, pairs)
 
 
-def _as_one_problem(
-    labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
-) -> Residual:
-    """Better prices where there are any, and a search of all that is left."""
-    if residual.alive(watch.cut).sum() > HANDFUL:
-        incumbent.improve_from(residual.representatives(labels, likely_solution(residual, watch)))
-    if residual.priced and pace.stuck:
-        residual = repriced(residual, residual.entries_of(incumbent.chosen), radius, watch)
-    return searched(at_better_costs(residual, watch), watch)
+def _restricted(partition: Partition, left: ReducedProblem) -> Partition:
+    """A partition with what tests have left of its problem."""
+    if len(left.labels) == len(partition.pairs):
+        return Partition(partition.blocks, partition.pool, partition.near, left, partition.pairs)
+    kept = np.searchsorted(partition.problem.labels, left.labels)
+    return Partition(partition.blocks, partition.pool, partition.near, left, partition.pairs[np.ix_(kept, kept)])
 
 
-def _by_groups(
-    labels: Labels, residual: Residual, watch: Watch, pace: Pace, radius: float, incumbent: Incumbent
-) -> Residual:
-    """Prices and groups for many entries."""
-    if not residual.priced and not pace.slow:
-        incumbent.search(TRIES * residual.pool.count)
-    before = residual.bound
-    if not residual.barren:
-        residual = repriced(residual, residual.entries_of(incumbent.chosen), radius, watch)
-    if residual.exact and not watch.closed():
-        incumbent.improve_from(residual.representatives(labels, likely_solution(residual, watch)))
-    better = residual.bound > before and not residual.barren
-    return residual if better or watch.closed() else grouped(residual, watch, pace.nodes)
+def _examined(labels: Labels, partition: Partition, budget: Budget, incumbent: Incumbent) -> Partition | None:
+    """The partition after bounds and tests; None when nothing is left of it."""
+    left = _swept(partition.problem, budget)
+    if left is None:
+        return None
+    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
+    partition = _restricted(partition, left)
+    chosen, value = _layout(partition, budget)
+    incumbent.improve_from(partition.representatives(labels, chosen))
+    frustrated = value - left.bound() > FRUSTRATED * (budget.cutoff - left.bound())
+    if not (partition.exact or frustrated):
+        return partition
+    tight = _tightened(left, budget)
+    if tight is None:
+        return None
+    budget.found(STEP, bound=min(tight.bound(), budget.cutoff))
+    return _restricted(partition, tight)
+
+
+def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
+    """A good layout of the partition's blocks: one of its problem's labels per variable, and what it costs them."""
+    left = partition.problem
+    costs = label_costs(left.start, partition.pool.cost[left.labels], partition.pairs)
+    first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
+    if partition.exact:
+        budget.spend(RUNS * TRIES * left.count * len(left.costs) // 12)
+        chosen = iterated_local_search(costs, first, budget.settings.seed)
+    else:
+        chosen = descended(costs, first)
+    return chosen, costs.value(chosen)
+
+
+def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition, budget: Budget) -> Indices:
+    """(variables,) a good layout of the labels, held in blocks, that most likely are part of one."""
+    left = partition.problem
+    room = np.full(len(partition.pool.cost), -np.inf)
+    room[left.labels] = -left.label_lower_bounds()
+    slack = np.full(len(labels.label), -np.inf)
+    slack[partition.blocks.members] = member_slack(labels, partition.blocks, room)
+    likeliest = np.lexsort((-slack, labels.pool.variable))[labels.pool.start[:-1]]
+    slack[likeliest] = np.inf
+    kept = np.sort(np.argsort(-slack, kind="stable")[: max(LIKELY, labels.pool.count)])
+    part = selected(labels, kept)
+    pairs = pair_matrix(problem, part.pool, near_blocks(problem, part.pool, budget), part.label)
+    budget.spend(RUNS * TRIES * part.pool.count * len(kept) // 12)
+    first = np.flatnonzero(np.isin(kept, likeliest))
+    costs = label_costs(part.pool.start, part.pool.cost, pairs)
+    return kept[iterated_local_search(costs, first, budget.settings.seed)]
+
+
+def _swept(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None:
+    """A problem after dual ascent, without the labels that its bound excludes."""
+    problem.normalize()
+    left = reduced(problem, budget.cutoff)
+    while left is not None and not budget.stopped():
+        before = len(left.costs)
+        for _ in range(SWEEPS):
+            left.sweep()
+            left.normalize()
+        budget.spend(1000 + SWEEPS * before**2 // 64)
+        left = reduced(left, budget.cutoff)
+        if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
+            break
+    return left
+
+
+def _tightened(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None:
+    """A problem with a bound raised by triplets, and without the labels and pairs that it excludes."""
+    left: ReducedProblem | None = problem
+    while left is not None and not budget.stopped():
+        before = len(left.costs)
+        left = tightened(left, budget.cutoff, budget)
+        if left is not None:
+            if len(left.costs) <= LARGEST_TESTED:
+                budget.spend(len(left.costs) ** 3 // 1024)
+                left.exclude_pairs(budget.cutoff)
+            left = reduced(left, budget.cutoff)
+        if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
+            break
+    return left
+
+
+def _split(
+    problem: LayoutProblem, labels: Labels, partition: Partition, share: float, budget: Budget
+) -> Partition | None:
+    """The partition with smaller blocks; None when there is no memory for more."""
+    left = partition.problem
+    room = np.full(len(partition.pool.cost), np.inf)
+    room[left.labels] = left.label_lower_bounds()
+    parts = split(labels, partition.blocks, partition.near, room, left.bound(), share, budget)
+    return None if parts is None else _bounded(problem, labels, parts[0], budget, partition, parts[1])

@@ -6,31 +6,16 @@ pairs become pairs of its halves; only those are worked out anew.
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
 from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
-from usdrigui.solve.blocks import Bodies, Pool, near_pairs, pair_bounds
-from usdrigui.solve.watch import Watch
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.label_geometry import Bodies, Pool, near_pairs, pair_bounds
 
 AT_ONCE = 1_000_000
 """Distances between bodies held at a time."""
-
-
-@dataclass(frozen=True, eq=False)
-class Table(Record):
-    """Least pair costs of the blocks of two variables; zero outside the rows and columns listed."""
-
-    first: int
-    second: int
-    """Variables, first < second."""
-    rows: Indices
-    """(r,) blocks of `first` that can cost anything, counted within the variable, ascending."""
-    columns: Indices
-    costs: Floats
-    """(r, c) >= 0, +inf where forbidden."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +31,7 @@ class NearPairs(Record):
     """(q,) lower bounds, +inf where forbidden."""
 
 
-def near_blocks(problem: LayoutProblem, pool: Pool, watch: Watch) -> list[NearPairs]:
+def near_blocks(problem: LayoutProblem, pool: Pool, budget: Budget) -> list[NearPairs]:
     """All pairs of blocks of different variables, visible together, that may interact."""
     found = []
     for a, one in enumerate(pool.bodies):
@@ -55,7 +40,7 @@ def near_blocks(problem: LayoutProblem, pool: Pool, watch: Watch) -> list[NearPa
             first, second = one.owner[i], other.owner[j]
             apart = pool.variable[first] < pool.variable[second]
             apart &= problem.together[pool.variable[first], pool.variable[second]]
-            found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], watch))
+            found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], budget))
     return found
 
 
@@ -75,7 +60,7 @@ def refined(
     pool: Pool,
     older: list[NearPairs],
     parent: Indices,
-    watch: Watch,
+    budget: Budget,
     same: Flags | None = None,
 ) -> list[NearPairs]:
     """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old number.
@@ -90,7 +75,7 @@ def refined(
     kept = children == 1
     if same is not None:
         kept[parent[~same]] = False
-    return [_children(problem, pool, pairs, children, child, kept, watch) for pairs in older]
+    return [_children(problem, pool, pairs, children, child, kept, budget) for pairs in older]
 
 
 def _children(
@@ -100,7 +85,7 @@ def _children(
     children: Indices,
     child: Indices,
     kept: Flags,
-    watch: Watch,
+    budget: Budget,
 ) -> NearPairs:
     many, few = children[pairs.first], children[pairs.second]
     same = kept[pairs.first] & kept[pairs.second]
@@ -111,7 +96,7 @@ def _children(
     step = np.arange(len(source)) - np.repeat(np.cumsum(times) - times, times)
     first = child[pairs.first[source]] + step // few[source]
     second = child[pairs.second[source]] + step % few[source]
-    new = _evaluated(problem, pool, pairs.sets, first, second, watch)
+    new = _evaluated(problem, pool, pairs.sets, first, second, budget)
     return NearPairs(
         pairs.sets,
         np.concatenate([old.first, new.first]),
@@ -121,75 +106,34 @@ def _children(
 
 
 def _evaluated(
-    problem: LayoutProblem, pool: Pool, sets: tuple[int, int], first: Indices, second: Indices, watch: Watch
+    problem: LayoutProblem, pool: Pool, sets: tuple[int, int], first: Indices, second: Indices, budget: Budget
 ) -> NearPairs:
     """Bounds of the pairs; those out of reach are left out."""
     one, other = pool.bodies[sets[0]], pool.bodies[sets[1]]
     i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
-    watch.spend(len(i))
+    budget.spend(len(i))
     costs, near = pair_bounds(one, i, other, j, problem.overlap, problem.separation)
     return NearPairs(sets, first[near], second[near], costs[near])
 
 
-# --- dense tables ------------------------------------------------------------------------------------
+# --- all pairs ---------------------------------------------------------------------------------------
 
 
-def pair_tables(problem: LayoutProblem, pool: Pool, near: list[NearPairs], candidate: Indices) -> list[Table]:
-    """Tables of all pairs of variables with a pair cost above zero, in order of (first, second).
+def pair_matrix(problem: LayoutProblem, pool: Pool, near: list[NearPairs], candidate: Indices) -> Floats:
+    """(n, n) pair costs of all entries of the pool, in the order of their variables: 0 below the diagonal.
 
     `candidate` (n,) says which candidate of its variable stands behind each entry of the pool: -1 for
-    beside the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
+    off the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
     where both entries are single candidates; for blocks zero bounds them from below.
     """
     count = int(pool.start[-1])
-    keys, costs = [], []
+    found = np.zeros((count, count))
     for pairs in near:
-        hit = pairs.costs > 0
-        keys.append(pairs.first[hit] * count + pairs.second[hit])
-        costs.append(pairs.costs[hit])
+        np.add.at(found, (pairs.first, pairs.second), pairs.costs)
     for extra in problem.extra:
         first, second, cost = _explicit(pool, candidate, extra)
-        keys.append(first * count + second)
-        costs.append(cost)
-    if not keys:
-        return []
-    key, cost = _summed(np.concatenate(keys), np.concatenate(costs), single=len(keys) == 1)
-    return split_tables(pool, key // count, key % count, cost)
-
-
-def _summed(keys: Indices, costs: Floats, *, single: bool) -> tuple[Indices, Floats]:
-    """Costs of equal keys (other copies of the same pair) added up."""
-    order = np.argsort(keys, kind="stable")
-    keys, costs = keys[order], costs[order]
-    if single or not len(keys):
-        return keys, costs
-    first = np.flatnonzero(np.diff(keys, prepend=-1))
-    return keys[first], np.add.reduceat(costs, first)
-
-
-def split_tables(pool: Pool, first: Indices, second: Indices, costs: Floats) -> list[Table]:
-    """One table per pair of variables from sparse entries."""
-    pair = pool.variable[first] * pool.count + pool.variable[second]
-    order = np.argsort(pair, kind="stable")
-    edges = np.flatnonzero(np.diff(pair[order], prepend=-1, append=-1))
-    found = []
-    for low, high in itertools.pairwise(edges.tolist()):
-        part = order[low:high]
-        a, b = divmod(int(pair[part[0]]), pool.count)
-        rows, row_at = _ranks(first[part] - pool.start[a], int(pool.start[a + 1] - pool.start[a]))
-        columns, column_at = _ranks(second[part] - pool.start[b], int(pool.start[b + 1] - pool.start[b]))
-        table = np.zeros((len(rows), len(columns)))
-        table[row_at, column_at] = costs[part]
-        found.append(Table(a, b, rows, columns, table))
+        np.add.at(found, (first, second), cost)
     return found
-
-
-def _ranks(values: Indices, size: int) -> tuple[Indices, Indices]:
-    """The distinct values in [0, size), ascending, and each value's place among them."""
-    used: Flags = np.zeros(size, dtype=bool)
-    used[values] = True
-    rank = np.cumsum(used) - 1
-    return np.flatnonzero(used), rank[values]
 
 
 def _explicit(pool: Pool, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:

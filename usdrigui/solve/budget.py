@@ -29,7 +29,7 @@ class Progress:
     """(cost - bound) / |cost|; inf while either is unknown."""
 
 
-class Watch:
+class Budget:
     """Counts the work of one run and says when to stop; the only object of a solver that changes.
 
     Work is counted in pair evaluations (and, for searches, in table entries read), so that a run stopped
@@ -52,7 +52,8 @@ class Watch:
         self.steps: list[Step] = []
         self._tell = progress
         self._asked = stop
-        self._stopped = False
+        self.limit = ""
+        """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or ``interrupt``."""
         self._began = time.monotonic()
         self._step_began = self._began
 
@@ -72,15 +73,15 @@ class Watch:
         limit = self.settings.time_limit
         return limit - self.seconds if limit > 0 else np.inf
 
-    def part(self, share: float) -> Watch:
-        """A watch over a share of what is left of the limits, for one of several problems solved in sequence.
+    def part(self, share: float) -> Budget:
+        """A budget over a share of what is left of the limits, for one of several problems solved in sequence.
 
         Its work must be counted here with `spend` when it is done: what it leaves goes to those that follow.
         """
         limits = replace(self.settings, work_limit=int(share * self.work_left))
         if self.settings.time_limit > 0:
             limits = replace(limits, time_limit=max(share * self.seconds_left, _NO_TIME))
-        return Watch(limits, stop=self.stopped)
+        return Budget(limits, stop=self.stopped)
 
     def spend(self, work: int) -> None:
         """Count work done."""
@@ -88,13 +89,18 @@ class Watch:
 
     def stopped(self) -> bool:
         """Whether a limit is reached or somebody asked to stop; stays true once it is."""
-        if not self._stopped:
-            self._stopped = (
-                self.work >= self.settings.work_limit
-                or self.seconds_left <= 0
-                or (self._asked is not None and self._asked())
-            )
-        return self._stopped
+        if not self.limit:
+            if self.work >= self.settings.work_limit:
+                self.reach("work limit")
+            elif self.seconds_left <= 0:
+                self.reach("time limit")
+            elif self._asked is not None and self._asked():
+                self.reach("interrupt")
+        return bool(self.limit)
+
+    def reach(self, limit: str) -> None:
+        """Note that a limit is reached: the run ends with what it has."""
+        self.limit = self.limit or limit
 
     def closed(self) -> bool:
         """Whether the gap is within the setting, or it is proved that no layout is allowed."""
@@ -108,10 +114,10 @@ class Watch:
         return self.settings.gap * max(abs(self.cost), GAP_FLOOR)
 
     @property
-    def cut(self) -> float:
+    def cutoff(self) -> float:
         """Solutions that cost at least this much need not be looked for.
 
-        A little below the best cost: discarding them leaves ``min(cut, bound of the rest)`` as the bound of
+        A little below the best cost: discarding them leaves ``min(cutoff, bound of the rest)`` as the bound of
         the whole, which is within the gap that the settings ask for.
         """
         if not np.isfinite(self.cost):

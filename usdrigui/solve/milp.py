@@ -1,0 +1,353 @@
+"""The mixed-integer program of a reduced problem, solved by HiGHS: the only place that imports highspy.
+
+HiGHS takes no integer quadratic problems, so pair costs are linearised: one column w_ab >= 0 for each two variables
+that interact, instead of one for each product.  For any label r of a the row
+
+    w_ab >= sum_s c_rs x_s - sum_r' d_rr' x_r',    d_rr' = max_s (c_rs - c_r's)+,
+
+holds whichever label of a is chosen and is tight for r: the rows x_r + x_s - 1 <= y_rs (G. P. McCormick, 1976) added
+up and lifted.  Triplets have the same for their third-order costs.  Of these rows only those that a solution violates
+are added; what is excluded is stated by cliques of labels.  Every program relaxes the problem, so its dual bound is one
+of the problem, and a solution that violates no row is optimal.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from usdrigui.model import Flags, Floats, Indices
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution, Triplet
+
+if TYPE_CHECKING:
+    import highspy
+
+VIOLATED = 1e-6
+"""Least violation of a row that is added."""
+PER_TABLE = 2
+"""Rows added for each direction of a table in a round."""
+ROUNDS = 60
+"""Of rows added to the linear program."""
+CALL = 8
+"""Work of HiGHS between two calls, for every row."""
+TOLERANCE = 1e-9
+"""Share by which a bound of a program is lowered for rounding."""
+
+Row = tuple[Indices, Floats]
+
+
+def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget) -> Solution:
+    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
+
+    Complete unless `budget` stops it; the bound of a run that is stopped holds.
+    """
+    return _Program(problem, cutoff, budget).solved()
+
+
+class _Program:
+    """A program that grows by the rows that its solutions violate."""
+
+    def __init__(self, problem: ReducedProblem, cutoff: float, budget: Budget) -> None:
+        import highspy
+
+        self._problem, self._cutoff, self._budget = problem, cutoff, budget
+        self._base = problem.bound()
+        self._tables = [_Table(problem, ends, len(problem.costs) + at) for at, ends in enumerate(_interacting(problem))]
+        self._triplets = [
+            _TripletTable(problem, each, len(problem.costs) + len(self._tables) + at)
+            for at, each in enumerate(problem.messages)
+        ]
+        self._highs = highspy.Highs()  # type: ignore[no-untyped-call]
+        self._infinity = highspy.kHighsInf
+        self._rows = 0
+        self._nodes = 0
+        self._bound = self._base
+        self._lp_bound = self._base
+        self._best: tuple[float, Indices | None] = (np.inf, None)
+        self._state()
+
+    def _state(self) -> None:
+        """Columns, one label per variable, cliques of excluded pairs."""
+        problem, count = self._problem, len(self._problem.costs)
+        for name, value in _OPTIONS.items():
+            self._highs.setOptionValue(name, value)
+        self._highs.setOptionValue("random_seed", self._budget.settings.seed % 2**31)
+        extra = len(self._tables) + len(self._triplets)
+        none = np.empty(0, dtype=np.int32)
+        self._highs.addCols(
+            count + extra,
+            np.concatenate([problem.excess(), np.ones(extra)]),
+            np.zeros(count + extra),
+            np.concatenate([np.ones(count), np.full(extra, self._infinity)]),
+            0,
+            none,
+            none,
+            np.empty(0),
+        )
+        groups = [np.arange(each.start, each.stop) for each in problem.slices]
+        self._add([(each, np.ones(len(each))) for each in groups], 1.0, 1.0)
+        self._add([(each, np.ones(len(each))) for each in _cliques(problem)], -self._infinity, 1.0)
+        self._fixed_rows = self._rows
+
+    def solved(self) -> Solution:
+        """Linear program, program with whole labels, rows, until nothing is violated or a limit is reached."""
+        if self._linear():
+            self._drop_slack_rows()
+            self._whole()
+        figures = {
+            "columns": len(self._problem.costs) + len(self._tables) + len(self._triplets),
+            "rows": self._rows,
+            "lp_bound": min(self._lp_bound, self._cutoff),
+            "nodes": self._nodes,
+            "cutoff": self._cutoff,
+        }
+        return Solution(min(self._bound, self._limit), self._best[1], {"labels": len(self._problem.costs)} | figures)
+
+    def _linear(self) -> bool:
+        """Solve the linear program with the rows that it violates; whether more is to be done."""
+        for _ in range(ROUNDS):
+            self._highs.run()
+            info = self._highs.getInfo()
+            self._budget.spend(1000 + max(0, int(info.simplex_iteration_count)) * self._rows // 4)
+            if self._infeasible():
+                self._bound = self._lp_bound = self._cutoff
+                return False
+            self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
+            self._raise(self._lp_bound)
+            if self._bound >= self._cutoff or self._budget.stopped():
+                return False
+            rows = self._violated()
+            if not rows:
+                break
+            self._add(rows, 0.0, self._infinity)
+        return True
+
+    def _whole(self) -> None:
+        """The same with whole labels."""
+        import highspy
+
+        count = len(self._problem.costs)
+        kinds = np.full(count, highspy.HighsVarType.kInteger)
+        self._highs.changeColsIntegrality(count, np.arange(count, dtype=np.int32), kinds)
+        self._highs.cbMipInterrupt.subscribe(self._interrupt)
+        while True:
+            self._highs.setOptionValue("objective_bound", self._limit - self._base)
+            self._highs.setOptionValue("time_limit", self._highs.getRunTime() + max(self._budget.seconds_left, 0.01))
+            self._highs.run()
+            info = self._highs.getInfo()
+            self._nodes += max(0, int(info.mip_node_count))
+            if self._infeasible():
+                self._raise(self._limit)
+                return
+            self._raise(min(self._lowered(info.mip_dual_bound), self._limit))
+            if info.primal_solution_status != highspy.kSolutionStatusFeasible:
+                return
+            self._improve()
+            rows = self._violated()
+            if not rows or self._bound >= self._limit or self._budget.stopped():
+                return
+            self._add(rows, 0.0, self._infinity)
+
+    def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
+        """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told, so each call counts
+        as some."""
+        self._budget.spend(CALL * self._rows)
+        if self._budget.stopped():
+            event.interrupt()
+        self._raise(min(self._lowered(event.data_out.mip_dual_bound), self._limit))
+
+    @property
+    def _limit(self) -> float:
+        """Layouts that cost at least this are of no interest."""
+        return min(self._cutoff, self._best[0])
+
+    def _infeasible(self) -> bool:
+        import highspy
+
+        return self._highs.getModelStatus() in (
+            highspy.HighsModelStatus.kInfeasible,
+            highspy.HighsModelStatus.kObjectiveBound,
+        )
+
+    def _lowered(self, value: float) -> float:
+        """A bound of the program as one of the problem, less what rounding may have added."""
+        return self._base + value - TOLERANCE * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
+
+    def _raise(self, bound: float) -> None:
+        if bound > self._bound:
+            self._bound = bound
+            self._budget.found("highs", bound=min(bound, self._cutoff))
+
+    def _improve(self) -> None:
+        """Remember the layout of a solution if its true cost is the least so far."""
+        values = self._values()
+        chosen = np.array([each.start + int(values[each].argmax()) for each in self._problem.slices])
+        cost = self._problem.value(chosen)
+        if cost < self._limit:
+            self._best = (cost, chosen)
+
+    def _values(self) -> Floats:
+        return np.array(self._highs.getSolution().col_value)
+
+    # --- rows ------------------------------------------------------------------------------------------
+
+    def _violated(self) -> list[Row]:
+        values = self._values()
+        tables: list[_Table | _TripletTable] = [*self._tables, *self._triplets]
+        return [row for table in tables for row in table.violated(values)]
+
+    def _add(self, rows: Sequence[Row], low: float, high: float) -> None:
+        if not rows:
+            return
+        sizes = np.array([len(columns) for columns, _ in rows])
+        self._highs.addRows(
+            len(rows),
+            np.full(len(rows), low),
+            np.full(len(rows), high),
+            int(sizes.sum()),
+            (np.cumsum(sizes) - sizes).astype(np.int32),
+            np.concatenate([columns for columns, _ in rows]).astype(np.int32),
+            np.concatenate([values for _, values in rows]),
+        )
+        self._rows += len(rows)
+
+    def _drop_slack_rows(self) -> None:
+        """Forget the added rows that do not hold the linear program's bound."""
+        duals = np.array(self._highs.getSolution().row_dual)[self._fixed_rows :]
+        slack = self._fixed_rows + np.flatnonzero(np.abs(duals) <= EPSILON)
+        self._highs.deleteRows(len(slack), slack.astype(np.int32))
+        self._rows -= len(slack)
+
+
+class _Table:
+    """The column of two variables that interact, and its rows."""
+
+    def __init__(self, problem: ReducedProblem, ends: tuple[int, int], column: int) -> None:
+        self._column = column
+        slices = problem.slices
+        a, b = (slices[each] for each in ends)
+        costs = problem.pairs[a, b]
+        self._sides = [_Lifted(costs, a, b), _Lifted(costs.T, b, a)]
+
+    def violated(self, values: Floats) -> list[Row]:
+        """The most violated rows of both directions."""
+        found = []
+        for side in self._sides:
+            over = side.costs @ values[side.theirs] - side.lifts @ values[side.mine] - values[self._column]
+            most = np.argsort(-over, kind="stable")[:PER_TABLE]
+            found += [
+                _row(self._column, (side.theirs, -side.costs[at]), (side.mine, side.lifts[at]))
+                for at in most[over[most] > VIOLATED]
+            ]
+        return found
+
+
+class _Lifted:
+    """The rows of a table for all labels of one of its ends."""
+
+    def __init__(self, costs: Floats, mine: slice, theirs: slice) -> None:
+        self.mine, self.theirs = mine, theirs
+        self.costs = np.where(np.isfinite(costs), costs, 0.0)
+        """(m, t) c; a pair that is excluded may have any, and these need no lift."""
+        self.lifts = np.stack([(each - costs).max(axis=1) for each in self.costs])
+        """(m, m) d."""
+        np.maximum(self.lifts, 0.0, out=self.lifts)
+
+
+class _TripletTable:
+    """The column of a triplet, and its rows: for two labels, lifted to all of their variables one after the other."""
+
+    def __init__(self, problem: ReducedProblem, triplet: Triplet, column: int) -> None:
+        self._column = column
+        self._labels = [problem.slices[each] for each in triplet]
+        self._costs = problem.triplet_costs(triplet)
+
+    def violated(self, values: Floats) -> list[Row]:
+        """For the likeliest labels of each two of the variables the row that is violated."""
+        likely = [each.start + int(values[each].argmax()) for each in self._labels]
+        found = []
+        for order in ((0, 1, 2), (0, 2, 1), (1, 2, 0)):
+            row = self._row(order, likely)
+            if -float(row[1] @ values[row[0]]) > VIOLATED:
+                found.append(row)
+        return found[:1]
+
+    def _row(self, order: tuple[int, int, int], likely: Sequence[int]) -> Row:
+        one, other, third = (self._labels[each] for each in order)
+        costs = self._costs.transpose(order)
+        mine = costs[likely[order[0]] - one.start]
+        own = mine[likely[order[1]] - other.start]
+        other_lift = np.maximum((own - mine).max(axis=1), 0.0)
+        lift = np.maximum((own - other_lift[:, None] - costs).max(axis=(1, 2)), 0.0)
+        return _row(self._column, (third, -own), (other, other_lift), (one, lift))
+
+
+def _row(column: int, *parts: tuple[slice, Floats]) -> Row:
+    """A row of a column and the labels of some variables, without coefficients that are 0."""
+    columns = [np.array([column]), *(np.arange(labels.start, labels.stop) for labels, _ in parts)]
+    values = [np.ones(1), *(each for _, each in parts)]
+    used = [np.abs(each) > EPSILON for each in values]
+    return (
+        np.concatenate([each[keep] for each, keep in zip(columns, used, strict=True)]),
+        np.concatenate([each[keep] for each, keep in zip(values, used, strict=True)]),
+    )
+
+
+def _interacting(problem: ReducedProblem) -> list[tuple[int, int]]:
+    """Variables with a finite pair cost above 0."""
+    slices = problem.slices
+    return [
+        (a, b)
+        for a, b in itertools.combinations(range(problem.count), 2)
+        if _costs_anything(problem.pairs[slices[a], slices[b]])
+    ]
+
+
+def _costs_anything(costs: Floats) -> bool:
+    return bool(((costs > EPSILON) & (costs < np.inf)).any())
+
+
+def _cliques(problem: ReducedProblem) -> list[Indices]:
+    """Sets of labels of which a layout uses one at most, that hold all excluded pairs; grown greedily over several
+    variables, cheap labels first."""
+    open_ = np.isinf(problem.both_ways())
+    apart = open_ | (problem.owner[:, None] == problem.owner)
+    np.fill_diagonal(apart, False)
+    excess = problem.excess()
+    scale = 1.0 + float(excess.max(initial=0.0))
+    found = []
+    for label in np.argsort(excess, kind="stable"):
+        while open_[label].any():
+            found.append(_clique(int(label), apart, open_, excess / scale))
+            open_[np.ix_(found[-1], found[-1])] = False
+    return found
+
+
+def _clique(label: int, apart: Flags, open_: Flags, excess: Floats) -> Indices:
+    """A clique from a label on: next the one that excludes most of its members in pairs not yet stated."""
+    members, candidates = [label], apart[label].copy()
+    stated = open_[label].astype(np.float64) - excess
+    while candidates.any():
+        at = np.flatnonzero(candidates)
+        best = int(at[stated[at].argmax()])
+        members.append(best)
+        candidates &= apart[best]
+        stated += open_[best]
+    return np.sort(np.array(members))
+
+
+_OPTIONS: dict[str, bool | int | float | str] = {
+    "output_flag": False,
+    "threads": 1,
+    "parallel": "off",
+    "mip_rel_gap": 0.0,
+    "mip_abs_gap": 1e-9,
+    "mip_heuristic_effort": 0.0,
+    "mip_pscost_minreliable": 1,
+    "mip_allow_restart": False,
+    "mip_detect_symmetry": False,
+}
