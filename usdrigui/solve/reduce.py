@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -66,14 +66,21 @@ def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: In
     None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds the best layout
     known of these labels; it is improved on the way.
     """
-    first = _bounded(problem, labels, first_blocks(labels, budget), budget)
-    found: Partition | None = first
-    share, searched = NEAR, first.exact
+    found: Partition | None = _bounded(problem, labels, first_blocks(labels, budget), budget)
+    share, searched = NEAR, False
     while found is not None:
-        if share > NEAR and not searched:
-            searched = True
+        found = _swept(found, budget)
+        if found is None:
+            break
+        chosen, value = _layout(found, budget)
+        incumbent.improve_from(found.representatives(labels, chosen))
+        bound = found.problem.bound()
+        frustrated = value - bound > FRUSTRATED * (budget.cutoff - bound)
+        if frustrated and not found.exact and not searched:
             incumbent.improve_from(_likely_layout(problem, labels, found, budget))
-        found = _examined(labels, found, budget, incumbent)
+            searched = True
+        if frustrated or found.exact:
+            found = _tightened(found, budget)
         if found is None or found.exact or budget.closed() or budget.stopped():
             break
         bound = found.problem.bound()
@@ -115,33 +122,6 @@ def _bounded(
     return Partition(blocks, pool, near, left, pairs)
 
 
-def _restricted(partition: Partition, left: ReducedProblem) -> Partition:
-    """A partition with what tests have left of its problem."""
-    if len(left.labels) == len(partition.pairs):
-        return Partition(partition.blocks, partition.pool, partition.near, left, partition.pairs)
-    kept = np.searchsorted(partition.problem.labels, left.labels)
-    return Partition(partition.blocks, partition.pool, partition.near, left, partition.pairs[np.ix_(kept, kept)])
-
-
-def _examined(labels: Labels, partition: Partition, budget: Budget, incumbent: Incumbent) -> Partition | None:
-    """The partition after bounds and tests; None when nothing is left of it."""
-    left = _swept(partition.problem, budget)
-    if left is None:
-        return None
-    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
-    partition = _restricted(partition, left)
-    chosen, value = _layout(partition, budget)
-    incumbent.improve_from(partition.representatives(labels, chosen))
-    frustrated = value - left.bound() > FRUSTRATED * (budget.cutoff - left.bound())
-    if not (partition.exact or frustrated):
-        return partition
-    tight = _tightened(left, budget)
-    if tight is None:
-        return None
-    budget.found(STEP, bound=min(tight.bound(), budget.cutoff))
-    return _restricted(partition, tight)
-
-
 def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
     """A good layout of the partition's blocks: one of its problem's labels per variable, and what it costs them."""
     left = partition.problem
@@ -173,10 +153,10 @@ def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition,
     return kept[iterated_local_search(costs, first, budget.settings.seed)]
 
 
-def _swept(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None:
-    """A problem after dual ascent, without the labels that its bound excludes."""
-    problem.normalize()
-    left = reduced(problem, budget.cutoff)
+def _swept(partition: Partition, budget: Budget) -> Partition | None:
+    """A partition after dual ascent, without the blocks that its bound excludes; None when nothing is left of it."""
+    partition.problem.normalize()
+    left = reduced(partition.problem, budget.cutoff)
     while left is not None and not budget.stopped():
         before = len(left.costs)
         for _ in range(SWEEPS):
@@ -186,12 +166,12 @@ def _swept(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None:
         left = reduced(left, budget.cutoff)
         if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
             break
-    return left
+    return _restricted(partition, left, budget)
 
 
-def _tightened(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None:
-    """A problem with a bound raised by triplets, and without the labels and pairs that it excludes."""
-    left: ReducedProblem | None = problem
+def _tightened(partition: Partition, budget: Budget) -> Partition | None:
+    """The same after triplets have raised the bound, without the pairs that it excludes."""
+    left: ReducedProblem | None = partition.problem
     while left is not None and not budget.stopped():
         before = len(left.costs)
         left = tightened(left, budget.cutoff, budget)
@@ -202,7 +182,18 @@ def _tightened(problem: ReducedProblem, budget: Budget) -> ReducedProblem | None
             left = reduced(left, budget.cutoff)
         if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
             break
-    return left
+    return _restricted(partition, left, budget)
+
+
+def _restricted(partition: Partition, left: ReducedProblem | None, budget: Budget) -> Partition | None:
+    """A partition with what is left of its problem."""
+    if left is None:
+        return None
+    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
+    if len(left.labels) == len(partition.pairs):
+        return replace(partition, problem=left)
+    kept = np.searchsorted(partition.problem.labels, left.labels)
+    return replace(partition, problem=left, pairs=partition.pairs[np.ix_(kept, kept)])
 
 
 def _split(
