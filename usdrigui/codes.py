@@ -556,12 +556,6 @@ _CODES: dict[str, Code] = {
         "Use a name listed by `usdrigui inspect`.",
         Exit.USAGE,
     ),
-    "POSE_POINT": Code(
-        "error",
-        "A point to be pulled or pinned does not exist.",
-        "Use an index below the number of points.",
-        Exit.USAGE,
-    ),
     "POSE_VALUE": Code(
         "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
     ),

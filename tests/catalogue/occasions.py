@@ -395,12 +395,6 @@ def _posed(call: Callable[[Any], object]) -> Occasion:
     return lambda folder, _: refused(lambda: call(rig.read_rigs(smallest.character(folder), Settings())[0]))
 
 
-def _pulled(found: Any) -> object:
-    from usdrigui.pose import direct
-
-    return direct._checked_points(found, [99], [])
-
-
 def _valued(pose: Mapping[str, float]) -> Callable[[Any], object]:
     from usdrigui.pose import evaluate
 
@@ -625,5 +619,4 @@ OCCASIONS: Mapping[str, Occasion] = {
     "TERM_INVALID": _bad_term,
     "POSE_CONTROL": _posed(_valued({"smirk": 1.0})),
     "POSE_VALUE": _posed(_valued({"smile": float("nan")})),
-    "POSE_POINT": _posed(_pulled),
 }  # fmt: skip

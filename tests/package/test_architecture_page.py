@@ -8,7 +8,7 @@ PAGE = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
 
 
 def test_every_file_named_exists():
-    named = set(re.findall(r"\b((?:tests/|docs/)?[a-z_]+(?:/[a-z_0-9-]+)*\.(?:py|md))\b", PAGE))
+    named = set(re.findall(r"\b((?:tests/|docs/)?[a-z_]+(?:/[a-z_0-9.-]+)*\.(?:py|md|js))\b", PAGE))
     places = (ROOT, ROOT / "usdrigui", ROOT / "tests" / "unit" / "layout")
     missing = [name for name in named if not any((place / name).exists() for place in places)]
     assert [name for name in missing if not list(ROOT.glob(f"*/{name}"))] == []

@@ -1,1 +1,1 @@
-"""Posing a laid-out character: direct manipulation and drags; numpy only."""
+"""Posing a laid-out character: elements at a pose and drags of handles; numpy only."""

@@ -17,10 +17,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from usdrigui.deform import Posed, deform, posed
+from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig
-from usdrigui.pose.reach import paths_around
+from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, Singles
 from usdrigui.pose.rigid import on_one_joint
 from usdrigui.pose.subset import subset
 
@@ -174,9 +173,18 @@ def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -
     # Shapes of different channels add up and leave the skin alone: taking them back is a few additions.
     points = whole.points.copy()
     for j in away.tolist():
-        moved, offsets = paths_around(skin, whole, values, j, base_values[j : j + 1])
-        points[moved] += offsets[0]
+        moved, offsets = _taken_back(skin, whole, j, float(values[j]), float(base_values[j]))
+        points[moved] += offsets
     return replace(whole, points=points)
+
+
+def _taken_back(rig: Rig, held: Posed, control: int, value: float, base: float) -> tuple[Indices, Singles]:
+    """Points that one control moves by shapes (p,), and their way (p, 3) as it goes from its value to base."""
+    alone = np.array([each.default for each in rig.controls])
+    alone[control] = value
+    without = replace(held, weights=held.weights - (channel_state(rig, alone)[0] - rig.base_weights))
+    points, offsets = sweep(rig, without, control, np.array([base, value]))
+    return points, offsets[0] - offsets[1]
 
 
 def _board_at(poser: Poser, whole: Posed, still: Posed, values: Floats) -> tuple[Posed, Posed]:

@@ -1,4 +1,4 @@
-// Direct manipulation: pull the skin, and the controls take the best fit; mirrors usdrigui/pose/direct.py.
+// Direct manipulation: pull the skin, and the controls take the best fit.
 //
 // After J. P. Lewis and K. Anjyo, "Direct manipulation blendshapes", IEEE Computer Graphics and
 // Applications 30(4), 2010.  With x_j the change of control j since the drag began as a share of its
