@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from usdrigui.errors import Issue
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles
 from usdrigui.model.rig import LeftOff
+
+_STANDS = 0.75
+"""A control of a joint stands where the joint owns this share of the most that it owns anywhere."""
+_OWN = 0.3
+"""What a joint owns by this share of the most that it owns anywhere is its own skin."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +59,33 @@ class Motion(Record):
     """(k, p, 3) position minus base position, in root space; zero at the default."""
     arc_length: Floats
     """(p,) length of each polyline from minimum to maximum."""
+    owned: Floats | None = None
+    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control stands where
+    it moves most."""
+
+    @property
+    def peak(self) -> float:
+        """Largest arc length where the control may stand."""
+        return float(self.arc_length[self.stands_on()].max(initial=0.0))
+
+    def stands_on(self, among: Flags | None = None) -> Flags:
+        """(p,) the points where the control may stand: those that its joint owns most, or all.
+
+        `among` (p,) are the points that count; none of them is of the joint where its skin is hidden: then all may.
+        """
+        among = np.ones(len(self.points), dtype=bool) if among is None else among
+        if self.owned is None or not among.any() or float(self.owned[among].max()) <= 0.0:
+            return among
+        return among & (self.owned >= _STANDS * float(self.owned[among].max()))
+
+    def on_own_skin(self) -> Motion:
+        """The motion of the skin that the joint of the control owns; the whole motion where no joint does."""
+        if self.owned is None:
+            return self
+        own = self.owned >= _OWN * float(self.owned.max(initial=0.0))
+        return replace(
+            self, points=self.points[own], offsets=self.offsets[:, own], arc_length=self.arc_length[own], owned=None
+        )
 
 
 @dataclass(frozen=True, eq=False)

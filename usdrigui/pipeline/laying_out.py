@@ -171,7 +171,7 @@ def _account(
     rig = inputs.face.rig
     controls = rig.controls
     motions = inputs.face.trajectories.motions
-    peaks = {controls[each.control].name: float(each.arc_length.max()) for each in motions}
+    peaks = {controls[each.control].name: each.peak for each in motions}
     placed = {member.control for element in layout.elements for member in element.members}
     return CharacterReport(
         root=rig.root,

@@ -68,10 +68,10 @@ def classify(
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
-            moves_everything=_moves_everything(trajectories, motion),
+            moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
             vanishes=bool(vanish[index]),
-            visible_share=_visible_share(trajectories, views.anywhere, motion),
-            composite=index in repeated,
+            visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
+            composite=index in repeated and motion.owned is None,
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()

@@ -1,4 +1,5 @@
-"""How much of the face a control moves: what tells local controls from global ones.
+"""How much of the face a control moves: what tells local controls from global ones.  Of a joint's
+control the skin counts that the joint owns: a spine carries the head, and is no global control of the face.
 
 The paper calls a control global when fewer than a tenth of the points move less than its own mean
 (section 4.2), which almost never fires: even a rigid motion of the head leaves the neck behind.  Here the
@@ -34,7 +35,7 @@ def shares_of_face(motions: Sequence[Motion], areas: Floats) -> Floats:
     The face is where controls of no more than the usual extent act: what whole-head controls move
     besides (neck, body) is none of it.
     """
-    flags = notable_points(motions, len(areas))
+    flags = notable_points([motion.on_own_skin() for motion in motions], len(areas))
     size = flags @ areas
     local = size <= _MANY_TIMES * float(np.median(size)) if len(size) else np.zeros(0, dtype=bool)
     face = np.where(flags[local].any(axis=0), areas, 0.0)
@@ -48,6 +49,7 @@ def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:
     `areas` (n,) weighs the points.  Zero for a control whose region is no larger than usual in its rig:
     it takes several small controls to make a face that a large one can cover.
     """
+    motions = [motion.on_own_skin() for motion in motions]
     flags = notable_points(motions, len(areas))
     size = flags @ areas
     share = np.zeros(len(motions))

@@ -10,6 +10,7 @@ import numpy as np
 from usdrigui.deform import Posed, knots, posed, sweep
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import coverage_of_smaller
+from usdrigui.layout.motion.owned_skin import owned_skin
 from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
@@ -87,7 +88,8 @@ def _motion(rig: Rig, start: Posed, index: int, value: float, settings: Trajecto
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
     if not moving.all():
         points, offsets, arc = points[moving], offsets[:, moving], arc[moving]
-    return Motion(index, values, points, offsets, arc)
+    owned = owned_skin(rig, rig.controls[index], start.points)
+    return Motion(index, values, points, offsets, arc, None if owned is None else owned[points])
 
 
 def _refined(
@@ -146,7 +148,7 @@ def _assembled(
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
     heights = base @ rig.up
-    peaks = np.array([motion.arc_length.max() for motion in motions])
+    peaks = np.array([motion.peak for motion in motions])
     face_size = _face_size([motions[i] for i in np.flatnonzero(local)], heights) or _diagonal(base)
     face_size = face_size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
     return Trajectories(
@@ -173,7 +175,7 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
 
     Whether one is local does not depend on which others the configuration excludes.
     """
-    peaks = np.array([motion.arc_length.max() for motion in motions])
+    peaks = np.array([motion.peak for motion in motions])
     if not len(motions):
         return np.zeros(0, dtype=bool)
     covered = coverage_of_smaller((*motions, *excluded), areas)[: len(motions)]
@@ -183,7 +185,7 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
 
 def _face_size(motions: list[Motion], heights: Floats) -> float:
     """Extent in `heights` of all that the motions move by at least half of their peak."""
-    moved = [motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()] for motion in motions]
+    moved = [motion.points[motion.stands_on() & (motion.arc_length >= 0.5 * motion.peak)] for motion in motions]
     return float(np.ptp(heights[np.concatenate(moved)])) if moved else 0.0
 
 

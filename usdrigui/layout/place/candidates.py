@@ -61,12 +61,10 @@ def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Sett
     whose copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
-    first = face.trajectories.places[motion.points] == motion.points
-    seen = _seen(face, motion.points, settings) & first
+    seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     if override.anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _LOOSE * float(motion.arc_length[seen].max()))]
-    points = kept_near(face, motion.control, override, points, settings.candidates.near_radius)
     return replace(found, points=points, sources=points, cost=linear_cost(face, motion, points, settings))
 
 
@@ -82,7 +80,7 @@ def _places(
 ) -> tuple[Indices, Indices]:
     """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
     override, name = requests.overrides[motion.control], face.control_name(motion.control)
-    peak = motion.points[[first_largest(motion.arc_length)]]
+    peak = motion.points[[first_largest(np.where(motion.stands_on(), motion.arc_length, 0.0))]]
     fixed = fixed_anchor(face.rig, name, override)
     if fixed is not None:
         point = np.array([fixed], dtype=np.int64)
@@ -109,23 +107,32 @@ def _with_prior(motion: Motion, requests: Requests, points: Indices, sources: In
 
 def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Settings) -> Indices:
     """Points that the control moves and where it may stand, ascending; near what the configuration names."""
-    points = _pruned(face, motion, settings)
-    if not len(points):
-        points = _unseen(face, motion, settings)
-    override = requests.overrides[motion.control]
-    return kept_near(face, motion.control, override, points, settings.candidates.near_radius)
+    everywhere = np.ones(len(motion.points), dtype=bool)
+    some = _standing(face, motion, requests, settings, everywhere)
+    seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
+    points = _pruned(face, motion, seen, some, settings)
+    return points if len(points) else _unseen(motion, some, settings)
 
 
-def _pruned(face: Face, motion: Motion, settings: Settings) -> Indices:
-    """Points at which the control may be anchored, ascending; empty when no view sees what it moves."""
-    first = face.trajectories.places[motion.points] == motion.points
-    seen = _seen(face, motion.points, settings) & first
+def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings, among: Flags) -> Flags:
+    """Those `among` (p,) the moving points where the control may stand, before any pruning: one of each place, near
+    what the configuration names, on the skin that its joint owns."""
+    first = among & (face.trajectories.places[motion.points] == motion.points)
+    override, radius = requests.overrides[motion.control], settings.candidates.near_radius
+    return motion.stands_on(kept_near(face, motion.control, override, motion.points, first, radius))
+
+
+def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Settings) -> Indices:
+    """Points at which the control may be anchored, ascending; empty when no view sees what it moves.
+
+    `some` (p,) are the points where it may stand, `seen` (p,) those of them that a view sees.
+    """
     if not seen.any():
         return np.zeros(0, dtype=np.int64)
     arc, asked = motion.arc_length, settings.candidates
     peak = float(arc[seen].max())
     large = arc >= asked.peak_share * peak
-    moving = large & (arc >= min(asked.prune_at * float(arc[first].mean()), peak))
+    moving = large & (arc >= min(asked.prune_at * float(arc[some].mean()), peak))
     for kept in (seen & moving, seen & large):
         points = motion.points[kept]
         if asked.occlusion:
@@ -135,12 +142,12 @@ def _pruned(face: Face, motion: Motion, settings: Settings) -> Indices:
     return np.asarray(motion.points[seen & moving])
 
 
-def _unseen(face: Face, motion: Motion, settings: Settings) -> Indices:
+def _unseen(motion: Motion, some: Flags, settings: Settings) -> Indices:
     """Candidates of a control that no view sees but that is to stand on the face all the same."""
     arc, asked = motion.arc_length, settings.candidates
-    first = face.trajectories.places[motion.points] == motion.points
-    least = max(asked.prune_at * float(arc[first].mean()), asked.peak_share * arc.max())
-    return np.asarray(motion.points[first & (arc >= min(least, float(arc.max())))])
+    peak = float(arc[some].max())
+    least = max(asked.prune_at * float(arc[some].mean()), asked.peak_share * peak)
+    return np.asarray(motion.points[some & (arc >= min(least, peak))])
 
 
 def _seen(face: Face, points: Indices, settings: Settings) -> Flags:

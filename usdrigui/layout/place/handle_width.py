@@ -99,6 +99,7 @@ def _wanted(trajectories: Trajectories, anywhere: Flags, standing: Flags) -> tup
     total = np.zeros(len(trajectories.base))
     for motion in (trajectories.motions[i] for i in np.flatnonzero(standing)):
         seen = anywhere[motion.points] & (trajectories.places[motion.points] == motion.points)
+        seen = motion.stands_on(seen)
         if not seen.any():
             continue
         arc = np.where(seen, motion.arc_length, 0.0)

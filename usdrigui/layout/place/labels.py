@@ -96,7 +96,7 @@ def _unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
     """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
     if settings.scene_units:
         return 1.0
-    own, share = float(motion.arc_length.max()), settings.relative_displacement
+    own, share = motion.peak, settings.relative_displacement
     return float(typical ** (1.0 - share) * own**share)
 
 

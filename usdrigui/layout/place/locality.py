@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 from usdrigui.errors import refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import point_index
-from usdrigui.model import Floats, Indices, Rig
+from usdrigui.model import Flags, Floats, Indices, Rig
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
@@ -18,17 +18,21 @@ _PROXIES = 24
 """Visible points near a hidden region among which the optimiser may choose."""
 
 
-def kept_near(face: Face, control: int, override: ControlSettings, points: Indices, default_radius: float) -> Indices:
-    """Those of `points` within the radius of what ``near`` names (paper section 6, localizable); the
-    nearest one where none is.  Radii are in face sizes.  Raises CONFIG_VALUE when ``near`` names nothing on the
-    character."""
-    if not override.near or not len(points):
-        return points
+def kept_near(
+    face: Face, control: int, override: ControlSettings, points: Indices, among: Flags, default_radius: float
+) -> Flags:
+    """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper section 6,
+    localizable); the nearest one where none is.  Radii are in face sizes.  Raises CONFIG_VALUE when ``near`` names
+    nothing on the character."""
+    if not override.near or not among.any():
+        return among
     centres = _centres(face, f'controls."{face.control_name(control)}".near', override.near)
     apart, _ = cKDTree(centres).query(face.trajectories.base[points])
     radius = (override.within or default_radius) * face.trajectories.face_size
-    inside = apart <= radius
-    return points[inside] if inside.any() else points[[first_smallest(apart)]]
+    inside: Flags = among & (apart <= radius)
+    if not inside.any():
+        inside[first_smallest(np.where(among, apart, np.inf))] = True
+    return inside
 
 
 def proxies(face: Face, point: int) -> Indices:

@@ -1,0 +1,35 @@
+"""Laws: the control of a joint stands on the skin that the joint owns, between it and the next joint."""
+
+import chain
+import limbs
+import numpy as np
+import pytest
+
+
+def candidates(rig, **parts):
+    """Height of every candidate of each control."""
+    found = chain.with_candidates(rig, chain.settings(**parts))
+    base = found.face.trajectories.base
+    return {c.name: base[chain.set_of(found, c.name).points] for c in rig.controls}
+
+
+@pytest.mark.parametrize("bones", [2, 4])
+def test_the_control_of_a_joint_stands_along_its_own_bone(bones):
+    for name, points in candidates(limbs.chain_rig(bones)).items():
+        joint = int(name[1])
+        assert (np.floor(points[:, 1]) == joint).all(), name
+
+
+def test_near_asks_before_pruning_does():
+    """Skin of the first bone near its joint hardly moves: pruning would leave none of it."""
+    near = {"near": "/Root/mesh.point[12]", "within": 0.1}
+    found = candidates(limbs.chain_rig(3), controls={"j0:rz": near, "j0:rx": near})
+    for name in ("j0:rz", "j0:rx"):
+        size = np.ptp(limbs.chain_rig(3).meshes[0].points[:, 1])
+        apart = np.linalg.norm(found[name] - limbs.chain_rig(3).meshes[0].points[12], axis=1)
+        assert apart.max() <= 0.1 * size, name
+
+
+def test_the_spine_does_not_leave_the_character_for_what_it_carries():
+    found = chain.with_candidates(limbs.chain_rig(4))
+    assert [each.category for each in found.candidates.sets] == [""] * 12
