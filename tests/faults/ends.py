@@ -108,7 +108,9 @@ def end(name: str, way: str, wait: float, folder: Path) -> tuple[int, str]:
 def faults_of(way: str, code: int, printed: str, folder: Path, known: dict[str, set[bytes]]) -> list[str]:
     """What is wrong with an end."""
     found = []
-    unborn = code in {-signal.SIGTERM, -signal.SIGHUP, -signal.SIGINT, 130} and not VERDICT.search(printed)
+    booting = code == 1 and printed.rstrip().endswith("KeyboardInterrupt")  # while Python itself is loaded
+    ended = code in {-signal.SIGTERM, -signal.SIGHUP, -signal.SIGINT, 130}
+    unborn = (booting or ended) and not VERDICT.search(printed)
     crashed = code == 5 and way == "worker SIGSEGV"
     if not (code in DOCUMENTED or unborn or crashed or (code == -signal.SIGKILL and way == "SIGKILL")):
         found.append(f"exit {code}")
@@ -120,7 +122,11 @@ def faults_of(way: str, code: int, printed: str, folder: Path, known: dict[str, 
     if left:
         found.append("orphans")
     try:
-        now = {key: value for key, value in contents(folder).items() if ".rigui-tmp" not in key}
+        now = {
+            key: value
+            for key, value in contents(folder).items()
+            if ".rigui-tmp" not in key and ".rigui-lock" not in key
+        }
     except ValueError:
         return [*found, "a torn document"]
     found += [f"torn {key}" for key, value in now.items() if value not in known.get(key, set())]
