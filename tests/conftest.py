@@ -1,14 +1,39 @@
 """What tests of several folders share."""
 
+import sys
+
 import pytest
 import skinned_stages
+import suites
 from hypothesis import settings
+from zygote import Forking
 
 from usdrigui.cli import main
+from usdrigui.usd import reader_process
 
 # Every run draws the same examples, so that a change is judged by itself; `--hypothesis-profile=default` draws others.
 settings.register_profile("same", derandomize=True)
 settings.load_profile("same")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def forking():
+    """Readers are forked from one that has USD loaded: 10 ms each, not 400, of the same code under the same limits."""
+    if sys.platform != "linux":
+        yield None
+        return
+    made = Forking(reader_process._started)
+    reader_process._started = made.start
+    yield made
+    reader_process._started = made.fresh
+    made.close()
+
+
+@pytest.fixture
+def fresh_readers(forking, monkeypatch):
+    """Readers are started as users' are."""
+    if forking is not None:
+        monkeypatch.setattr(forking, "on", False)
 
 
 @pytest.fixture(scope="module")
@@ -17,3 +42,32 @@ def laid_out(tmp_path_factory):
     character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda")
     assert main(["process", str(character), "--quiet"]) == 0
     return character.parent
+
+
+def pytest_addoption(parser):
+    parser.addoption(
+        "--suite",
+        choices=suites.SUITES,
+        help="the tests to run (tests/suites.py); quick, or all of the files, folders or markers that are named",
+    )
+
+
+def pytest_configure(config):
+    if config.option.suite is None:
+        named = config.args_source is pytest.Config.ArgsSource.ARGS or config.option.markexpr
+        config.option.suite = "all" if named else "quick"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
+    kept = suites.taken(items, config.option.suite)
+    left = set(items) - set(kept)
+    config.hook.pytest_deselected(items=[each for each in items if each in left])
+    items[:] = kept
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    """What was left out is said; with pytest-xdist, pytest itself does not."""
+    if config.option.suite in ("quick", "sample"):
+        said = {"quick": "slow tests were left out", "sample": "one slow test of every file was run"}
+        terminalreporter.write_line(f"{said[config.option.suite]}: --suite slow runs them all")

@@ -10,16 +10,13 @@ import ast
 import json
 import os
 import re
-import sys
 from pathlib import Path
 
 import occasions
 import pytest
-from zygote import Zygote
 
 import usdrigui
 from usdrigui.errors import CODES, Exit
-from usdrigui.usd import reader_process
 
 GOLDEN = Path(__file__).parent / "golden"
 WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
@@ -27,17 +24,7 @@ IN_USDS_WORDS = {"FILE_NOT_USD", "LAYER_MISSING", "LAYER_UNREADABLE", "COMPOSITI
 IN_USDS_WORDS |= {"USD_DIAGNOSTIC", "USD_ERROR", "LAYOUT_VERSION"}
 """Their messages are not ours, or name a version: any text will do."""
 FRESH = {"SOURCE_READER_LOST", "SOURCE_CRASHES_USD", "SOURCE_TIME_LIMIT", "SOURCE_MEMORY_LIMIT"}
-"""Read by a real child of its own; the others by one that is forked, to save time."""
-
-
-@pytest.fixture(scope="module")
-def zygote():
-    if sys.platform != "linux":
-        yield None
-        return
-    forking = Zygote(reader_process.environment())
-    yield forking
-    forking.close()
+"""Read by a real child of its own."""
 
 
 def test_no_code_lacks_an_occasion():
@@ -51,9 +38,9 @@ def test_no_golden_report_is_left_over():
 
 
 @pytest.mark.parametrize("code", occasions.OCCASIONS)
-def test_its_golden_report(code, tmp_path, monkeypatch, zygote):
-    if zygote is not None and code not in FRESH:
-        monkeypatch.setattr(reader_process, "_started", zygote.start)
+def test_its_golden_report(code, tmp_path, monkeypatch, request):
+    if code in FRESH:
+        request.getfixturevalue("fresh_readers")
     exit_code, issues = occasions.OCCASIONS[code](tmp_path, monkeypatch)
     monkeypatch.undo()
     report = {"exit": exit_code, "issues": [_anonymous(each, tmp_path) for each in issues if each["code"] == code]}

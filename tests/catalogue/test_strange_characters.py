@@ -2,32 +2,16 @@
 
 from __future__ import annotations
 
-import sys
-
 import occasions
 import pytest
 import traps
 from pxr import Sdf
-from zygote import Zygote
 
-from usdrigui.usd import reader_process
 from usdrigui.usd.read_layout import read_layout
 
 
-@pytest.fixture(scope="module")
-def zygote():
-    if sys.platform != "linux":
-        yield None
-        return
-    forking = Zygote(reader_process.environment())
-    yield forking
-    forking.close()
-
-
 @pytest.mark.parametrize("name", traps.TRAPS)
-def test_a_trap(name, tmp_path, monkeypatch, zygote, capfd):
-    if zygote is not None:
-        monkeypatch.setattr(reader_process, "_started", zygote.start)
+def test_a_trap(name, tmp_path, capfd):
     _, expected_exit, expected = traps.TRAPS[name]
     exit_code, issues = occasions.command("process", traps.trapped(tmp_path, name))
     assert exit_code == expected_exit, issues

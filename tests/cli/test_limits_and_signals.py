@@ -18,7 +18,7 @@ from usdrigui.cli import main
 from usdrigui.settings import Settings
 from usdrigui.usd.read_layout import read_layout
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
 SAMPLE = Path(__file__).parents[2] / "sample_assets" / "char.usda"
 SOON = 60.0
 """Seconds; generous, for a busy machine."""

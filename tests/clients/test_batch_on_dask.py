@@ -15,7 +15,7 @@ from usdrigui.clients.batch.job import Job
 from usdrigui.errors import RigUIError
 
 pytest.importorskip("distributed", reason="usdrigui-core[dask] is not installed")
-pytestmark = pytest.mark.skipif(os.name != "posix", reason="kills processes")
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="kills processes")]
 
 
 @pytest.fixture

@@ -48,6 +48,7 @@ def _sample(folder):
     (folder / "corrections.usda").write_text(f"#usda 1.0\n(\nsubLayers = [@./char.rigui.usda@]\n)\n{edit}\n")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("bash") is None, reason="needs bash")
 @pytest.mark.parametrize("page", PAGES)
 def test_the_commands_of_a_page(page, tmp_path):

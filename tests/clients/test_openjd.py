@@ -23,6 +23,7 @@ def openjd_command(*arguments):
     return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
 
 
+@pytest.mark.slow
 @needs_openjd
 def test_a_job_is_checked_and_run(tmp_path, capsys):
     batch_assets.folder_of(tmp_path / "assets")

@@ -34,6 +34,7 @@ ENDS = {
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["usda", "usdc", "usdz"])
 def test_every_damaged_file_has_a_documented_end(form, tmp_path):
     command = [sys.executable, str(HERE / "fuzz.py"), "--format", form, "--count", "150", "--keep", str(tmp_path)]

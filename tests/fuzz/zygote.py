@@ -15,6 +15,7 @@ import socket
 import struct
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from typing import IO, Any
 
 _SET_CHILD_SUBREAPER = 36
@@ -33,7 +34,6 @@ class Zygote:
     """Stands in for `usdrigui.usd.reader_process._started`."""
 
     def __init__(self, environment: dict[str, str]) -> None:
-        ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, 1)
         self._ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         self._process = subprocess.Popen(
             [sys.executable, __file__, str(os.getpid())], stdin=theirs, env=environment, start_new_session=True
@@ -43,15 +43,57 @@ class Zygote:
     def start(self, letter: IO[bytes], mailbox: IO[bytes]) -> Reader:
         """Fork a reader."""
         read_end, write_end = os.pipe()
-        socket.send_fds(self._ours, [b"read"], [letter.fileno(), mailbox.fileno(), write_end])
-        os.close(write_end)
-        (pid,) = struct.unpack("<i", self._ours.recv(4))
+        with _adopting():
+            socket.send_fds(self._ours, [b"read"], [letter.fileno(), mailbox.fileno(), write_end])
+            os.close(write_end)
+            (pid,) = struct.unpack("<i", self._ours.recv(4))
         return Reader(pid, os.fdopen(read_end, "rb"))
 
     def close(self) -> None:
         """End the zygote."""
         self._ours.close()
         self._process.wait(10)
+
+
+class Forking:
+    """`usdrigui.usd.reader_process._started` by fork, wherever a fresh start would run the same program alike."""
+
+    def __init__(self, fresh: Callable[..., Any]) -> None:
+        self.fresh = fresh
+        self.on = True
+        self._zygote: Zygote | None = None
+        self._world = _world()
+
+    def start(self, letter: IO[bytes], mailbox: IO[bytes]) -> Any:
+        """A forked reader; a fresh one where the program or its environment is another than it was, or if not `on`."""
+        if not self.on or _world() != self._world:
+            return self.fresh(letter, mailbox)
+        if self._zygote is None:
+            self._zygote = Zygote(self._world[1])
+        return self._zygote.start(letter, mailbox)
+
+    def close(self) -> None:
+        """End the zygote, if there is one."""
+        if self._zygote is not None:
+            self._zygote.close()
+
+
+def _world() -> tuple[str, dict[str, str]]:
+    """The program and the environment of a reader; pytest's own name of the test that runs is no part of it."""
+    from usdrigui.processes import environment
+
+    told = environment(OPENBLAS_NUM_THREADS="1")
+    return sys.executable, {name: value for name, value in told.items() if name != "PYTEST_CURRENT_TEST"}
+
+
+@contextlib.contextmanager
+def _adopting() -> Iterator[None]:
+    """Be the parent of grandchildren whose parent ends; not for longer, or those of tests would never go."""
+    ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, 1)
+    try:
+        yield
+    finally:
+        ctypes.CDLL(None).prctl(_SET_CHILD_SUBREAPER, 0)
 
 
 def _serve(asker: int) -> None:

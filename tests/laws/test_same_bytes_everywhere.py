@@ -38,6 +38,9 @@ WORLDS = {
 }
 
 
+pytestmark = pytest.mark.slow
+
+
 def layer(asset, world=None, cwd=None, arguments=()):
     target = asset.with_name("char.rigui.usda")
     target.unlink(missing_ok=True)

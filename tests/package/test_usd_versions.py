@@ -15,6 +15,8 @@ import usd_versions
 ROOT = Path(__file__).resolve().parents[2]
 OTHERS = [each for each in os.environ.get("USDRIGUI_OTHER_USD", "").split(os.pathsep) if each]
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def samples(tmp_path_factory):

@@ -26,6 +26,8 @@ from usdrigui.usd.reader_records import Limits, Request
 from usdrigui.usd.rig import read_rigs
 from usdrigui.usd.source import check_unchanged
 
+pytestmark = pytest.mark.usefixtures("fresh_readers")
+
 HANG = '#usda 1.0\n(\n    subLayers = [@./pipe.usda@]\n)\ndef SkelRoot "A" {}\n'
 """Over a pipe that nobody writes to, this keeps USD waiting for ever."""
 

@@ -428,6 +428,7 @@ def test_the_owner_is_kept_where_that_is_allowed(target):
     assert (target.stat().st_uid, target.stat().st_gid) == (1234, 1235)
 
 
+@pytest.mark.slow
 def test_killed_runs_leave_the_old_or_the_new_file(target):
     """A writer is killed at random moments; the next one sweeps what it left."""
     script = f"""

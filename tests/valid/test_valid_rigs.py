@@ -13,6 +13,7 @@ from valid_rigs import SMALL, make_rig
 HERE = Path(__file__).parent
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="readers are forked, which needs Linux")
 def test_every_valid_rig_is_laid_out_checked_and_viewed():
     command = [sys.executable, str(HERE / "many_rigs.py"), "--small", "--count", "30"]

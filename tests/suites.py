@@ -1,0 +1,30 @@
+"""Which tests a run takes: the quick suite before every change, the slow one beside it, a sample of the slow one in CI.
+
+Slow is what drives a browser, Blender or another program, a real rig, a kill, a sweep of damaged files or a long
+search.  A test says so by the marker `slow`, by the marker `real`, or by a fixture of `PROGRAMS`.
+"""
+
+from __future__ import annotations
+
+SUITES = ("quick", "slow", "sample", "all")
+PROGRAMS = {"playwright", "firefox", "bpy_python", "run_inside", "window"}
+"""Fixtures that start a browser or Blender."""
+
+
+def is_slow(item):
+    """Whether the collected test belongs to the second suite."""
+    marked = any(item.get_closest_marker(name) for name in ("slow", "real"))
+    return marked or not PROGRAMS.isdisjoint(item.fixturenames)
+
+
+def taken(items, suite):
+    """Those of the collected tests that the suite takes, in their order.
+
+    `sample` is the first slow test of every file: the same ones every time, one meeting with every program.
+    """
+    if suite == "all":
+        return list(items)
+    if suite == "quick":
+        return [each for each in items if not is_slow(each)]
+    slow = [each for each in items if is_slow(each)]
+    return slow if suite == "slow" else list({each.path: each for each in reversed(slow)}.values())[::-1]
