@@ -130,8 +130,7 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
 def _shares_controls(layout: Layout | None, rig: Rig) -> bool:
     """Whether a layout can be an earlier one of this character."""
     names = {control.name for control in rig.controls}
-    placed = [] if layout is None else [member.control for element in layout.elements for member in element.members]
-    return not names.isdisjoint(placed)
+    return layout is not None and not names.isdisjoint(layout.controls)
 
 
 def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:

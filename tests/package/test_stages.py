@@ -37,3 +37,10 @@ def test_a_record_that_holds_everything_is_found():
     functions = "\n".join(f"def g{i}(bag: Bag | None): ..." for i in range(FUNCTIONS + 1))
     assert bags([ast.parse(f"class Bag:\n{fields}\n{functions}")]) == {"Bag"}
     assert bags([ast.parse(f"class Bag:\n{fields}\n" + functions.replace("Bag", "int"))]) == set()
+
+
+def test_tests_of_the_layout_stand_in_the_folders_of_its_packages():
+    tests, packages = PACKAGE.parent / "tests" / "unit" / "layout", PACKAGE / "layout"
+    folders = {path.parent.relative_to(tests) for path in tests.rglob("test_*.py")}
+    assert len(folders) > 8
+    assert [str(folder) for folder in folders if not (packages / folder / "__init__.py").is_file()] == []

@@ -72,6 +72,11 @@ class Group:
     """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""
 
     @property
+    def all_controls(self) -> frozenset[int]:
+        """The controls of the element and of its images, together."""
+        return frozenset().union(*self.copies)
+
+    @property
     def copies(self) -> tuple[tuple[int, ...], ...]:
         """The controls of the element and of its images."""
         return (self.controls, *self.images)

@@ -39,6 +39,11 @@ class Layout(Record):
     weights: tuple[tuple[str, float], ...] = field(default=())
     """Settings of the objective that the cost depends on, by name."""
 
+    @property
+    def controls(self) -> frozenset[str]:
+        """Names of all controls that have an element."""
+        return frozenset().union(*(element.controls for element in self.elements))
+
 
 @dataclass(frozen=True, eq=False)
 class Element(Record):
@@ -73,6 +78,11 @@ class Element(Record):
     def axes(self) -> tuple[tuple[int, ...], ...]:
         """Positions of the members of each axis: one control, or the negative and the positive end of a signed axis."""
         return axes_of(len(self.members), self.opposed)
+
+    @property
+    def controls(self) -> frozenset[str]:
+        """Names of its controls."""
+        return frozenset(member.control for member in self.members)
 
 
 @dataclass(frozen=True, eq=False)

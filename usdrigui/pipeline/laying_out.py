@@ -172,14 +172,13 @@ def _account(
     controls = rig.controls
     motions = inputs.face.trajectories.motions
     peaks = {controls[each.control].name: each.peak for each in motions}
-    placed = {member.control for element in layout.elements for member in element.members}
     return CharacterReport(
         root=rig.root,
         rig=rig,
         layout=layout,
         assignment=assignment,
         rows=rows_of(rig, layout, peaks, inputs.twin_names),
-        notes=tuple(note for note in inputs.left_off if note.control in placed),
+        notes=tuple(note for note in inputs.left_off if note.control in layout.controls),
         issues=(*inputs.issues, *unexplained, *_nothing_added(inputs, layout)),
         difference=changes,
         added=_added(inputs, layout),

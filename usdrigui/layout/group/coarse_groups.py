@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import chain
 
 from usdrigui.errors import meant, refuse
 from usdrigui.model import Element, Group, Rig
@@ -31,7 +32,8 @@ def with_levels(
     inner |= _of_poses(rig, groups) if settings.poses else {}
     configured = _configured(rig, groups, settings, existing)
     inner = {name: members for name, members in inner.items() if name not in configured} | configured
-    everything = (*groups, *(part for name, made in parts.items() if name not in configured for part in made))
+    derived = (made for name, made in parts.items() if name not in configured)
+    everything = (*groups, *chain.from_iterable(derived))
     _check(inner, configured)
     return tuple(sorted(_with_states(everything, inner), key=lambda group: group.name))
 
@@ -42,7 +44,7 @@ def with_inner(elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig)
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
     for element in made:
-        by_controls.setdefault(frozenset(member.control for member in element.members), []).append(element.name)
+        by_controls.setdefault(element.controls, []).append(element.name)
     inner: dict[str, list[str]] = {}
     by_name = {group.name: group for group in groups}
     for group in groups:
@@ -103,7 +105,7 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
 
 def _driven(rig: Rig, group: Group, *, poses: bool) -> frozenset[tuple[str, int]]:
     """Channels and joints that the group's poses set, or that its other controls set."""
-    controls = [rig.controls[i] for copy in group.copies for i in copy]
+    controls = [rig.controls[i] for i in sorted(group.all_controls)]
     drives = [control.drive for control in controls if (control.kind == "pose") == poses]
     channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
     return frozenset(channels | {("joint", int(joint)) for drive in drives for joint in drive.joints})
@@ -140,7 +142,7 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
         known = (*(group.name for group in groups if group.name), *(each.name for each in rig.controls))
         what = f"{rig.root} has no control or element {name!r}{meant(name, known)}"
         raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
-    return next((group for group in groups if any(index in copy for copy in group.copies)), None)
+    return next((group for group in groups if index in group.all_controls), None)
 
 
 def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 
@@ -61,7 +62,7 @@ def find_groups(
     merged = grouping.of_the_user()
     names = control_index(face.rig, settings.controls)
     orbits = configured_orbits(face.rig, face.trajectories, requests.overrides, names)
-    turning = {i for orbit in orbits for i in orbit}
+    turning = set().union(*orbits)
     merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
     merged += grouping.of_the_prior_layout(_free(merged, grouping))
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
@@ -100,8 +101,11 @@ def share_a_place(
 
 
 def _free(merged: Iterable[_Merged], grouping: _Grouping) -> set[int]:
-    taken = {i for each in merged for i in each.motions}
-    return set(grouping.sets) - taken
+    return set(grouping.sets) - _motions_of(merged)
+
+
+def _motions_of(merged: Iterable[_Merged]) -> set[int]:
+    return set().union(*(each.motions for each in merged))
 
 
 class _Grouping:
@@ -176,7 +180,7 @@ class _Grouping:
             if not motions or len({self.category[i] for i in motions}) > 1:
                 continue
             pairs = group.opposed if whole else ()
-            ends = {end for pair in pairs for end in pair}
+            ends = set().union(*pairs)
             axes = sorted((*pairs, *((i,) for i in range(len(motions)) if i not in ends)), key=min)
             reason = "as in the earlier layout" if len(motions) > 1 else ""
             found.append(_Merged(motions, tuple(axes), reason, group.name if whole else ""))
@@ -202,7 +206,7 @@ class _Grouping:
         taken: set[int] = set()
         for _, _, a, b in sorted(ranked):
             pairs = self._with_image((a, b))
-            if taken & {i for pair in pairs for i in pair}:
+            if taken & set().union(*pairs):
                 continue
             for pair in pairs:
                 taken |= set(pair)
@@ -231,17 +235,17 @@ class _Grouping:
         if not self.settings.opposed:
             return []
         left = list(axes)
-        singles = free - {i for axis in axes for i in axis.motions}
+        singles = free - _motions_of(axes)
         swinging = [_Merged((i,), ((0,),), "") for i in sorted(singles & self.two_sided)]
         lone = [_Merged((i,), ((0,),), "") for i in sorted(singles - self.two_sided)]
         made: list[_Merged] = []
         for partners, least in (([*left, *swinging], _AXES_SHARED), (lone, _SINGLE_SHARED)):
             for first, second in self._crossings(left if partners is lone else [*left, *swinging], partners, least):
-                used = {i for each in made for i in each.motions}
+                used = _motions_of(made)
                 images = self._joined_images(first, second)
-                if images and not used & {i for each in images for i in each.motions}:
+                if images and not used & _motions_of(images):
                     made += images
-        used = {i for each in made for i in each.motions}
+        used = _motions_of(made)
         return [*made, *(axis for axis in left if not used & set(axis.motions))]
 
     def _crossings(self, firsts: list[_Merged], seconds: list[_Merged], least: float) -> list[tuple[_Merged, _Merged]]:
@@ -381,7 +385,7 @@ class _Grouping:
         """Groups of the merged motions: of two mirror images the left one, of an orbit the first one only."""
         by_members = {frozenset(each.motions): each for each in merged}
         groups = [self._orbit_group(orbit) for orbit in orbits if orbit[0] in self.sets]
-        done = {frozenset([i]) for orbit in orbits for i in orbit}
+        done = {frozenset([i]) for i in chain.from_iterable(orbits)}
         for each in merged:
             members = frozenset(each.motions)
             image = frozenset(self._image(each.motions))

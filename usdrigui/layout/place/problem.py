@@ -95,8 +95,7 @@ def _of_axis(
 ) -> tuple[Requests, dict[int, CandidateSet]]:
     """Requests and candidates, by control, of an axis of a coarse element with a slider of its own."""
     asked = requests.of_axes()
-    controls = {control for copy in group.copies for control in copy}
-    return asked, {c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(controls)}
+    return asked, {c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(group.all_controls)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,9 +115,8 @@ def _variable(
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with the loosened candidates where its copies collide at all others."""
     face, settings, group = costs.face, costs.settings, groups[index]
-    controls = {control for copy in group.copies for control in copy}
     for loose in (False, True):
-        used = {c: loosened(face, sets[c], requests, settings) for c in controls} if loose else sets
+        used = {c: loosened(face, sets[c], requests, settings) for c in group.all_controls} if loose else sets
         choice, cost, displacement = labels_of(face, used, groups, index, requests.overrides, settings)
         samples, handles = drawn_points(face, choice, settings)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)

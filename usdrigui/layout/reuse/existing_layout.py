@@ -47,14 +47,13 @@ def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
 
 def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
     """Indices of the controls that the layout neither has nor says it left off."""
-    known = {member.control for element in layout.elements for member in element.members}
-    known |= {left.control for left in layout.left_off}
+    known = layout.controls | {left.control for left in layout.left_off}
     return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
 
 
 def with_drawn_handles(layout: Layout, trajectories: Trajectories, settings: Settings) -> Settings:
     """The settings with which handles are as wide as in `layout`, and groups only of what it lacks."""
-    known = {member.control for element in layout.elements for member in element.members}
+    known = layout.controls
     groups = {name: controls for name, controls in settings.groups.groups.items() if not known.issuperset(controls)}
     width = layout.handle_width or settings.objective.handle_size * trajectories.face_size
     size = width * (1.0 - _ROUNDING) / trajectories.face_size
@@ -149,7 +148,7 @@ def _fitting(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
 def _alike(layout: Layout, rig: Rig) -> bool:
     """Whether a layout has a mesh and a control in common with a character."""
     meshes = {element.anchor.mesh for element in layout.elements}
-    names = {member.control for element in layout.elements for member in element.members}
+    names = layout.controls
     return bool(meshes & {mesh.path for mesh in rig.meshes}) and bool(names & {each.name for each in rig.controls})
 
 

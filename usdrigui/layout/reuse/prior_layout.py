@@ -70,7 +70,7 @@ def of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
 
 def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
     """Both priors: the first decides for a control that both place; the penalty is the second's."""
-    taken = {control for group in first.groups for control in group.controls}
+    taken = set().union(*(group.controls for group in first.groups))
     others = tuple(group for group in second.groups if not taken & set(group.controls))
     return replace(
         second,

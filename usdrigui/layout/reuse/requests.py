@@ -23,8 +23,9 @@ class Requests:
     @property
     def existing_names(self) -> frozenset[str]:
         """Names of the elements of the existing layout, and of their controls."""
-        elements = self.existing.elements if self.existing is not None else ()
-        return frozenset(name for e in elements for name in (e.name, *(member.control for member in e.members)))
+        if self.existing is None:
+            return frozenset()
+        return self.existing.controls | {element.name for element in self.existing.elements}
 
     def of_axes(self) -> Requests:
         """What holds for the sliders that controls have of their own under a coarse element."""

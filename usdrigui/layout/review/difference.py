@@ -63,7 +63,7 @@ class _Membership:
 
     @property
     def partners(self) -> frozenset[str]:
-        return frozenset(member.control for member in self.element.members)
+        return self.element.controls
 
 
 def difference(before: Layout, after: Layout, improvements: Mapping[str, float] | None = None) -> Difference:
@@ -117,7 +117,7 @@ def _compared(
 
 
 def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> ChangeKind | None:
-    then, now = _controls(before), _controls(after)
+    then, now = before.controls, after.controls
     # A partner that is gone or new is not a regrouping of those who stay.
     if old.partners & now != new.partners & then:
         return "regrouped"
@@ -133,10 +133,6 @@ def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> 
 def _same_mesh(old: _Membership, new: _Membership) -> bool:
     one, other = old.element.anchor, new.element.anchor
     return one.mesh == other.mesh and one.topology_hash == other.topology_hash
-
-
-def _controls(layout: Layout) -> frozenset[str]:
-    return frozenset(member.control for element in layout.elements for member in element.members)
 
 
 def _distance(before: Layout, old: _Membership, new: _Membership) -> float:
@@ -169,7 +165,7 @@ def _reasons(
 def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
     """Whose handle is now nearer to the old place than two handles may be."""
     for element in after.elements:
-        if element is new.element or element.anchor.beside or old.partners & {m.control for m in element.members}:
+        if element is new.element or element.anchor.beside or old.partners & element.controls:
             continue
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
         if apart < after.handle_width * (1.0 - _STILL):

@@ -136,8 +136,7 @@ def _custom_base(layout: Layout, settings: ReadSettings) -> bool:
 
 
 def _unplaced(face: Face, layout: Layout, requests: Requests) -> Iterator[Issue]:
-    known = {member.control for element in layout.elements for member in element.members}
-    known |= {left.control for left in layout.left_off}
+    known = layout.controls | {left.control for left in layout.left_off}
     for motion in face.trajectories.motions:
         name = face.control_name(motion.control)
         if name not in known and not requests.overrides[motion.control].exclude:
@@ -233,7 +232,7 @@ def _parts(layout: Layout) -> frozenset[str]:
     """Names of the elements all of whose controls a coarse element holds too."""
     inner = inner_names(layout.elements)
     outer = {m.control for element in layout.elements if element.name not in inner for m in element.members}
-    return frozenset(e.name for e in layout.elements if e.name in inner and outer >= {m.control for m in e.members})
+    return frozenset(e.name for e in layout.elements if e.name in inner and outer >= e.controls)
 
 
 def _with_points(

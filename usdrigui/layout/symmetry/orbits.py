@@ -32,7 +32,7 @@ def configured_orbits(
                 what = f"no control that moves anything is called {member!r}{meant(member, known)}"
                 raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
         motions = tuple(moving[index[member]] for member in override.orbit)
-        if len(set(motions)) < max(2, len(motions)) or {i for orbit in found for i in orbit} & set(motions):
+        if len(set(motions)) < max(2, len(motions)) or set().union(*found) & set(motions):
             raise refuse("CONFIG_VALUE", where, "an orbit lists two or more controls, each once")
         found.append(motions)
     return tuple(found)
