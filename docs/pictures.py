@@ -417,7 +417,10 @@ SCENES: tuple[Scene, ...] = (
         "double",
         "11 · Middle or double",
         "Elements that are their own mirror image prefer the mid-plane, at a price; on request they are doubled.",
-        (Panel("on the plane"), Panel("doubled", "[symmetry]\ndouble_middle = true")),
+        (
+            Panel("on the plane", '[symmetry]\ndouble_middle = "never"'),
+            Panel("doubled", '[symmetry]\ndouble_middle = "always"'),
+        ),
         ("mouthRoll", "mouthShrug", "mouthFunnel", "browInnerUp", "cheekPuff"),
         labels=False,
     ),

@@ -48,6 +48,9 @@ class Action:
     pole: int = 0
     """-1 or 1: which end."""
     importance: float = 1.0
+    place: tuple[float, float] | None = None
+    """Where it stands on a canonical face: to the side on which it acts, and up from between the eyes, in distances of
+    the pupils."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +168,12 @@ def _table(name: str) -> dict[str, Any]:
 @cache
 def _actions() -> Mapping[str, Action]:
     rows = {name: row for name, row in _table("actions").items() if not name.startswith("_")}
-    return {name: Action(name, **{key: row[key] for key in row if key != "au"}) for name, row in rows.items()}
+    return {name: _action(name, row) for name, row in rows.items()}
+
+
+def _action(name: str, row: Mapping[str, Any]) -> Action:
+    fields = {key: value for key, value in row.items() if key not in ("au", "place")}
+    return Action(name, place=tuple(row["place"]) if "place" in row else None, **fields)
 
 
 @cache

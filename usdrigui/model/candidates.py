@@ -9,9 +9,12 @@ from usdrigui.model.record import Floats, Indices, Record
 from usdrigui.model.rig import LeftOff
 
 ElementKind = Literal["slider", "patch", "fan"]
-Category = Literal["", "global", "hidden", "composite", "requested"]
+Category = Literal[
+    "", "global", "hidden", "composite", "viseme", "emotion", "identity", "interior", "combination", "requested"
+]
 """Why a control does not stand on the face: it moves the face as a whole, only affects geometry hidden in all views,
-repeats what atomic controls do together, or the configuration says so; empty for a control that is to stand there."""
+repeats what others do, stands with its family, or the configuration says so; empty for a control that is to stand
+there."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,13 +8,15 @@ The order of these stages is known here and nowhere else.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from usdrigui import animation
+from usdrigui.conventions import meanings
 from usdrigui.errors import Issue, meant, refuse
 from usdrigui.examples import Examples, prior_layout_of, with_fixed
+from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.control_overrides import control_overrides
 from usdrigui.layout.element.elements import layout
@@ -169,6 +171,8 @@ def measure(
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
         requests = _requests(rig, symmetry, settings, references)
+        expected = expectations(found, symmetry, views, meanings([control.name for control in rig.controls]))
+        requests = replace(requests, expected=expected)
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)

@@ -202,8 +202,10 @@ class SymmetrySettings:
         level="expert",
         was="plane_price",
     )
-    double_middle: bool = setting(
-        False, "Give a self-symmetric control two mirrored elements instead of one on the plane."
+    double_middle: Literal["evidence", "always", "never"] = setting(
+        "evidence",
+        "Give a self-symmetric control two mirrored elements of one value instead of one on the plane: where its "
+        "motion has two lobes (`evidence`), `always` or `never`.",
     )
 
 

@@ -17,6 +17,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
                 "beside_hidden": False,
                 "beside_composite": False,
             },
+            "symmetry": {"double_middle": "never"},
             "groups": {"opposed": False, "patches": True},
             "objective": {
                 "scene_units": True,

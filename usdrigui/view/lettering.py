@@ -20,7 +20,12 @@ _HALO: dict[str, Any] = {"stroke_width": 1, "stroke_fill": (238, 240, 242)}
 _FAMILIES = {
     "global": "whole character",
     "hidden": "hidden",
+    "interior": "inside the mouth",
     "composite": "composite",
+    "viseme": "visemes",
+    "emotion": "emotions",
+    "combination": "combinations",
+    "identity": "identity",
     "requested": "by request",
     "crowded": "no room on the face",
 }

@@ -428,7 +428,12 @@ export class Overlay {
 const FAMILIES = {
   global: 'Whole character',
   hidden: 'Hidden',
+  interior: 'Inside the mouth',
   composite: 'Composite',
+  viseme: 'Visemes',
+  emotion: 'Emotions',
+  combination: 'Combinations',
+  identity: 'Identity',
   requested: 'By request',
   crowded: 'No room on the face',
 };

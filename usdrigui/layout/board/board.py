@@ -22,7 +22,9 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Floats, Group, Member, Rig, Side
 
-CATEGORIES = ("global", "hidden", "composite", "requested", "crowded")
+CATEGORIES = (
+    "global", "hidden", "interior", "composite", "viseme", "emotion", "combination", "identity", "requested", "crowded",
+)  # fmt: skip
 """Headings, from top to bottom."""
 
 Adapt = Literal["deform", "static"]

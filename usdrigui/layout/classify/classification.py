@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.errors import Issue, explained
-from usdrigui.layout.classify.composites import composites, explanation
+from usdrigui.layout.classify.composites import Composite, composites, explanation
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
 from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
@@ -42,7 +42,7 @@ class _Evidence:
     moves_everything: bool
     vanishes: bool
     visible_share: float
-    composite: bool
+    composite: Composite | None
 
 
 def classify(
@@ -62,7 +62,8 @@ def classify(
     visible_areas = np.where(views.anywhere, trajectories.areas, 0.0)
     every = (*trajectories.motions, *trajectories.excluded)
     covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
-    vanish, repeated = visibility_shapes(rig, trajectories, views), composites(rig, trajectories, symmetry, similarity)
+    vanish = visibility_shapes(rig, trajectories, views)
+    repeated = composites(rig, trajectories, symmetry, similarity, shares[: len(trajectories.motions)])
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     found = []
     for index, motion in enumerate(trajectories.motions):
@@ -71,11 +72,11 @@ def classify(
             moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
-            composite=index in repeated and motion.owned is None,
+            composite=repeated.get(index) if motion.owned is None else None,
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()
-        if category == "composite":
+        if index in repeated and category == repeated[index].category:
             tell = functools.partial(explanation, repeated[index], names)
             reason, issues = explained(tell, "repeats other controls", names[index])
         found.append(Classification(category, reason, float(shares[index]), issues))
@@ -98,7 +99,7 @@ def _category(
         return "hidden", "only affects geometry hidden in all views"
     # A control that stands on the face already is not sent away because another one was added.
     if settings.beside_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
-        return "composite", ""
+        return evidence.composite.category, ""
     if override.place == "beside":
         return "requested", "placed on the board by the configuration"
     return "", ""

@@ -1,13 +1,16 @@
-"""Composites: controls that repeat what others do (visemes, emotions, flattened in-betweens).
+"""Controls that repeat what others do, and which controls they repeat (beyond the paper).
 
-Rigs keep them beside the atomic controls they were sculpted from.  On the face they would only crowd
-the atoms, so they go to the board.  They are recognised by what they share with the others:
+Rigs keep visemes, emotions, both-sided copies and flattened in-betweens beside the atomic controls from which they
+were sculpted.  On the face they would only crowd the atoms.  Which controls are atoms is decided for all at once
+(`basis`), at prices that say what a rigger would keep:
 
-* a *repetition* runs parallel to a stronger control everywhere; where the name hints at a step of it
-  (``smile_50`` beside ``smile``), roughly parallel is enough, since in-betweens are made to lie off the line;
-* a *mixture* is a sum of several smaller controls with non-negative weights;
-* a *spread* is symmetric and moves distant parts of the face as distant atoms do (an emotion moves the
-  brows as the brow's control does, and the mouth as the mouth's does).
+* a control with the name of an atomic action, and most of all one without which no face can be animated, is one;
+* a copy for both sides of two that stand there, a step of another (``smile_50``) and what a family is made of are not
+  if others explain them;
+* of controls whose names say nothing, local ones with a twin are rather atoms than wide ones without.
+
+A *spread* remains: a symmetric control without a telling name that moves distant parts of the face as atoms there do
+is an emotion, even if it has a shape of its own.
 """
 
 from __future__ import annotations
@@ -17,25 +20,25 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.optimize import nnls
 from scipy.sparse import csr_array
 
+from usdrigui.conventions import Meaning, meanings
+from usdrigui.layout.classify.basis import Basis, choose_basis
+from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
 from usdrigui.layout.names import is_step_of
-from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
-from usdrigui.ties import rounded
+from usdrigui.model import Category, Flags, Floats, Indices, Rig, Symmetry, Trajectories
 
-_PARALLEL = 0.98
-"""Cosine of two motions from which one repeats the other."""
+_NAMED = 3
+"""Parts of a mixture that its explanation names."""
 _STEP = 0.75
-"""The same where the name calls one a step of the other: a flattened in-between lies off the straight line."""
-_EXPLAINED = 0.85
-"""Share of a motion's energy that a mixture of others must explain."""
-_PARTS = 1.8
-"""Effective number of parts from which a mixture is one, and not one control with some noise."""
-_NAMED = 0.1
-"""Share of the weight of the strongest part from which a part of a mixture is named."""
+"""Cosine from which a control repeats the one of which its name calls it a step: a flattened in-between lies off the
+straight line."""
+_FAMILY_PRICE = 3.0
+_BOTH_SIDES_PRICE = 2.0
+_TWIN_DISCOUNT = 0.2
+"""Prices of being an atom, in units of what a control costs whose name says nothing."""
 _LOCAL_COSINE = 0.6
 _LOCAL_AMOUNT = 0.25
 """A control contains another when, where that one acts, it goes the same way by this share of it."""
@@ -47,18 +50,22 @@ _FAR_PAIRS = 2
 
 @dataclass(frozen=True)
 class Composite:
-    """Which others a control repeats."""
+    """Why a control stands off the face beside others that do the same."""
 
-    kind: Literal["repetition", "mixture", "spread"]
-    parts: tuple[int, ...]
+    category: Category
+    kind: Literal["repetition", "mixture", "spread", "family"]
+    parts: tuple[int, ...] = ()
     """Indices of the motions that are to be named, the strongest first."""
     amount: float = 1.0
     """Of a repetition: how far it goes, as a share of the other."""
+    family_reason: str = ""
 
 
 def explanation(composite: Composite, names: Sequence[str]) -> str:
     """Why a control is a composite, in words; `names` are those of the motions."""
     parts = [names[part] for part in composite.parts]
+    if composite.kind == "family":
+        return composite.family_reason
     if composite.kind == "repetition":
         return f"does the same as {parts[0]}, {composite.amount:.0%} as far"
     if composite.kind == "mixture":
@@ -67,92 +74,101 @@ def explanation(composite: Composite, names: Sequence[str]) -> str:
 
 
 def composites(
-    rig: Rig, trajectories: Trajectories, symmetry: Symmetry, similarity: Similarity
+    rig: Rig, trajectories: Trajectories, symmetry: Symmetry, similarity: Similarity, coverage: Floats
 ) -> dict[int, Composite]:
-    """The motions that are composites, by index; both twins of a pair or neither."""
-    shares = _Shares(rig, trajectories, similarity)
-    found: dict[int, Composite] = {}
-    for index in shares.largest_first:
-        rest = [i for i in range(len(trajectories.motions)) if i != index and i not in found]
-        both_sides = symmetry.twins[trajectories.motions[index].control] == trajectories.motions[index].control
-        composite = shares.repetition(index, rest) or shares.mixture(index, rest)
-        if composite is None and both_sides:
-            composite = shares.spread(index, rest)
-        if composite is not None:
-            found[index] = composite
-    return _with_twins(found, trajectories, symmetry)
+    """The motions that repeat others, or stand with their family off the face; both twins of a pair or neither.
+
+    `coverage` (motions,) is the share of the face that each moves.
+    """
+    names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    told = dict(zip((c.name for c in rig.controls), meanings([c.name for c in rig.controls]), strict=True))
+    meaning = [told[name] for name in names]
+    twins = _twins(trajectories, symmetry)
+    families = find_families(names, meaning, similarity.cosine, coverage)
+    basis = choose_basis(
+        similarity.cosine, _prices(names, meaning, twins, coverage, families), twins, _steps(names, similarity.cosine)
+    )
+    found = {i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()}
+    spread = _Spreads(rig, trajectories, similarity)
+    for i in np.flatnonzero(basis.atoms & (twins == np.arange(len(names)))).tolist():
+        if meaning[i] is None and (pair := spread.distant_pair(i, basis.atoms)):
+            found[i] = Composite("composite", "spread", pair)
+    for family in families:
+        for i in family.members:
+            found.pop(i, None)
+            if not family.on_face:
+                found[i] = Composite(family.kind, "family", family_reason=family.reason)
+    return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 
-def _with_twins(found: dict[int, Composite], trajectories: Trajectories, symmetry: Symmetry) -> dict[int, Composite]:
-    """Only those whose twin was found too."""
+def _prices(
+    names: Sequence[str],
+    meaning: Sequence[Meaning | None],
+    twins: Indices,
+    coverage: Floats,
+    families: Sequence[Family],
+) -> Floats:
+    """(m,) price of being an atom; negative for one that is to be one in any case."""
+    sides: dict[str, set[str]] = {}
+    for each in meaning:
+        if each is not None:
+            sides.setdefault(each.action.name, set()).add(each.side)
+    in_family = {i for family in families for i in family.members}
+    prices = 1.0 + coverage - _TWIN_DISCOUNT * (twins != np.arange(len(names))) * (twins >= 0)
+    for i, each in enumerate(meaning):
+        if i in in_family:
+            prices[i] += _FAMILY_PRICE
+        elif each is not None and not each.side and {"left", "right"} <= sides[each.action.name]:
+            prices[i] += _BOTH_SIDES_PRICE
+        elif each is not None:
+            prices[i] = -each.action.importance
+    return np.asarray(np.round(prices, 6))
+
+
+def _steps(names: Sequence[str], cosine: Floats) -> list[tuple[int, int]]:
+    """(step, whole) of the controls whose names call one a step of the other."""
+    return [
+        (i, j)
+        for i, name in enumerate(names)
+        for j, other in enumerate(names)
+        if i != j and cosine[i, j] > _STEP and is_step_of(name, other)
+    ]
+
+
+def _twins(trajectories: Trajectories, symmetry: Symmetry) -> Indices:
+    """(m,) the mirror motion of each, itself, or -1."""
     index = {motion.control: i for i, motion in enumerate(trajectories.motions)}
-    kept = {}
-    for i, composite in found.items():
-        twin = int(symmetry.twins[trajectories.motions[i].control])
-        if twin < 0 or index.get(twin, i) in found:
-            kept[i] = composite
-    return kept
+    found = [index.get(int(symmetry.twins[motion.control]), -1) for motion in trajectories.motions]
+    return np.array(found, dtype=np.int64)
 
 
-class _Shares:
-    """What every motion shares with every other: inner products over the whole face and over their regions."""
+def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
+    """What a motion that is no atom repeats; `norm` (m,) of the motions."""
+    told = basis.explanations[index]
+    parts = tuple(told.parts[:_NAMED].tolist()) if told is not None else ()
+    if len(parts) == 1:
+        return Composite("composite", "repetition", parts, float(norm[index] / norm[parts[0]]))
+    return Composite("composite", "mixture", parts)
+
+
+class _Spreads:
+    """What tells a control that moves distant parts of the face at once."""
 
     def __init__(self, rig: Rig, trajectories: Trajectories, similarity: Similarity) -> None:
-        self.names = [rig.controls[motion.control].name for motion in trajectories.motions]
-        self.norm, self.cosine = similarity.norm, similarity.cosine
         regions = notable_points(trajectories.motions, len(trajectories.base))
         self.size = regions @ trajectories.areas
-        rough = np.round(self.size / max(float(self.size.max(initial=0.0)), 1e-300), 6)
-        self.largest_first = sorted(range(len(rough)), key=lambda i: (-rough[i], self.names[i]))
+        self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
         self.far = _distant(trajectories, similarity, rig.up)
 
-    def repetition(self, index: int, rest: list[int]) -> Composite | None:
-        for other in rest:
-            least = _STEP if is_step_of(self.names[index], self.names[other]) else _PARALLEL
-            if self.cosine[index, other] > least and self._stronger(other, index):
-                return Composite("repetition", (other,), float(self.norm[index] / self.norm[other]))
-        return None
-
-    def mixture(self, index: int, rest: list[int]) -> Composite | None:
-        parts = self._parts(index, rest)
-        if not parts:
-            return None
-        table, target = self.cosine[np.ix_(parts, parts)], self.cosine[parts, index]
-        # The least-squares problem of the fields themselves, by way of their products.
-        root = np.linalg.cholesky(table + 1e-4 * np.eye(len(parts)))
-        try:
-            weights, _ = nnls(root.T, np.linalg.solve(root, target))
-        except RuntimeError:  # Too many steps: it mixes no few others.
-            return None
-        explained = float(2.0 * weights @ target - weights @ table @ weights)
-        effective = float(np.square(weights).sum() ** 2 / max(float((weights**4).sum()), 1e-300))
-        if explained < _EXPLAINED or effective < _PARTS:
-            return None
-        named = weights > _NAMED * weights.max()
-        strongest = [parts[i] for i in np.argsort(-rounded(weights), kind="stable")[:3] if named[i]]
-        return Composite("mixture", tuple(strongest))
-
-    def _parts(self, index: int, rest: list[int]) -> list[int]:
-        """What a control may be a mixture of: smaller controls that do some of the same, none of them the control once
-        more, and none that repeats an earlier one.  Copies would share a weight and count as many parts."""
-        others = np.array(rest, dtype=np.int64)
-        alike = self.cosine[index, others]
-        some = others[(self.size[others] <= self.size[index]) & (alike > 0.05) & (alike <= _PARALLEL)]
-        repeats = np.tril(self.cosine[np.ix_(some, some)] > _PARALLEL, -1).any(axis=1)
-        return [int(i) for i in some[~repeats]]
-
-    def spread(self, index: int, rest: list[int]) -> Composite | None:
+    def distant_pair(self, index: int, atoms: Flags) -> tuple[int, ...]:
+        """Two distant atoms as which the motion moves the face at once; empty where it does not."""
+        rest = [i for i in np.flatnonzero(atoms).tolist() if i != index]
         inside = [i for i in rest if self.contains[index, i] and self.size[i] < self.size[index]]
         pairs = [(a, b) for a in inside for b in inside if a < b and self.far[a, b]]
         if len(pairs) < _FAR_PAIRS:
-            return None
-        return Composite("spread", max(pairs, key=lambda pair: round(float(self.cosine[index, pair].sum()), 9)))
-
-    def _stronger(self, a: int, b: int) -> bool:
-        if abs(self.norm[a] - self.norm[b]) <= 1e-6 * self.norm[a]:
-            return self.names[a] < self.names[b]
-        return bool(self.norm[a] > self.norm[b])
+            return ()
+        return max(pairs, key=lambda pair: round(float(self.cosine[index, pair].sum()), 9))
 
 
 def _contained(fields: DisplacementFields, regions: Flags) -> Flags:
@@ -176,5 +192,5 @@ def _distant(trajectories: Trajectories, similarity: Similarity, up: Floats) -> 
     return np.asarray(apart & (similarity.shared < 0.05))
 
 
-def _listed(names: list[str]) -> str:
+def _listed(names: Sequence[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else names[0]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from usdrigui.layout.board.board import BoardEntry, board_elements
@@ -54,13 +56,13 @@ def layout(
         BoardEntry(group, copy, group.category, group.reason)
         for group in placement.groups
         if group.category
-        for copy in group.copies
+        for copy in _once(group)
     ]
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
         if label < 0:
             reason = _CROWDED if len(choice.anchors) else "no place on the face"
-            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in group.copies)
+            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group))
         else:
             elements.extend(_on_face(face, group, choice, int(label), requests, settings))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
@@ -81,6 +83,11 @@ def layout(
         in_play=assignment.in_play,
         weights=_weights(placement.problem, face.trajectories.typical_length, settings.objective.samples),
     )
+
+
+def _once(group: Group) -> Iterator[tuple[int, ...]]:
+    """The copies of a group that hold other controls: of a double element one is enough on the board."""
+    return (copy for i, copy in enumerate(group.copies) if set(copy) not in [set(each) for each in group.copies[:i]])
 
 
 def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
@@ -124,7 +131,7 @@ def _on_face(
         overrides = [requests.overrides[control] for control in controls]
         drawn = tuple(_member(face, control, point, source, least) for control in controls)
         members, opposed = _ordered(group, drawn, _normal(face, point))
-        middle = own_mirror_image(face, group, settings)
+        middle = own_mirror_image(face, group)
         anchor, side = anchor_at(face, point), "middle" if middle else _side(face, point)
         mirror = names[1 - copy] if len(names) == 2 else ""
         made.append(

@@ -21,6 +21,7 @@ from usdrigui.layout.motion.similarity import Similarity, bidirectional
 from usdrigui.layout.names import has_side
 from usdrigui.layout.reuse.partial_layout import has_own_place
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.lobes import two_lobed
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
@@ -117,7 +118,7 @@ class _Grouping:
         motions = face.trajectories.motions
         index = {motion.control: i for i, motion in enumerate(motions)}
         self.face, self.similarity, self.prior = face, similarity, requests.prior
-        self.settings, self.double_middle = settings.groups, settings.symmetry.double_middle
+        self.settings, self.double_middle, self.requests = settings.groups, settings.symmetry.double_middle, requests
         self.two_sided = frozenset(bidirectional(face.trajectories))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]
@@ -410,8 +411,8 @@ class _Grouping:
         motions = self.face.trajectories.motions
         controls = tuple(motions[i].control for i in merged.motions)
         own_image = set(self._image(merged.motions)) == set(merged.motions) and self.twin[merged.motions[0]] >= 0
-        # A double element in the middle is its own twin; it may repeat its controls on the other side.
-        paired |= own_image and self.double_middle
+        # A double element is its own twin; it repeats its controls on the other side.
+        paired |= own_image and self._is_double(merged)
         mirror = tuple(motions[i].control for i in self._image(merged.motions)) if paired else ()
         first = self.sets[merged.motions[0]]
         reasons = [reason for reason in (first.off_face_reason, merged.reason) if reason]
@@ -426,6 +427,18 @@ class _Grouping:
             images=(mirror,) if mirror else (),
             image_names=(image_name,) if mirror else (),
         )
+
+    def _is_double(self, merged: _Merged) -> bool:
+        """Whether an element that is its own mirror image has a copy on either side instead of one in the middle."""
+        if self.double_middle != "evidence" or any(self.category[i] or self.twin[i] != i for i in merged.motions):
+            return self.double_middle == "always"
+        return all(self._has_two_lobes(i) for i in merged.motions)
+
+    def _has_two_lobes(self, index: int) -> bool:
+        face, motion = self.face, self.face.trajectories.motions[index]
+        expected = self.requests.expectation(motion.control)
+        both_sides = expected.both_sides if expected is not None else None
+        return two_lobed(face.trajectories, face.symmetry, face.views.anywhere, motion, both_sides)
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:
         motions = self.face.trajectories.motions

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import polylines
@@ -21,6 +22,10 @@ from usdrigui.ties import first_largest
 
 STAGE = "candidates"
 
+_REGION = 0.4
+"""Radius of the region where a control is expected, in distances of the pupils."""
+_NOTABLE = 1.0 / 3.0
+"""Share of its visible peak that a control must reach in that region for the expectation to hold."""
 _LOOSE = 0.2
 """Share of the visible peak at which a control may stand when it has no better place."""
 
@@ -110,6 +115,9 @@ def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Set
     everywhere = np.ones(len(motion.points), dtype=bool)
     some = _standing(face, motion, requests, settings, everywhere)
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
+    # What a person says, and the skin that a joint owns, come before what a name says.
+    if not requests.overrides[motion.control].near and motion.owned is None:
+        seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
     points = _pruned(face, motion, seen, some, settings)
     return points if len(points) else _unseen(motion, some, settings)
 
@@ -120,6 +128,19 @@ def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings
     first = among & (face.trajectories.places[motion.points] == motion.points)
     override, radius = requests.overrides[motion.control], settings.candidates.near_radius
     return motion.stands_on(kept_near(face, motion.control, override, motion.points, first, radius))
+
+
+def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
+    """(p,) which points count: those `seen` in the region where the control is expected, if it moves them notably.
+
+    A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that hardly moves the
+    place where its name expects it does something else.
+    """
+    if expected is None or not seen.any():
+        return seen
+    arc = motion.arc_length
+    here = seen & (expected.distance(face.trajectories.base[motion.points]) <= _REGION)
+    return here if arc[here].max(initial=0.0) >= _NOTABLE * arc[seen].max() else seen
 
 
 def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Settings) -> Indices:

@@ -49,14 +49,14 @@ def labels_of(
             least = np.minimum(least, moved)
         cost += worst
         displacement += least
-    if own_mirror_image(face, group, settings):
+    if own_mirror_image(face, group):
         cost += off_plane(face, choice.anchors[:, 0], settings.symmetry.plane_weight)
     return choice, cost, displacement
 
 
-def own_mirror_image(face: Face, group: Group, settings: Settings) -> bool:
-    """Whether the element is its own mirror image."""
-    if not face.symmetry.normal.any() or settings.symmetry.double_middle:
+def own_mirror_image(face: Face, group: Group) -> bool:
+    """Whether the element is its own mirror image: one in the middle, not doubled."""
+    if not face.symmetry.normal.any() or group.images:
         return False
     return {int(face.symmetry.twins[control]) for control in group.controls} == set(group.controls)
 

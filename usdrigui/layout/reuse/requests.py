@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.model import Layout
 from usdrigui.settings import ControlSettings
@@ -19,6 +20,12 @@ class Requests:
     """An earlier layout that the new one should be like."""
     existing: Layout | None = None
     """A layout that stays as it is and to which the new one adds elements."""
+    expected: tuple[Expectation | None, ...] = ()
+    """(controls,) where the conventions of the field expect each control; empty where they are not asked."""
+
+    def expectation(self, control: int) -> Expectation | None:
+        """Where a control is expected, unless nothing says so."""
+        return self.expected[control] if self.expected else None
 
     @property
     def existing_names(self) -> frozenset[str]:

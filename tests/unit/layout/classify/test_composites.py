@@ -79,7 +79,8 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
     brow, smile = SHAPES["brow_L"] + SHAPES["brow_R"], SHAPES["smile_L"] + SHAPES["smile_R"]
     measured = chain.measured(rig_with(emotion=brow + smile + own))
     face = measured.face
-    found = composites(face.rig, face.trajectories, face.symmetry, measured.similarity)
+    coverage = np.array([each.coverage for each in measured.classification])
+    found = composites(face.rig, face.trajectories, face.symmetry, measured.similarity, coverage)
     assert [face.rig.controls[face.trajectories.motions[i].control].name for i in found] == ["emotion"]
     assert next(iter(found.values())).kind == "spread"
 

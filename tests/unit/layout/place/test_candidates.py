@@ -15,7 +15,7 @@ TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, 
 
 def rig_with_teeth(skin_moves=0.0, visible=True):
     """The face with teeth behind it, and a control that moves the teeth, and the skin by `skin_moves`."""
-    names = [*SHAPES, "teeth"]
+    names = [*SHAPES, "inside"]
     face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
     face.append(makers.shape(len(SHAPES), skin_moves * SHAPES["pucker"]))
     meshes = [
@@ -62,7 +62,7 @@ def test_split_points_give_one_candidate_per_place():
 
 
 def test_a_control_that_peaks_inside_stands_on_the_skin_it_moves():
-    found = chosen(rig_with_teeth(skin_moves=0.5))("teeth")
+    found = chosen(rig_with_teeth(skin_moves=0.5))("inside")
     assert found.category != "hidden"
     assert (found.points < len(POINTS)).all()
 

@@ -118,7 +118,7 @@ def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
 
 def test_a_middle_control_may_be_doubled():
     cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
-    line = chain.lay_out(rig_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": True}))
+    line = chain.lay_out(rig_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": "always"}))
     elements = chain.by_name(line)
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)

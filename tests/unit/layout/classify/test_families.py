@@ -1,0 +1,52 @@
+"""Families stand together: all of them on the face or none."""
+
+import chain
+import makers
+import numpy as np
+
+POINTS, QUADS = makers.mask()
+SHAPES = makers.face_shapes(POINTS)
+
+
+def categories(shapes):
+    found = chain.measured(makers.rig(POINTS, QUADS, shapes))
+    rig, motions = found.face.rig, found.face.trajectories.motions
+    return {rig.controls[m.control].name: c for m, c in zip(motions, found.classification, strict=True)}
+
+
+def visemes():
+    """Five mouth shapes: three that the face's other controls make, two of their own."""
+    mouth, smile = SHAPES["pucker"], SHAPES["smile_L"] + SHAPES["smile_R"]
+    own = [makers.bump(POINTS, (x, -0.55), (0.3, 1, 0), 0.2, 0.05) for x in (-0.1, 0.1)]
+    made = [mouth + smile, mouth + 0.5 * SHAPES["chin"], smile + SHAPES["chin"]]
+    return dict(zip(("viseme_aa", "viseme_E", "viseme_ih", "viseme_oh", "viseme_ou"), made + own, strict=True))
+
+
+def test_visemes_leave_the_face_together_where_others_make_them():
+    found = categories(SHAPES | visemes())
+    assert {found[name].category for name in visemes()} == {"viseme"}
+    assert all("visemes stand together" in found[name].off_face_reason for name in visemes())
+    assert all(not found[name].category for name in SHAPES)
+
+
+def test_visemes_stay_together_where_they_are_the_only_controls_of_the_mouth():
+    upper = {name: shape for name, shape in SHAPES.items() if name.startswith(("brow", "sneer"))}
+    found = categories(upper | visemes())
+    assert {found[name].category for name in visemes()} == {""}
+
+
+def test_teeth_and_numbered_heads_never_stand_on_the_skin():
+    wide = [
+        np.where(POINTS[:, 1:2] > y, [[0.1, 0.02 * i, 0.05]], [[0.0, 0.05, 0.1]]) for i, y in enumerate(range(-3, 3))
+    ]
+    series = {f"head_{i:02d}": 0.3 * shape for i, shape in enumerate(wide)}
+    found = categories(SHAPES | {"teeth_forward": makers.bump(POINTS, (0, -0.4), (0, 0, 1), 0.2)} | series)
+    assert found["teeth_forward"].category == "interior"
+    assert {found[name].category for name in series} <= {"identity", "global"}
+
+
+def test_a_product_of_two_names_is_a_combination():
+    both = makers.bump(POINTS, (0.1, -0.5), (0, 0.2, 1), 0.15, 0.04)
+    found = categories(SHAPES | {"chin_pucker": both, "chin_other": -both})
+    assert found["chin_pucker"].category == "combination"
+    assert found["chin_other"].category != "combination"

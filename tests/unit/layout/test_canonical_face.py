@@ -1,0 +1,63 @@
+"""A canonical face laid over a character by its motions alone."""
+
+import chain
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.conventions import meanings
+from usdrigui.layout.canonical_face import expectations
+
+POINTS, QUADS = makers.mask()
+PLACES = {
+    "eyeBlink": (0.5, 0.0), "browOuterUp": (0.75, 0.25), "mouthSmile": (0.42, -1.0), "noseSneer": (0.24, -0.55),
+    "cheekSquint": (0.6, -0.35),
+}  # fmt: skip
+SCALE, HEIGHT = 0.6, 0.35
+
+
+def at(x, y):
+    return makers.bump(POINTS, (SCALE * x, HEIGHT + SCALE * y), (0.1, 0.3, 1.0), 0.12, 0.05)
+
+
+def shapes(swapped=False):
+    sides = {"L": -1.0 if swapped else 1.0, "R": 1.0 if swapped else -1.0}
+    found = {f"{name}_{side}": at(sign * x, y) for name, (x, y) in PLACES.items() for side, sign in sides.items()}
+    return found | {"jawOpen": at(0.0, -1.5)}
+
+
+def expected(shapes):
+    rig = makers.rig(POINTS, QUADS, shapes)
+    face = chain.face_of(rig)
+    names = [control.name for control in rig.controls]
+    return face, dict(
+        zip(names, expectations(face.trajectories, face.symmetry, face.views, meanings(names)), strict=True)
+    )
+
+
+@pytest.mark.parametrize("swapped", [False, True], ids=["as-named", "sides-swapped"])
+def test_controls_are_expected_where_they_act_on_whichever_side_their_names_put_them(swapped):
+    face, found = expected(shapes(swapped))
+    for motion in face.trajectories.motions:
+        peak = face.trajectories.base[[motion.points[np.argmax(motion.arc_length)]]]
+        assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
+
+
+def test_one_control_in_the_wrong_place_does_not_move_the_others():
+    odd = shapes() | {f"noseSneer_{side}": at(sign * 0.3, 0.6) for side, sign in (("L", 1), ("R", -1))}
+    _, found = expected(odd)
+    place = np.array([[SCALE * 0.42, HEIGHT - SCALE, 0.0]])
+    assert found["mouthSmile_L"].distance(place)[0] < 0.3
+    brow = np.array([[SCALE * 0.3, HEIGHT + 0.6 * SCALE, 0.0]])
+    assert found["noseSneer_L"].distance(brow)[0] > 0.8
+
+
+def test_a_control_stands_where_it_is_expected_though_it_peaks_elsewhere():
+    lifted = {f"noseSneer_{s}": at(sign * 0.24, -0.55) + 1.5 * at(sign * 0.2, 0.3) for s, sign in (("L", 1), ("R", -1))}
+    line = chain.with_candidates(makers.rig(POINTS, QUADS, shapes() | lifted))
+    assert (POINTS[chain.set_of(line, "noseSneer_L").points][:, 1] < HEIGHT).all()
+
+
+def test_names_that_say_too_little_expect_nothing():
+    _, found = expected({"a": at(0.5, 0.0), "b": at(-0.5, 0.0), "jawOpen": at(0.0, -1.5)})
+    assert set(found.values()) == {None}

@@ -1,0 +1,105 @@
+"""Where the conventions of the field expect a control: a canonical face fitted to this one (beyond the paper).
+
+The names of controls say what they do (`usdrigui.conventions`), and each action has a place on a canonical face.  The
+canonical face is laid over the character by what its controls move: the line that fits the heights of all motions that
+have a name best, robustly, and the scale that fits how far they lie from the mirror plane.  What a single control's
+motion says does not decide where it is expected, and a name on the wrong side is overruled by the motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import theilslopes
+
+from usdrigui.conventions import Meaning
+from usdrigui.layout.symmetry.mirror_plane import plane_distance
+from usdrigui.layout.visibility import Views
+from usdrigui.model import Floats, Motion, Record, Symmetry, Trajectories
+
+_LEAST = 4
+"""Different places that it takes to lay the canonical face over a character."""
+_SPAN = 0.5
+"""Least spread of their heights, in distances of the pupils: controls of the mouth alone say nothing of the brows."""
+_ACROSS = 0.2
+"""Distance from the middle, in the same units, from which a place says something of the width."""
+_SIDED = 0.1
+"""A motion whose middle is nearer to the plane, in face sizes, acts on both sides."""
+
+
+@dataclass(frozen=True, eq=False)
+class Expectation(Record):
+    """Where one control is expected, in the plane of the face's front."""
+
+    axes: Floats
+    """(2, 3) unit vectors to the character's left and up."""
+    origin: Floats
+    """(3,) between the eyes."""
+    scale: Floats
+    """(2,) distance of the pupils across and upright, scene units."""
+    place: Floats
+    """(2,) across and up, in units of `scale`."""
+    both_sides: bool
+    """True where the mirrored place is as good."""
+
+    def distance(self, points: Floats) -> Floats:
+        """(p,) of points (p, 3) in root space from the expected place, in distances of the pupils."""
+        flat = (points - self.origin) @ self.axes.T / self.scale
+        if self.both_sides:
+            flat[:, 0] = np.abs(flat[:, 0])
+        return np.asarray(np.linalg.norm(flat - self.place, axis=1))
+
+
+def expectations(
+    trajectories: Trajectories, symmetry: Symmetry, views: Views, meanings: Sequence[Meaning | None]
+) -> tuple[Expectation | None, ...]:
+    """(controls,) where each control is expected; None where its name says nothing or too few names do.
+
+    `meanings` (controls,) as read from the names of the rig's controls.
+    """
+    placed = [(m, meanings[m.control]) for m in trajectories.motions]
+    known = [(motion, each.action.place) for motion, each in placed if each is not None and each.action.place]
+    middles = np.array([_middle(trajectories, symmetry, views, motion) for motion, _ in known]).reshape(-1, 2)
+    places = np.array([place for _, place in known]).reshape(-1, 2)
+    fit = _fit(middles, places) if symmetry.normal.any() else None
+    if fit is None:
+        return (None,) * len(meanings)
+    scale, height = fit
+    axes = np.stack([symmetry.normal, views.up])
+    origin = symmetry.origin + (height - symmetry.origin @ views.up) * views.up
+    found: dict[int, Expectation] = {}
+    for (motion, place), middle in zip(known, middles, strict=True):
+        side = np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.face_size else 0.0
+        both = side == 0.0 and place[0] != 0.0
+        target = np.array([place[0] * side if side else abs(place[0]), place[1]])
+        found[motion.control] = Expectation(axes, origin, scale, target, bool(both))
+    return tuple(found.get(control) for control in range(len(meanings)))
+
+
+def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
+    """(2,) scale across and upright, and height of the eyes, that lay the canonical `places` (c, 2) on the `middles`
+    (c, 2) of the motions; each place counts once.  None where they say too little."""
+    each, which = np.unique(places, axis=0, return_inverse=True)
+    typical = np.array([np.median(np.abs(middles[which == i]), axis=0) for i in range(len(each))]).reshape(-1, 2)
+    heights = np.array([np.median(middles[which == i, 1]) for i in range(len(each))])
+    if len(each) < _LEAST or np.ptp(each[:, 1]) < _SPAN:
+        return None
+    upright, height, *_ = theilslopes(heights, each[:, 1])
+    wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
+    across = float(np.median(typical[wide, 0] / np.abs(each[wide, 0]))) if wide.any() else float(upright)
+    return (np.array([across, upright]), float(height)) if upright > 0.0 else None
+
+
+def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
+    """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the two lobes of a
+    symmetric motion that of one) and height, scene units."""
+    seen = views.anywhere[motion.points]
+    weight = trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
+    weight = weight / max(float(weight.sum()), 1e-300)
+    points = trajectories.base[motion.points]
+    apart = plane_distance(points, symmetry)
+    middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
+    one_sided = abs(middle) > 0.5 * spread
+    return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])

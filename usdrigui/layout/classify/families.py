@@ -1,0 +1,115 @@
+"""Families: controls that belong together by what their names say, and stand together (beyond the paper).
+
+Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them on the lips and
+half on the board is worth less than either.  A family leaves the face as a whole where the other controls make most of
+what it does, and stands on the face as a whole where they do not (a cartoon's five vowels are its only mouth controls).
+Shapes of other people's heads, tongues and teeth never stand on the skin.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from usdrigui.conventions import Meaning
+from usdrigui.layout.classify.basis import best_sum
+from usdrigui.model import Flags, Floats
+
+FamilyKind = Literal["viseme", "emotion", "identity", "interior", "combination"]
+
+_MADE_BY_OTHERS = 0.5
+"""Mean share of a family's motions that other controls must explain for it to leave the face."""
+_SERIES = 5
+"""Least length of a numbered series of controls whose names say nothing."""
+_WHOLE = 0.25
+"""Median share of the face that a series must move to be one of identities, not of local sculpts."""
+_WORDS = {
+    "viseme": "visemes stand together",
+    "emotion": "emotions stand together",
+    "identity": "changes who the character is, not its expression",
+    "interior": "moves the inside of the mouth",
+    "combination": "corrects a combination of other controls",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Family:
+    """Controls that stand together."""
+
+    kind: FamilyKind
+    members: tuple[int, ...]
+    """Motions."""
+    on_face: bool
+    reason: str
+    """Why it stands off the face; empty if it does not."""
+
+
+def find_families(
+    names: Sequence[str], meanings: Sequence[Meaning | None], cosine: Floats, coverage: Floats
+) -> tuple[Family, ...]:
+    """The families of a rig; a motion is in one at most.
+
+    `names` and `meanings` (m,) of the controls of the motions, `cosine` (m, m) of the motions as vectors over the
+    surface, `coverage` (m,) share of the face that each moves.
+    """
+    found: dict[tuple[FamilyKind, str], list[int]] = {}
+    for index, kind, key in _memberships(names, meanings, coverage):
+        found.setdefault((kind, key), []).append(index)
+    others = np.ones(len(names), dtype=bool)
+    others[[i for members in found.values() for i in members]] = False
+    return tuple(_family(kind, tuple(members), others, cosine) for (kind, _), members in sorted(found.items()))
+
+
+def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: Floats) -> Family:
+    if kind not in ("viseme", "emotion"):
+        return Family(kind, members, False, _WORDS[kind])
+    made = float(np.mean([best_sum(i, others, cosine).share for i in members]))
+    if made < _MADE_BY_OTHERS:
+        return Family(kind, members, True, "")
+    return Family(kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of what they do")
+
+
+def _memberships(
+    names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats
+) -> Iterator[tuple[int, FamilyKind, str]]:
+    """(motion, kind, which family of this kind) of every motion that is in one."""
+    series = _identity_series(names, meanings, coverage)
+    for index, (name, meaning) in enumerate(zip(names, meanings, strict=True)):
+        category = meaning.action.category if meaning is not None else "atom"
+        if meaning is not None and category in ("viseme", "emotion", "identity", "interior"):
+            yield index, category, meaning.action.name
+        elif index in series:
+            yield index, "identity", "series"
+        elif _is_combination(name, names):
+            yield index, "combination", ""
+
+
+def _identity_series(names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats) -> frozenset[int]:
+    """Members of numbered series that move large shares of the face and whose names say nothing else."""
+    found: dict[str, list[int]] = {}
+    for index, name in enumerate(names):
+        stem = re.fullmatch(r"(.*?)[ _.:-]*\d+", name)
+        if stem is not None and meanings[index] is None:
+            found.setdefault(stem[1].lower(), []).append(index)
+    long = [each for each in found.values() if len(each) >= _SERIES and np.median(coverage[each]) > _WHOLE]
+    return frozenset(i for each in long for i in each)
+
+
+def _is_combination(name: str, names: Sequence[str]) -> bool:
+    """Whether a name is a product of other controls' names: ``jawOpen_mouthSmileLeft``."""
+    parts = re.split(r"[_+*&-]+", name)
+    if len(parts) < 2:
+        return False
+    known = set(names) - {name}
+    splits = range(1, len(parts))
+    joints = ("_", "+", "-", "*", "&")
+    return any(
+        joint.join(parts[:at]) in known and joint.join(parts[at:]) in known
+        for at in splits
+        for joint in joints
+        if joint in name
+    )

@@ -1,0 +1,37 @@
+"""Which symmetric controls act on two sides rather than in the middle (paper section 3.3, symmetric deformations).
+
+The paper holds the element of a symmetric control to the mirror plane.  A puff of both cheeks hardly moves the plane:
+there its handle would stand on the lips.  Such a control gets a handle on each lobe; both set the same value.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.symmetry.mirror_plane import plane_distance
+from usdrigui.model import Flags, Motion, Symmetry, Trajectories
+
+_MIDDLE = 0.02
+"""Distance from the plane, in face sizes, up to which a point lies in the middle."""
+_KEPT = 0.7
+"""A control of which no name tells where it acts has two lobes if it keeps less of its peak in the middle."""
+_KEPT_IN_PAIRS = 0.8
+_KEPT_IN_THE_MIDDLE = 0.5
+"""The same where the conventions expect it on both sides (a cheek), and in the middle (the lips)."""
+
+
+def two_lobed(
+    trajectories: Trajectories, symmetry: Symmetry, visible: Flags, motion: Motion, both_sides: bool | None
+) -> bool:
+    """Whether a symmetric control's motion has two lobes off the mirror plane and little in between.
+
+    `visible` (n,) are the points that some view sees, `both_sides` says whether the conventions of the field expect
+    the control on both sides; None where they do not know it.
+    """
+    length = np.where(visible[motion.points], motion.arc_length, 0.0)
+    if not length.any():
+        length = motion.arc_length
+    apart = np.abs(plane_distance(trajectories.base[motion.points], symmetry))
+    middle = length[apart <= _MIDDLE * trajectories.face_size].max(initial=0.0)
+    least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
+    return bool(middle < least * length.max())
