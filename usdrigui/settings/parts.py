@@ -60,7 +60,7 @@ class ControlSettings:
         1.0,
         "Diameter of the glyph in handle widths; 0 makes it as long as the element's track.",
         unit="handle widths",
-        bounds=(0.0, 1000000.0),
+        bounds=(0.0, 1000.0),
     )
 
 

@@ -65,8 +65,8 @@ def blend_shape_drafts(
             by_token.setdefault(channel.token, []).append(index)
     drafts = []
     for token, indices in by_token.items():
-        said = settings.controls.get(token, ControlSettings())
-        span = _hull([blend_shape_range(index, authored, said, float(rest[index])) for index in indices])
+        override = settings.controls.get(token, ControlSettings())
+        span = _hull([blend_shape_range(index, authored, override, float(rest[index])) for index in indices])
         drafts.append(Draft(token, "", "blendShape", token, span, _weight_drive(indices, span)))
     return drafts
 
@@ -77,12 +77,12 @@ def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []
     for index, joint in enumerate(joints):
-        said = joint_settings(joint, joints, settings.joints)
+        override = joint_settings(joint, joints, settings.joints)
         for axis in range(3):
-            span = _joint_range(said, axis, spans[index, axis], named_poses, settings)
+            span = _joint_range(override, axis, spans[index, axis], named_poses, settings)
             if span is not None:
                 name = f"{names[index]}:r{_AXES[axis]}"
-                label = f"{said.label} {_AXES[axis]}" if said and said.label else ""
+                label = f"{override.label} {_AXES[axis]}" if override and override.label else ""
                 drafts.append(Draft(name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)))
     return drafts
 
@@ -125,28 +125,28 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
     left_off: list[LeftOff] = []
     names: set[str] = set()
     for draft in drafts:
-        said = settings.controls.get(draft.name, ControlSettings())
-        if said.exclude:
+        override = settings.controls.get(draft.name, ControlSettings())
+        if override.exclude:
             left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
             if draft.range.maximum > draft.range.minimum:
-                excluded.append(_control(draft, draft.name, said, draft.range))
+                excluded.append(_control(draft, draft.name, override, draft.range))
             continue
-        span = _ranged(draft, said)
+        span = _ranged(draft, override)
         if span.maximum <= span.minimum:
             left_off.append(LeftOff(draft.name, "read", f"its range is the single value {span.minimum:g}"))
             continue
-        name = said.rename or draft.name
+        name = override.rename or draft.name
         if name in names:
             raise refuse("CONFIG_VALUE", f'controls."{draft.name}".rename', f"two controls would be called {name!r}")
         names.add(name)
-        controls.append(_control(draft, name, said, span))
+        controls.append(_control(draft, name, override, span))
     return tuple(controls), tuple(excluded), left_off
 
 
-def _control(draft: Draft, name: str, said: ControlSettings, span: Range) -> Control:
+def _control(draft: Draft, name: str, override: ControlSettings, span: Range) -> Control:
     return Control(
         name,
-        said.label or draft.label or name,
+        override.label or draft.label or name,
         draft.kind,
         draft.source,
         span.minimum,
@@ -157,13 +157,15 @@ def _control(draft: Draft, name: str, said: ControlSettings, span: Range) -> Con
     )
 
 
-def joint_settings(joint: Joint, joints: tuple[Joint, ...], said: Mapping[str, JointSettings]) -> JointSettings | None:
+def joint_settings(
+    joint: Joint, joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
+) -> JointSettings | None:
     """The configuration of a joint by its full path or, where no other joint has it, its last name."""
-    if joint.path in said:
-        return said[joint.path]
+    if joint.path in configured:
+        return configured[joint.path]
     leaf = joint.path.rsplit("/", 1)[-1]
-    if leaf in said and sum(each.path.rsplit("/", 1)[-1] == leaf for each in joints) == 1:
-        return said[leaf]
+    if leaf in configured and sum(each.path.rsplit("/", 1)[-1] == leaf for each in joints) == 1:
+        return configured[leaf]
     return None
 
 
@@ -250,13 +252,13 @@ def _redriven(drive: Drive, span: Range) -> Drive:
     return Drive(values, drive.channels, weights, drive.joints, turns, shifts, scales)
 
 
-def _ranged(draft: Draft, said: ControlSettings) -> Range:
+def _ranged(draft: Draft, override: ControlSettings) -> Range:
     """The draft's range after the configuration, checked."""
     span = draft.range
-    if draft.kind != "blendShape" and (said.minimum, said.maximum, said.default) != (None, None, None):
-        minimum = span.minimum if said.minimum is None else said.minimum
-        maximum = span.maximum if said.maximum is None else said.maximum
-        if said.default not in (None, span.default):
+    if draft.kind != "blendShape" and (override.minimum, override.maximum, override.default) != (None, None, None):
+        minimum = span.minimum if override.minimum is None else override.minimum
+        maximum = span.maximum if override.maximum is None else override.maximum
+        if override.default not in (None, span.default):
             raise refuse("CONFIG_VALUE", f'controls."{draft.name}".default', "joints and poses rest at 0")
         span = Range(minimum, span.default, maximum, "config")
     if span.source == "config" and not span.minimum <= span.default <= span.maximum:
@@ -299,13 +301,13 @@ def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
 
 
 def _joint_range(
-    said: JointSettings | None, axis: int, span: Floats, named_poses: bool, settings: Settings
+    override: JointSettings | None, axis: int, span: Floats, named_poses: bool, settings: Settings
 ) -> Range | None:
     """The range of one joint axis, or None if it is no control."""
-    if said is not None:
-        if _AXES[axis] not in said.axes:
+    if override is not None:
+        if _AXES[axis] not in override.axes:
             return None
-        return Range(said.minimum, 0.0, said.maximum, "config")
+        return Range(override.minimum, 0.0, override.maximum, "config")
     which = settings.read.joints
     if which == "none" or (which == "auto" and named_poses):
         return None
@@ -322,8 +324,8 @@ def unknown_joints(joints: tuple[Joint, ...], settings: Settings) -> set[str]:
     """Names in ``[joints]`` that fit no joint."""
     return {
         name
-        for name, said in settings.joints.items()
-        if not any(joint_settings(joint, joints, {name: said}) for joint in joints)
+        for name, override in settings.joints.items()
+        if not any(joint_settings(joint, joints, {name: override}) for joint in joints)
     }
 
 

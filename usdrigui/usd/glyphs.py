@@ -47,17 +47,15 @@ def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, 
     array that cannot be right, and what opening FILE raises.
     """
     found: dict[str, Glyph] = {}
-    for control, said in settings.controls.items():
+    for control, override in settings.controls.items():
         key = f'controls."{control}".glyph'
-        if not 0.0 <= said.glyph_size <= 1000.0:
-            raise refuse("CONFIG_VALUE", f"{key}_size", f"expected 0 to 1000 handle widths, got {said.glyph_size:g}")
-        if said.glyph and said.glyph not in found:
-            file, path = _address(key, said.glyph)
+        if override.glyph and override.glyph not in found:
+            file, path = _address(key, override.glyph)
             source = _opened(key, asset.parent / file, settings) if file else stage
             prim = source.GetPrimAtPath(path)
             if not prim or not prim.IsActive():
                 raise refuse("GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}")
-            found[said.glyph] = _glyph(prim, said.glyph)
+            found[override.glyph] = _glyph(prim, override.glyph)
     return found
 
 

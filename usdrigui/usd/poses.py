@@ -78,7 +78,7 @@ def named_poses(
         for frame in frames[1:]
         if frame.name not in settings.poses
     ]
-    poses.extend(_configured(name, said, source) for name, said in settings.poses.items())
+    poses.extend(_configured(name, configured, source) for name, configured in settings.poses.items())
     return poses
 
 
@@ -114,32 +114,34 @@ class _Source:
         return State(weights, local)
 
 
-def _configured(name: str, said: PoseSettings, source: _Source) -> NamedPose:
+def _configured(name: str, configured: PoseSettings, source: _Source) -> NamedPose:
     where = f'poses."{name}"'
-    if said.weights:
+    if configured.weights:
         by_token: dict[str, list[int]] = {}
         for index, channel in enumerate(source.channels):
             by_token.setdefault(channel.token, []).append(index)
-        unknown = sorted(set(said.weights) - set(by_token))
+        unknown = sorted(set(configured.weights) - set(by_token))
         if unknown:
             what = f"the asset has no weight {unknown[0]!r}{meant(unknown[0], by_token)}"
             raise refuse("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", what)
-        chosen = {index: weight for token, weight in said.weights.items() for index in by_token[token]}
-        return NamedPose(name, said.label, np.array([0.0, 1.0]), source.weighted(chosen))
-    armatures = _animated_by(said.animation, source.armatures, where)
-    if said.frame is not None:
-        return NamedPose(name, said.label, np.array([0.0, 1.0]), source.keys([said.frame], armatures))
-    return _clip(name, said, source, armatures, where)
+        chosen = {index: weight for token, weight in configured.weights.items() for index in by_token[token]}
+        return NamedPose(name, configured.label, np.array([0.0, 1.0]), source.weighted(chosen))
+    armatures = _animated_by(configured.animation, source.armatures, where)
+    if configured.frame is not None:
+        return NamedPose(name, configured.label, np.array([0.0, 1.0]), source.keys([configured.frame], armatures))
+    return _clip(name, configured, source, armatures, where)
 
 
-def _clip(name: str, said: PoseSettings, source: _Source, armatures: tuple[Armature, ...], where: str) -> NamedPose:
+def _clip(
+    name: str, configured: PoseSettings, source: _Source, armatures: tuple[Armature, ...], where: str
+) -> NamedPose:
     """A clip as keys: the base pose at 0, then its frames evenly in time to 1.
 
     A first frame that equals the base pose is not repeated.
     """
-    if len(said.clip) != 2 or said.clip[0] >= said.clip[1]:
+    if len(configured.clip) != 2 or configured.clip[0] >= configured.clip[1]:
         raise refuse("CONFIG_VALUE", where, "needs a frame, a clip [first, last] or weights")
-    first, last = said.clip
+    first, last = configured.clip
     inner = {time for armature in armatures for time in armature.times if first < time < last}
     times = [first, *sorted(inner), last]
     states = source.keys(times, armatures)
@@ -150,7 +152,7 @@ def _clip(name: str, said: PoseSettings, source: _Source, armatures: tuple[Armat
     else:
         start = first - (last - first) / len(times)
     spread = np.array(times if len(states.weights) == len(times) else [start, *times])
-    return NamedPose(name, said.label, (spread - start) / (last - start), states)
+    return NamedPose(name, configured.label, (spread - start) / (last - start), states)
 
 
 def _animated_by(animation: str, armatures: tuple[Armature, ...], where: str) -> tuple[Armature, ...]:

@@ -24,7 +24,7 @@ _SNAP = 0.01
 
 @dataclass(frozen=True)
 class Range:
-    """Between which values a control moves, where it rests, and who said so."""
+    """Between which values a control moves, where it rests, and where that comes from."""
 
     minimum: float
     default: float
@@ -37,7 +37,7 @@ Pairs = list[list[float]]
 
 @dataclass(frozen=True)
 class Authored:
-    """Ranges found in the asset, [minimum, maximum] per channel; NaN where nothing is said."""
+    """Ranges found in the asset, [minimum, maximum] per channel; NaN where nothing is authored."""
 
     limits: Pairs
     """`limits` metadata."""
@@ -72,7 +72,7 @@ def read_ranges(
     return Authored(limits.tolist(), metadata.tolist(), between, extent.tolist()), tuple(issues)
 
 
-def blend_shape_range(channel: int, authored: Authored, said: ControlSettings, rest: float) -> Range:
+def blend_shape_range(channel: int, authored: Authored, override: ControlSettings, rest: float) -> Range:
     """The range of a blend-shape weight whose weight in the base pose is `rest`.
 
     The first that speaks wins: configuration, `limits` metadata, then everything else together.  Those
@@ -80,11 +80,11 @@ def blend_shape_range(channel: int, authored: Authored, said: ControlSettings, r
     by a third does not say that it opens no further.
     """
     found = _authored_range(channel, authored)
-    if said.minimum is None and said.maximum is None and said.default is None:
+    if override.minimum is None and override.maximum is None and override.default is None:
         return Range(min(found[0], rest), rest, max(found[1], rest), found[2])
-    minimum = found[0] if said.minimum is None else said.minimum
-    maximum = found[1] if said.maximum is None else said.maximum
-    default = min(max(rest, minimum), maximum) if said.default is None else said.default
+    minimum = found[0] if override.minimum is None else override.minimum
+    maximum = found[1] if override.maximum is None else override.maximum
+    default = min(max(rest, minimum), maximum) if override.default is None else override.default
     return Range(minimum, default, maximum, "config")
 
 

@@ -44,7 +44,7 @@ from usdrigui.usd.skeleton import (
     read_still,
     weights_at,
 )
-from usdrigui.usd.stage import composition_issues, listening, open_stage, told
+from usdrigui.usd.stage import composition_issues, listening, open_stage, usd_message
 
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
@@ -63,7 +63,7 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
     left, the code of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
     no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
     """
-    with listening() as heard:
+    with listening() as messages:
         stage = open_stage(path)
         roots = _skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
@@ -82,7 +82,7 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
         vain = [each for reading in readings for each in reading.bound_in_vain if not each.message.endswith(reasons)]
         why = f"{_lost_told(lost)}{_vain_told(vain)}" or _joints_told(readings[0])
         raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
-    spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in heard)
+    spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
 
 
@@ -123,14 +123,14 @@ def _guarded(root: Usd.Prim, settings: Settings) -> _Reading:
     try:
         return _read(root, settings)
     except Tf.ErrorException as error:
-        raise refuse("USD_ERROR", str(root.GetPath()), told(error)) from None
+        raise refuse("USD_ERROR", str(root.GetPath()), usd_message(error)) from None
 
 
 def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[str, Glyph]:
     try:
         return read_glyphs(stage, path, settings)
     except Tf.ErrorException as error:
-        raise refuse("USD_ERROR", str(path), told(error)) from None
+        raise refuse("USD_ERROR", str(path), usd_message(error)) from None
 
 
 def _read(root: Usd.Prim, settings: Settings) -> _Reading:
@@ -174,8 +174,8 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
         time = names.frames[0].time  # The asset itself says which frame is its rest pose.
     found = Found()
     joints = _joints(armatures, time, found)
-    channels, heard = read_channels(armatures)
-    found.issues.extend(heard)
+    channels, notes = read_channels(armatures)
+    found.issues.extend(notes)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
     bound = _bound(bindings, armatures)
     meshes = read_meshes(root, bound, frames, found)
@@ -183,9 +183,9 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
     channels = _with_unanimated(root, channels, found)
     rate = root.GetStage().GetTimeCodesPerSecond()
-    clip, heard = read_clip(armatures, joints, channels, rate)
+    clip, notes = read_clip(armatures, joints, channels, rate)
     still = read_still(armatures, joints, channels, rate) if clip is None else None
-    found.issues.extend(heard)
+    found.issues.extend(notes)
     authored = weights_at(armatures, channels, None)
     base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
     return _Scene(armatures, joints, channels, meshes, base, authored, clip, still, names, found, vain)
@@ -339,12 +339,12 @@ def _lost_told(lost: list[LeftOff]) -> str:
     names: dict[str, list[str]] = {}
     for each in lost:
         names.setdefault(each.reason, []).append(each.control)
-    told = [
+    reasons = [
         f"{same[0]}{f' and {len(same) - 1} more' if len(same) > 1 else ''} ({reason})"
         for reason, same in list(names.items())[:_REASONS_TOLD]
     ]
-    more = len(names) - len(told)
-    return f"; left off: {', '.join(told)}{f' and {more} more reasons' if more else ''}"
+    more = len(names) - len(reasons)
+    return f"; left off: {', '.join(reasons)}{f' and {more} more reasons' if more else ''}"
 
 
 def _vain_told(vain: list[Issue]) -> str:

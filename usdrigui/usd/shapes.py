@@ -49,11 +49,11 @@ class Found:
         except RigUIError as error:
             if error.issue.code not in PART_FAULTS:
                 raise
-            said = error.issue
-            where = "" if said.path == path else f" {said.path}:"
-            self.issues.append(issue("PART_LEFT_OFF", path, f"{said.code}:{where} {said.message}"))
+            refusal = error.issue
+            where = "" if refusal.path == path else f" {refusal.path}:"
+            self.issues.append(issue("PART_LEFT_OFF", path, f"{refusal.code}:{where} {refusal.message}"))
             self.faults.append(error)
-            self.shapeless.update(dict.fromkeys(names, f"{said.path}: {said.message}"))
+            self.shapeless.update(dict.fromkeys(names, f"{refusal.path}: {refusal.message}"))
 
 
 @dataclass(frozen=True)

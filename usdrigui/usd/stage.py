@@ -32,7 +32,7 @@ def open_stage(path: Path) -> Usd.Stage:
     try:
         stage = Usd.Stage.Open(str(path), Usd.Stage.LoadAll)
     except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
+        raise refuse("FILE_NOT_USD", str(path), usd_message(error)) from None
     if stage is None:
         raise refuse("FILE_NOT_USD", str(path), "USD opened no stage")
     for fault in stage.GetCompositionErrors():
@@ -46,7 +46,7 @@ def open_layer(path: Path) -> Sdf.Layer:
     try:
         layer = Sdf.Layer.OpenAsAnonymous(str(path))
     except (Tf.ErrorException, RuntimeError) as error:
-        raise refuse("FILE_NOT_USD", str(path), told(error)) from None
+        raise refuse("FILE_NOT_USD", str(path), usd_message(error)) from None
     if layer is None:
         raise refuse("FILE_NOT_USD", str(path), "is not a USD layer")
     return layer
@@ -71,18 +71,18 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
 @contextmanager
 def listening() -> Iterator[list[str]]:
     """Keep what USD would print while the block runs; the list holds the distinct texts afterwards."""
-    heard: list[str] = []
+    messages: list[str] = []
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:
-        yield heard
+        yield messages
     finally:
         for each in delegate.TakeUncoalescedDiagnostics():
             try:
                 text = _ADDRESS.sub("#", each.commentary)
             except UnicodeDecodeError:
                 text = "a message that is not UTF-8"
-            if text not in heard:
-                heard.append(text)
+            if text not in messages:
+                messages.append(text)
         del delegate
 
 
@@ -118,7 +118,7 @@ def check_archive(path: Path) -> None:
         raise refuse("FILE_CORRUPT", str(path), f"the checksum of {damaged} is wrong")
 
 
-def told(error: Exception) -> str:
+def usd_message(error: Exception) -> str:
     """Text of a USD exception, whose own str() may fail."""
     try:
         return "; ".join(str(each.commentary) for each in error.args) or type(error).__name__
