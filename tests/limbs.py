@@ -52,3 +52,92 @@ def _control(joint, axis):
     drive = Drive(np.array([-30.0, 30.0]), nothing, np.zeros((2, 0)), indices, turns, still, still)
     name = f"j{joint}:r{'xyz'[axis]}"
     return Control(name, name, "joint", f"j{joint}", -30.0, 0.0, 30.0, "default", drive)
+
+
+def hand_rig():
+    """A wrist at the origin with four fingers along y, each of three joints and an end without skin, a little bent
+    towards z, which is the palm."""
+    names, places = ["w"], [np.zeros(3)]
+    for finger in range(4):
+        x = 0.3 * (finger - 1.5)
+        for number, at in enumerate([(x, 1.0, 0.0), (x, 1.5, 0.02), (x, 1.85, 0.07), (x, 2.1, 0.14)]):
+            names.append("w/" + "/".join(f"f{finger}{k}" for k in range(number + 1)))
+            places.append(np.array(at))
+    return skeleton_rig(names, np.array(places), [i for i, name in enumerate(names) if not name.endswith("3")])
+
+
+def body_rig():
+    """Hips, a chest, a head, straight arms a and b along x, straight legs c and d down, with ends without skin."""
+    at = {"h": (0, 0, 0), "h/s": (0, 0.5, 0), "h/s/n": (0, 1.0, 0), "h/s/n/e": (0, 1.4, 0)}
+    for side, name in ((1, "a"), (-1, "b")):
+        for k, x in enumerate((0.25, 0.85, 1.4, 1.6)):
+            at["h/s/" + "/".join(f"{name}{i}" for i in range(k + 1))] = (side * x, 0.9, 0)
+    for side, name in ((1, "c"), (-1, "d")):
+        for k, y in enumerate((-0.1, -0.9, -1.7, -1.9)):
+            at["h/" + "/".join(f"{name}{i}" for i in range(k + 1))] = (side * 0.2, y, 0)
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    owners = [i for i, name in enumerate(names) if name[-1] not in "e3"]
+    return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
+
+
+def skeleton_rig(names, places, owners, own=None):
+    """Joints at `places` with a small box of skin around the middle of each owner's bone."""
+    parents = [names.index(name.rpartition("/")[0]) if "/" in name else -1 for name in names]
+    frame = np.eye(3) if own is None else own
+    world = [np.block([[frame, np.zeros((3, 1))], [place[None], np.ones((1, 1))]]) for place in places]
+    joints = tuple(_placed(name, world, i, parents[i]) for i, name in enumerate(names))
+    corners = 0.05 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+    sides = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
+    points = np.concatenate([places[i] + corners for i in owners])
+    faces = np.concatenate([sides + 8 * k for k in range(len(owners))])
+    influences = np.repeat(np.array(owners), 8)[:, None]
+    skin = Skin(influences, np.ones(influences.shape), "classicLinear", np.eye(4), False)
+    mesh = makers.mesh(points, faces, skin=skin)
+    made = makers.rig_of_meshes([mesh], [])
+    return replace(made, joints=joints, skeletons=(Skeleton("/Root/skel", "", np.eye(4)),))
+
+
+def _placed(name, world, index, parent):
+    local = world[index] @ np.linalg.inv(world[parent]) if parent >= 0 else world[index]
+    return Joint(name, 0, parent, world[index], local, local)
+
+
+def flattened(rig):
+    """The same with every joint a root that looks along its bone, as some hands are exported."""
+    joints = []
+    for i, joint in enumerate(rig.joints):
+        below = [each for each in rig.joints if each.parent == i]
+        along = (below[len(below) // 2].bind if below else joint.bind)[3, :3] - joint.bind[3, :3]
+        along = along if below else joint.bind[3, :3] - rig.joints[joint.parent].bind[3, :3]
+        aim = along / np.linalg.norm(along)
+        side = np.cross(aim, [0.0, 0.6, 0.8])
+        side /= np.linalg.norm(side)
+        world = np.eye(4)
+        world[:3, :3], world[3, :3] = np.stack([side, np.cross(aim, side), aim]), joint.bind[3, :3]
+        joints.append(Joint(joint.path.rsplit("/", 1)[-1], 0, -1, world, world, world))
+    return replace(rig, joints=tuple(joints))
+
+
+def moved(rig, turn, scale, own):
+    """The same under a rotation and a scale, its joints with other axes of their own."""
+    names = [joint.path for joint in rig.joints]
+    places = np.array([joint.bind[3, :3] for joint in rig.joints]) @ turn * scale
+    made = skeleton_rig(names, places, sorted(set(rig.meshes[0].skin.joints.ravel().tolist())), own)
+    points = rig.meshes[0].points @ turn * scale
+    return replace(made, meshes=(replace(made.meshes[0], points=points),))
+
+
+def as_control(draft):
+    """The control of a draft as it stands."""
+    span = draft.range
+    return Control(
+        draft.name,
+        draft.name,
+        draft.kind,
+        draft.source,
+        span.minimum,
+        span.default,
+        span.maximum,
+        span.source,
+        draft.drive,
+    )

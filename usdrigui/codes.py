@@ -143,7 +143,8 @@ _CODES: dict[str, Code] = {
         "error",
         "No SkelRoot has anything to control.",
         "Mend what the message names; else add blend shapes or an animated skeleton, bind a Skeleton (skel:skeleton) "
-        "to meshes that have blend shapes but none, or name joints or poses in the configuration.",
+        "to meshes that have blend shapes but none, make joints controls (`--set read.joints=all`, or `[joints.NAME]` "
+        "in a configuration), or name poses in the configuration.",
     ),
     "INSTANCE": Code(
         "error",

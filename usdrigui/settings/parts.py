@@ -96,7 +96,9 @@ class ReadSettings:
         "auto",
         (
             "Which joints become controls: ``auto`` those that the animation rotates by more than "
-            "`joint_min_degrees`, unless its frames are named poses; ``animated`` the same without exception."
+            "`joint_min_degrees`, unless its frames are named poses, and where nothing else is a control those with "
+            "skin, by the degrees of freedom that their place in the skeleton suggests; ``animated`` those of the "
+            "animation alone, without exception; ``all`` three axes of every joint."
         ),
     )
     joint_min_degrees: float = setting(

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff
+from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff, RigMesh
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, Settings
+from usdrigui.usd.joint_defaults import Tree, Turn, default_turns, posed_locals
 from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 
 _AXES = "xyz"
@@ -19,6 +20,8 @@ _STILL = 1e-7
 
 _DECIMALS = 12
 """Of radians and of logarithms of scale."""
+_KEY_DEGREES = 10.0
+"""Between the keys of a control that moves joints on arcs."""
 _SLIGHT = 1e-3
 """Share of the greatest translation, or of scale, by which an animation may move a joint unmentioned."""
 
@@ -85,6 +88,33 @@ def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool
                 label = f"{override.label} {_AXES[axis]}" if override and override.label else ""
                 drafts.append(Draft(name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)))
     return drafts
+
+
+def default_joint_drafts(joints: tuple[Joint, ...], meshes: tuple[RigMesh, ...], weights: int) -> list[Draft]:
+    """The controls of a rig that joints alone drive, in degrees from the base pose; `weights` is its number of
+    channels."""
+    names, drafts = joint_names(joints), []
+    tree = Tree(joints, meshes)
+    for turn in default_turns(tree):
+        span = Range(turn.range[0], 0.0, turn.range[1], "default")
+        name, source = f"{names[turn.joints[0]]}:{turn.name}", joints[turn.home].path
+        drafts.append(Draft(name, "", "joint", source, span, _turn_drive(tree, turn, weights)))
+    return drafts
+
+
+def _turn_drive(tree: Tree, turn: Turn, weights: int) -> Drive:
+    low, high = turn.range
+    if not tree.flat:
+        values = np.array([low, high])
+        turns = np.radians(values)[:, None, None] * turn.axes[None]
+        still = np.zeros_like(turns)
+        return Drive(values, _NO_INDICES, np.zeros((2, 0)), np.array(turn.joints), turns, still, still)
+    # Joints of a flat skeleton go round the joint that turns: keys every few degrees follow their arcs.
+    steps = int(np.ceil((high - low) / _KEY_DEGREES))
+    values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
+    states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
+    base = State(np.zeros(weights), np.array([joint.base for joint in tree.joints]))
+    return pose_drives([NamedPose(turn.name, "", values, states)], base)[0]
 
 
 def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> tuple[Issue, ...]:

@@ -20,6 +20,7 @@ from usdrigui.usd.controls import (
     Draft,
     State,
     blend_shape_drafts,
+    default_joint_drafts,
     ignored_motion,
     joint_drafts,
     joint_names,
@@ -204,7 +205,10 @@ def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Dra
     base = State(scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4))
     poses = named_poses(scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings)
     more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
-    return drafts + more, [*left_off_tokens(scene.found, used), *left_off], issues
+    lost = [*left_off_tokens(scene.found, used), *left_off]
+    if not (drafts or more or lost or scene.found.faults) and settings.read.joints == "auto":
+        drafts = default_joint_drafts(scene.joints, scene.meshes, len(scene.channels))
+    return drafts + more, lost, issues
 
 
 def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -> tuple[Joint, ...]:

@@ -24,7 +24,8 @@ def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
 
     `points` (n, 3) are all points in root space.  A joint without skin has that of the joints next below it.
     """
-    joints = set(control.drive.joints.tolist())
+    driven = set(control.drive.joints.tolist())
+    joints = {i for i in driven if rig.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
     while joints:

@@ -1,0 +1,77 @@
+"""Laws of the controls that a rig driven by joints alone has by default: read from geometry, never from names."""
+
+from dataclasses import replace
+
+import limbs
+import numpy as np
+import pytest
+
+from usdrigui.deform import posed
+from usdrigui.rotation import rotation_part, rotations
+from usdrigui.usd.controls import default_joint_drafts
+from usdrigui.usd.joint_defaults import Tree, default_turns, posed_locals
+
+HAND = limbs.hand_rig()
+
+
+def kinds(rig):
+    """How many controls of each kind."""
+    found = [turn.name for turn in default_turns(Tree(rig.joints, rig.meshes))]
+    return {name: found.count(name) for name in sorted(set(found))}
+
+
+@pytest.mark.parametrize("made", [HAND, limbs.flattened(HAND)], ids=["hierarchy", "flat"])
+def test_a_hand_gets_a_curl_and_a_spread_per_finger_and_a_wrist(made):
+    assert kinds(made) == {"curl": 4, "spread": 4, "rx": 1, "ry": 1, "rz": 1}
+
+
+def test_rigid_motion_scale_and_other_own_axes_of_the_joints_change_no_turn():
+    turned = limbs.moved(HAND, rotations(np.array([0.4, -1.1, 0.7])), 3.7, own=rotations(np.array([1.0, 0.3, -2.0])))
+    assert kinds(turned) == kinds(HAND)
+
+
+@pytest.mark.parametrize("made", [HAND, limbs.flattened(HAND)], ids=["hierarchy", "flat"])
+def test_curled_fingers_reach_into_the_palm_and_stay_in_one_piece(made):
+    tree = Tree(made.joints, made.meshes)
+    for turn in (turn for turn in default_turns(tree) if turn.name == "curl"):
+        locals_, world = posed_locals(tree, turn, np.array([60.0]))[0], {}
+        for i, joint in enumerate(made.joints):
+            world[i] = locals_[i] @ world[joint.parent] if joint.parent >= 0 else locals_[i]
+        tip = max(turn.joints)
+        assert world[tip][3, 2] > tree.places[tip, 2]
+        bones = [(a, b) for a, b in zip(turn.joints, turn.joints[1:], strict=False)]
+        for a, b in bones:
+            before, after = (np.linalg.norm(w[b][3, :3] - w[a][3, :3]) for w in (tree.world, world))
+            assert after == pytest.approx(before)
+
+
+def test_what_a_flat_skeleton_does_under_a_control_is_what_the_hierarchy_does():
+    """The keys of the flat one follow the arcs to a hundredth of the hand."""
+    size = np.ptp(HAND.meshes[0].points, axis=0).max()
+    made = [with_defaults(rig) for rig in (HAND, limbs.flattened(HAND))]
+    assert len(made[0].controls) == len(made[1].controls) == 8
+    for i, control in enumerate(made[0].controls):
+        values = np.zeros(len(made[0].controls))
+        values[i] = 0.37 * control.maximum
+        assert np.abs(posed(made[0], values).points - posed(made[1], values).points).max() < 0.01 * size, control.name
+
+
+def with_defaults(rig):
+    """The rig with the default controls of its fingers."""
+    drafts = default_joint_drafts(rig.joints, rig.meshes, 0)
+    drafts = sorted((each for each in drafts if ":r" not in each.name), key=lambda draft: draft.name.rsplit("/", 1)[-1])
+    controls = tuple(limbs.as_control(draft) for draft in drafts)
+    return replace(rig, controls=controls)
+
+
+def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin_is_none():
+    body = limbs.body_rig()
+    tree = Tree(body.joints, body.meshes)
+    turns = default_turns(tree)
+    bends = [turn for turn in turns if turn.name == "bend"]
+    assert [body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in bends] == ["c1", "d1", "a1", "b1"]
+    for turn in bends:
+        axis = rotation_part(tree.world[turn.home][None])[0].T @ turn.axes[0]
+        assert abs(axis @ tree.direction([turn.home])) < 1e-6
+    assert {turn.home for turn in turns} <= tree.owners
+    assert len(tree.owners) < len(body.joints)
