@@ -96,6 +96,7 @@ class _Program:
     def solved(self) -> Solution:
         """Linear program, program with whole labels, rows, until nothing is violated or a limit is reached."""
         if self._linear():
+            self._fix_labels()
             self._drop_slack_rows()
             self._whole()
         figures = {
@@ -120,6 +121,7 @@ class _Program:
             self._raise(self._lp_bound)
             if self._bound >= self._cutoff or self._budget.stopped():
                 return False
+            self._solution = self._highs.getSolution()
             rows = self._violated()
             if not rows:
                 break
@@ -215,9 +217,15 @@ class _Program:
         )
         self._rows += len(rows)
 
+    def _fix_labels(self) -> None:
+        """Exclude the labels whose reduced costs reach the cutoff."""
+        reduced_costs = np.array(self._solution.col_dual)[: len(self._problem.costs)]
+        gone = np.flatnonzero(self._lp_bound + reduced_costs >= self._cutoff)
+        self._highs.changeColsBounds(len(gone), gone.astype(np.int32), np.zeros(len(gone)), np.zeros(len(gone)))
+
     def _drop_slack_rows(self) -> None:
         """Forget the added rows that do not hold the linear program's bound."""
-        duals = np.array(self._highs.getSolution().row_dual)[self._fixed_rows :]
+        duals = np.array(self._solution.row_dual)[self._fixed_rows :]
         slack = self._fixed_rows + np.flatnonzero(np.abs(duals) <= EPSILON)
         self._highs.deleteRows(len(slack), slack.astype(np.int32))
         self._rows -= len(slack)
@@ -346,7 +354,12 @@ _OPTIONS: dict[str, bool | int | float | str] = {
     "parallel": "off",
     "mip_rel_gap": 0.0,
     "mip_abs_gap": 1e-9,
+    # Local search has done what HiGHS's heuristics could; without them it is two to three times as quick.
     "mip_heuristic_effort": 0.0,
+    "mip_heuristic_run_feasibility_jump": False,
+    "mip_heuristic_run_rins": False,
+    "mip_heuristic_run_rens": False,
+    "mip_heuristic_run_root_reduced_cost": False,
     "mip_pscost_minreliable": 1,
     "mip_allow_restart": False,
     "mip_detect_symmetry": False,

@@ -161,6 +161,7 @@ class ReducedProblem:
 
     def _collect(self, block: Floats, least: Floats, labels: slice) -> None:
         """Move the least costs of labels against one variable from their tables to the labels."""
+        least = np.where(least < np.inf, least, 0.0)  # labels that are excluded
         block -= least
         self.costs[labels] += least
 

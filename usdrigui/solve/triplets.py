@@ -8,21 +8,24 @@ the triplets that raise the bound (D. Sontag et al., "Tightening LP relaxations 
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator
-
 import numpy as np
 
-from usdrigui.model import Flags, Floats, Indices
+from usdrigui.model import Floats
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import ReducedProblem, Triplet, reduced
 
-CHEAPEST = 12
+CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 100
 """Triplets taken at a time."""
 PASSES = 6
 """Passes over the triplets before others are looked for."""
+LARGE = 1500
+"""Labels beyond which two passes do, for all that is done on the whole matrix in each."""
+STRONGEST = 1500
+"""Tables whose triplets are looked at: those of the highest costs."""
+EXCLUDED = 1e6
+"""Stands for the cost of a pair that is excluded."""
 GAIN = 1e-7
 """Least rise of the bound for which a triplet is taken."""
 STALLED = 0.05
@@ -35,21 +38,24 @@ def tightened(problem: ReducedProblem, cutoff: float, budget: Budget) -> Reduced
     problem.normalize()
     bound = problem.bound()
     while True:
-        cheap = _cheapest(problem)
-        for turn in range(PASSES):
+        new = _best_triplets(problem)
+        problem.messages.update((each, _no_messages(problem, each)) for each in new)
+        for _ in range(PASSES if len(problem.costs) <= LARGE else 2):
             problem.spread()
-            if not turn:
-                new = _best_triplets(problem, cheap)
-                problem.messages.update((each, _no_messages(problem, each)) for each in new)
             for triplet in problem.messages:
                 _visit(problem, triplet)
+            problem.normalize()
+            problem.sweep()
             budget.spend(work_of(problem))
-            kept = _swept(problem, cutoff)
-            if kept is None:
-                return None
-            problem = kept
-        budget.found("triplets", bound=min(problem.bound(), cutoff))
+            if budget.stopped():
+                break
+        kept = reduced(problem, cutoff)
+        if kept is None:
+            return None
+        problem = kept
+        problem.normalize()
         rise, left = problem.bound() - bound, cutoff - problem.bound()
+        budget.found("triplets", bound=min(problem.bound(), cutoff))
         if budget.stopped() or left <= 0 or (rise < STALLED * left and len(new) < AT_ONCE):
             return problem
         bound = problem.bound()
@@ -58,19 +64,9 @@ def tightened(problem: ReducedProblem, cutoff: float, budget: Budget) -> Reduced
 def work_of(problem: ReducedProblem) -> int:
     """Work that a pass over the triplets counts as."""
     sizes = np.diff(problem.start)
-    return sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages) // 16 + len(problem.costs) ** 2 // 8
-
-
-def _swept(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:
-    """The problem after its tables gave what they cost at least back to the labels."""
-    problem.normalize()
-    kept = reduced(problem, cutoff)
-    if kept is None:
-        return None
-    kept.normalize()
-    kept.sweep()
-    kept.normalize()
-    return kept
+    return (
+        sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages) // 32 + len(problem.costs) ** 2 // 16
+    )
 
 
 def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Floats, Floats, Floats]:
@@ -96,34 +92,38 @@ def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
     problem.messages[triplet] = (given[0], given[1], given[2])
 
 
-def _best_triplets(problem: ReducedProblem, cheap: list[Indices]) -> list[Triplet]:
-    """New triplets that raise the bound most, at the costs as they are, all in the tables."""
-    tables = {
-        (a, b): problem.pairs[np.ix_(cheap[a], cheap[b])]
-        for a, b in itertools.combinations(range(problem.count), 2)
-        if problem.linked[a, b]
-    }
-    gains = []
-    for a, b, c in triplets_of(problem.linked):
-        if (a, b, c) in problem.messages:
-            continue
-        ab, ac, bc = tables[a, b], tables[a, c], tables[b, c]
-        with_third = (ac[:, None, :] + bc[None]).min(axis=2)
-        gains.append((float((ab + with_third).min() - ab.min() - ac.min() - bc.min()), (a, b, c)))
-    gains.sort(key=lambda each: (-each[0], each[1]))
-    return [triplet for gain, triplet in gains[:AT_ONCE] if gain > GAIN]
+def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
+    """New triplets that raise the bound most, by the cheapest labels of their variables."""
+    tables = _cheapest(problem)
+    least = tables.min(axis=(2, 3))
+    strength = np.triu(np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0))
+    gains: dict[Triplet, float] = {}
+    for pair in np.argsort(-strength, axis=None, kind="stable")[:STRONGEST].tolist():
+        a, b = divmod(pair, problem.count)
+        third = np.flatnonzero(problem.linked[a] & problem.linked[b])
+        if not strength[a, b] or not len(third):
+            break
+        both = (tables[a, third][:, :, None] + tables[b, third][:, None]).min(axis=3)
+        gain = (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
+        for at in np.flatnonzero(gain > GAIN):
+            first, second, last = sorted((a, b, int(third[at])))
+            gains[first, second, last] = float(gain[at])
+    new = [each for each in gains if each not in problem.messages]
+    return sorted(new, key=lambda each: (-gains[each], each))[:AT_ONCE]
 
 
-def triplets_of(linked: Flags) -> Iterator[Triplet]:
-    """The triplets of variables that are linked two by two."""
-    for a in range(len(linked)):
-        near = a + 1 + np.flatnonzero(linked[a, a + 1 :])
-        for b, c in itertools.combinations(near.tolist(), 2):
-            if linked[b, c]:
-                yield a, b, c
-
-
-def _cheapest(problem: ReducedProblem) -> list[Indices]:
-    """The few labels of every variable that the best layouts may use."""
-    least = problem.label_lower_bounds()
-    return [mine.start + np.argsort(least[mine], kind="stable")[:CHEAPEST] for mine in problem.slices]
+def _cheapest(problem: ReducedProblem) -> Floats:
+    """(variables, variables, k, k) pair costs of the few labels of every variable that the best layouts may use, with
+    their even shares of what these cost alone; the same both ways."""
+    bounds = problem.label_lower_bounds()
+    labels = np.stack(
+        [
+            np.resize(mine.start + np.argsort(bounds[mine], kind="stable")[:CHEAPEST], CHEAPEST)
+            for mine in problem.slices
+        ]
+    )
+    tables = np.minimum(problem.pairs[labels[:, None, :, None], labels[None, :, None, :]], EXCLUDED)
+    share = (problem.costs / np.maximum(problem.linked.sum(axis=1), 1)[problem.owner])[labels]
+    tables += tables.transpose(1, 0, 3, 2)
+    tables += share[:, None, :, None] + share[None, :, None, :]
+    return np.asarray(tables)
