@@ -10,11 +10,13 @@ The stable Python interface, loaded when first used; importing the package loads
 from __future__ import annotations
 
 import importlib
-from typing import TYPE_CHECKING, Any
 
 from usdrigui.version import __version__
 
+TYPE_CHECKING = False  # `typing` takes most of the time before the command heeds signals
 if TYPE_CHECKING:
+    from typing import Any
+
     from usdrigui.errors import Issue, RigUIError
     from usdrigui.inspection import Inspection
     from usdrigui.pipeline import LayerDifference, LayerReview, check, diff, inspect, process

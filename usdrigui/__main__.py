@@ -5,18 +5,27 @@ from __future__ import annotations
 import os
 import signal
 import sys
-from queue import SimpleQueue
-from typing import Any
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
 
 
 def main() -> int:
     """Run the command line of this process; returns the exit code."""
-    events: SimpleQueue[Any] = SimpleQueue()
+    early: list[Any] = []
+    tell = early.append
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as under nohup
-            signal.signal(number, lambda *_: events.put("stop"))
+            signal.signal(number, lambda *_: tell("stop"))
     _keep_standard_streams()
+    from queue import SimpleQueue
+
+    events: SimpleQueue[Any] = SimpleQueue()
+    tell = events.put
+    for each in early:
+        tell(each)
     from usdrigui.cli.supervised import run
 
     return run(sys.argv[1:], events)

@@ -22,6 +22,9 @@ from typing import Any, NoReturn
 from usdrigui import processes
 from usdrigui.errors import Exit
 
+_AGAIN = 0.05
+"""Seconds until an interruption that Python has dropped comes again."""
+
 _worker: _Worker | None = None
 
 
@@ -185,10 +188,15 @@ class _Worker:
                 raise KeyboardInterrupt
 
     def on_unraisable(self, unraisable: Any) -> None:
-        """An interruption that came amid a callback, where Python drops it, comes once more."""
+        """An interruption that came amid a callback, where Python drops it, comes once more.
+
+        It comes from another thread, later: Python drops what is raised in this hook, too.
+        """
         if isinstance(unraisable.exc_value, KeyboardInterrupt):
             self._heard = False
-            self._wake()
+            again = threading.Timer(_AGAIN, self._wake)
+            again.daemon = True
+            again.start()
         else:
             sys.__unraisablehook__(unraisable)
 

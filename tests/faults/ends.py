@@ -43,6 +43,8 @@ WAYS = ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL", "worker SIGKILL", "worker SIGS
 DOCUMENTED = {0, 1, 2, 3, 4}
 VERDICT = re.compile(r"^usdrigui: (?!\w+_\w+|INTERRUPTED|BUG)", re.MULTILINE)
 """A line of the verdict, as opposed to that of its code."""
+OURS = re.compile(r'File "[^"]*[/\\]usdrigui[/\\](?!__init__\.py|__main__\.py)|in main$', re.MULTILINE)
+"""A line of a traceback that Python prints once the command heeds signals."""
 
 
 def made(folder: Path) -> Path:
@@ -62,10 +64,15 @@ def run(line: str, folder: Path) -> None:
     subprocess.run([sys.executable, "-m", "usdrigui", *line.split()], cwd=folder, check=True, capture_output=True)
 
 
+def is_hidden(path: Path) -> bool:
+    """Whether this is a file of ours that a killed command may leave and the next run removes."""
+    return path.name.startswith(".") and any(word in path.name for word in (".rigui-tmp", ".rigui-lock"))
+
+
 def contents(folder: Path) -> dict[str, bytes]:
-    """Every file by its name; a document that holds times counts by its being whole."""
+    """Every result by its name; a document that holds times counts by its being whole."""
     found = {}
-    for path in sorted(each for each in folder.rglob("*") if each.is_file()):
+    for path in sorted(each for each in folder.rglob("*") if each.is_file() and not is_hidden(each)):
         content = path.read_bytes()
         timed = path.suffix == ".json" and path.name != "job.json"
         found[path.relative_to(folder).as_posix()] = b"whole" if timed and json.loads(content) else content
@@ -105,16 +112,20 @@ def end(name: str, way: str, wait: float, folder: Path) -> tuple[int, str]:
     return process.returncode, out + err
 
 
+def unborn(code: int, printed: str) -> bool:
+    """Whether it ended as any program that Python is still loading: by the signal, or by its traceback."""
+    by_signal = code in {-signal.SIGTERM, -signal.SIGHUP, -signal.SIGINT, 130}
+    by_python = code == 1 and printed.rstrip().endswith("KeyboardInterrupt")
+    return (by_signal or by_python) and not VERDICT.search(printed) and not OURS.search(printed)
+
+
 def faults_of(way: str, code: int, printed: str, folder: Path, known: dict[str, set[bytes]]) -> list[str]:
     """What is wrong with an end."""
-    found = []
-    booting = code == 1 and printed.rstrip().endswith("KeyboardInterrupt")  # while Python itself is loaded
-    ended = code in {-signal.SIGTERM, -signal.SIGHUP, -signal.SIGINT, 130}
-    unborn = (booting or ended) and not VERDICT.search(printed)
+    found, early = [], unborn(code, printed)
     crashed = code == 5 and way == "worker SIGSEGV"
-    if not (code in DOCUMENTED or unborn or crashed or (code == -signal.SIGKILL and way == "SIGKILL")):
+    if not (code in DOCUMENTED or early or crashed or (code == -signal.SIGKILL and way == "SIGKILL")):
         found.append(f"exit {code}")
-    if ("Traceback" in printed and not unborn) or (code in (4, 5) and len(VERDICT.findall(printed)) != 1):
+    if ("Traceback" in printed and not early) or (code in (4, 5) and len(VERDICT.findall(printed)) != 1):
         found.append(f"says {printed[-300:]!r}")
     until = time.monotonic() + 5
     while (left := processes_in(folder)) and time.monotonic() < until:
@@ -122,11 +133,7 @@ def faults_of(way: str, code: int, printed: str, folder: Path, known: dict[str, 
     if left:
         found.append("orphans")
     try:
-        now = {
-            key: value
-            for key, value in contents(folder).items()
-            if ".rigui-tmp" not in key and ".rigui-lock" not in key
-        }
+        now = contents(folder)
     except ValueError:
         return [*found, "a torn document"]
     found += [f"torn {key}" for key, value in now.items() if value not in known.get(key, set())]
@@ -153,12 +160,15 @@ def main(count: int, seed: int, names: list[str]) -> dict[str, object]:
             name, way = names[number % len(names)], WAYS[number // len(names) % len(WAYS)]
             shutil.copytree(pristine, folder)
             code, printed = end(name, way, usual[name] * chance.uniform(0, 1.05), folder)
-            seen[f"{way}: {'before it began' if code in (-1, -2, -15, 130) else f'exit {code}'}"] += 1
-            faults += [f"{name}, {way}: {each}" for each in faults_of(way, code, printed, folder, known[name])]
-            if any(".rigui-tmp" in each.name for each in folder.rglob("*")):
-                seen["a temporary left"] += 1
+            seen[f"{way}: {'before it began' if unborn(code, printed) else f'exit {code}'}"] += 1
+            allowed = {key: {value} for key, value in before.items()} if unborn(code, printed) else known[name]
+            found = faults_of(way, code, printed, folder, allowed)
+            if any(map(is_hidden, folder.rglob("*"))):
+                seen["hidden files left, removed by the next run"] += 1
                 run(COMMANDS[name], folder)
-                faults += [f"{name}: not swept: {each}" for each in folder.rglob("*") if ".rigui-tmp" in each.name]
+                found += [f"not swept: {each}" for each in folder.rglob("*") if is_hidden(each)]
+            faults += [f"{name}, {way}: {each}" for each in found]
+            print(number + 1, name, way, code, *found, file=sys.stderr, flush=True)
             shutil.rmtree(folder)
     return {"ends": count, "seen": dict(sorted(seen.items())), "faults": faults}
 

@@ -177,6 +177,16 @@ def test_a_working_directory_that_was_deleted(tmp_path):
     assert "Traceback" not in done.stderr
 
 
+def test_signals_are_heeded_before_anything_is_loaded_that_python_has_not():
+    program = (
+        "import enum, importlib, os, signal, sys; before = {*sys.modules}\n"
+        "signal.signal = lambda *_: sys.exit(str(sorted({*sys.modules} - before - {'__future__'})))\n"
+        "from usdrigui.__main__ import main; main()"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.stderr.strip() == "['usdrigui', 'usdrigui.__main__', 'usdrigui.version']"
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_while_options_are_parsed(number, tmp_path):
     program = f"""
