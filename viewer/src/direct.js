@@ -9,39 +9,71 @@
 // L the longest path that a control gives the grabbed place, s_j the share of control j's longest path
 // anywhere that it gives there, W counting the direction to the viewer less: a pointer moves in the plane
 // of the screen.  Bends (in-betweens, joints) are met by linearising again at the answer.
+//
+// Two opposed controls are the ends of one signed axis: of these one at most is away from its default.  Which
+// one is found by branch and bound over the pairs that the fit without this rule would set at both ends.
 
 const STAY = 0.01;
 const ELSEWHERE = 3;
 const DEPTH = 0.15;
 const ROUNDS = 2;
+const WORK = 1000; // variables of the bounded problems solved in search of the better ends
+const SAME = 1e-9; // shares of the range nearer to each other than this are one
 
 /**
  * Values that bring the grabbed point to `target`, as a Map of control index to value.
  *
  * `model`: {minimum(i), maximum(i), linearise(values) -> {at: 3 numbers per constraint, motion(i) -> the
- * same per unit of control i}, peak(i) -> longest way that control i moves anything}; `start`: values at the start of the drag; `now`: where to linearise;
+ * same per unit of control i}, peak(i) -> longest way that control i moves anything, opposites(i) -> controls of
+ * which none is away from its off(i) where control i is}; `start`: values at the start of the drag; `now`: where to linearise;
  * `targets`: 3 numbers per constraint, the grabbed point first; `groups`: lists of controls that move
  * together; `towards`: unit direction to the viewer; `locality`: share of the strongest influence on the
  * grabbed point below which a control is left alone.
  */
 export function fitPull({ model, start, now, targets, groups, towards, locality }) {
   const weights = rowWeights(targets.length, towards);
-  let current = Float64Array.from(now);
+  const away = (at) => weighted(targets.map((target, i) => target - at[i]), weights);
+  let problem = null;
   let acting = null;
+  let solution = null;
+  const found = [Float64Array.from(now)];
   for (let round = 0; round < ROUNDS; round++) {
-    const here = model.linearise(current);
-    const columns = groups.map((group) => columnOf(model, here, group, targets.length));
-    acting ??= local(groups, columns, locality);
+    const here = model.linearise(found[round]);
+    acting ??= local(model, groups, here, locality);
     if (!acting.length) return new Map();
-    const problem = pullProblem(model, here.at, start, current, targets, groups, columns, acting, weights);
-    const step = boundedLeastSquares(problem);
-    acting.forEach((g, k) => {
-      for (const control of groups[g]) {
-        current[control] = clamp(start[control] + step[k], model.minimum(control), model.maximum(control));
-      }
-    });
+    problem = pullProblem(model, here, start, found[round], away(here.at), acting, weights);
+    solution = solution ? rounded(problem, solved(problem, solution.held, solution.rest)) : oneEndOfEach(problem);
+    found.push(taken(model, start, acting, solution.x));
   }
-  return new Map(acting.flatMap((g) => groups[g].map((control) => [control, current[control]])));
+  const tried = [...(bothAway(model, start, acting) ? [] : [start]), ...found.slice(1)];
+  const best = least(tried, (values) => priceOf(problem, acting, start, values, away(model.linearise(values).at)));
+  return new Map(groups.flat().map((control) => [control, best[control]]));
+}
+
+/** The pose at the start with a solution; an end that is as good as off is off to the last bit. */
+function taken(model, start, acting, step) {
+  const values = Float64Array.from(start);
+  acting.forEach((group, k) => {
+    for (const control of group) {
+      const value = clamp(start[control] + step[k], model.minimum(control), model.maximum(control));
+      values[control] = isOff(model, control, value) ? model.off(control) : value;
+    }
+  });
+  return values;
+}
+
+const isOff = (model, control, value) =>
+  model.opposites(control).length > 0 && Math.abs(value - model.off(control)) <= SAME * (model.maximum(control) - model.minimum(control));
+
+/** Whether both ends of an axis are set, as an animator may have typed. */
+function bothAway(model, values, acting) {
+  const isAway = (control) => values[control] !== model.off(control);
+  return acting.flat().some((control) => isAway(control) && model.opposites(control).some(isAway));
+}
+
+/** What is minimised, at the true motion rather than the linear one. */
+function priceOf({ ridge }, acting, start, values, rest) {
+  return dot(rest, rest) + acting.reduce((sum, [control], k) => sum + ridge[k] * (values[control] - start[control]) ** 2, 0);
 }
 
 /** Motion per unit of a group's value, and each control's own path at the grabbed place over its range. */
@@ -55,11 +87,13 @@ function columnOf(model, here, group, rows) {
   return { column, paths };
 }
 
-/** Groups that matter at the grabbed point (the first three rows). */
-function local(groups, columns, locality) {
-  const strength = columns.map(({ paths }) => Math.max(...paths));
+/** Groups that matter at the grabbed point (the first three rows), and those of their opposite ends. */
+function local(model, groups, here, locality) {
+  const strength = groups.map((group) => Math.max(...columnOf(model, here, group, here.at.length).paths));
   const least = locality * strength.reduce((most, value) => Math.max(most, value), 0);
-  return groups.map((_, g) => g).filter((g) => strength[g] > 0 && strength[g] >= least);
+  const matter = groups.filter((_, g) => strength[g] > 0 && strength[g] >= least);
+  const ends = new Set(matter.flat().flatMap((control) => model.opposites(control)));
+  return groups.filter((group) => matter.includes(group) || group.some((control) => ends.has(control)));
 }
 
 const rangeOf = (model, group) => Math.max(...group.map((control) => model.maximum(control) - model.minimum(control)));
@@ -79,79 +113,168 @@ function weighted(rows, weights) {
   return out;
 }
 
-/** The bounded problem in the controls' own units: x in values, not in shares of the range. */
-function pullProblem(model, at, start, current, targets, groups, columns, acting, weights) {
-  const left = Float64Array.from(targets, (target, i) => target - at[i]);
-  acting.forEach((g) => {
-    const taken = current[groups[g][0]] - start[groups[g][0]];
-    for (let i = 0; i < left.length; i++) left[i] += columns[g].column[i] * taken;
+/**
+ * The bounded problem in the controls' own units: x in values, not in shares of the range.  Of each of `pairs`
+ * one variable at most is away from its `off`.
+ */
+function pullProblem(model, here, start, current, away, acting, weights) {
+  const made = acting.map((group) => columnOf(model, here, group, here.at.length));
+  const columns = made.map(({ column }) => weighted(column, weights));
+  const right = Float64Array.from(away);
+  acting.forEach(([first], k) => {
+    for (let i = 0; i < right.length; i++) right[i] += columns[k][i] * (current[first] - start[first]);
   });
-  const ranges = acting.map((g) => rangeOf(model, groups[g]));
-  const longest = Math.max(...acting.flatMap((g) => columns[g].paths));
-  const stay = acting.map((g) => groups[g].reduce((sum, control, k) => {
-    const share = Math.min(1, columns[g].paths[k] / Math.max(model.peak(control), 1e-30));
+  const longest = Math.max(...made.flatMap(({ paths }) => paths));
+  const ridge = acting.map((group, k) => stayOf(model, group, made[k].paths) * (longest / rangeOf(model, group)) ** 2);
+  return { columns, right, ridge, ...boundsOf(model, acting, start), pairs: pairsOf(model, acting) };
+}
+
+function stayOf(model, group, paths) {
+  return group.reduce((sum, control, k) => {
+    const share = Math.min(1, paths[k] / Math.max(model.peak(control), 1e-30));
     return sum + STAY * (1 + ELSEWHERE * (1 - share) ** 2);
-  }, 0));
-  return {
-    columns: acting.map((g) => weighted(columns[g].column, weights)),
-    right: weighted(left, weights),
-    ridge: ranges.map((range, k) => (stay[k] * longest ** 2) / range ** 2),
-    lower: acting.map((g) => Math.max(...groups[g].map((control) => model.minimum(control) - start[control]))),
-    upper: acting.map((g) => Math.min(...groups[g].map((control) => model.maximum(control) - start[control]))),
-  };
+  }, 0);
+}
+/** Where each variable may go, and where it is off: at the bound that lets all of its controls be so. */
+function boundsOf(model, acting, start) {
+  const ways = (group, end) => group.map((control) => model[end](control) - start[control]);
+  const lower = acting.map((group) => Math.max(...ways(group, 'minimum')));
+  const upper = acting.map((group) => Math.min(...ways(group, 'maximum')));
+  const off = acting.map((group, k) => {
+    if (!model.opposites(group[0]).length) return 0;
+    if (model.off(group[0]) === model.minimum(group[0])) return (lower[k] = Math.min(...ways(group, 'off')));
+    return (upper[k] = Math.max(...ways(group, 'off')));
+  });
+  return { lower, upper, off };
+}
+
+function pairsOf(model, acting) {
+  const places = new Map(acting.flatMap((group, k) => group.map((control) => [control, k])));
+  const ends = (group) => new Set(group.flatMap((control) => model.opposites(control)).map((end) => places.get(end)));
+  return acting.flatMap((group, k) => [...ends(group)].filter((l) => l > k).map((l) => [k, l]));
 }
 
 /**
- * min |A x - b|^2 + sum ridge_k x_k^2 subject to lower <= x <= upper, by Bertsekas' projected Newton
- * method: variables held at a bound by their gradient are fixed, the others take a Newton step, which by
- * the Woodbury identity needs a system of as many equations as A has rows only.
+ * The best solution with one end of each pair off, as {x, rest, held, price}: branch and bound, from one that puts the end off that moves
+ * the places less.  The search ends after WORK at the best so far: five pairs and two more controls never take as much.
  */
-export function boundedLeastSquares({ columns, right, ridge, lower, upper }) {
-  const count = columns.length;
-  let x = Float64Array.from({ length: count }, (_, k) => clamp(0, lower[k], upper[k]));
-  let value = cost(columns, right, ridge, x);
-  for (let round = 0; round < 100; round++) {
-    const rest = residual(columns, right, x);
-    const gradient = columns.map((column, k) => -dot(column, rest) + ridge[k] * x[k]);
-    const free = [];
-    for (let k = 0; k < count; k++) {
-      const held = (x[k] <= lower[k] && gradient[k] > 0) || (x[k] >= upper[k] && gradient[k] < 0);
-      if (!held && upper[k] > lower[k]) free.push(k);
-    }
-    const step = newtonStep(columns, ridge, gradient, free);
-    let moved = null;
-    for (let length = 1; length > 1e-10 && !moved; length /= 2) {
-      const next = Float64Array.from(x);
-      free.forEach((k, i) => (next[k] = clamp(x[k] + length * step[i], lower[k], upper[k])));
-      const nextValue = cost(columns, right, ridge, next);
-      if (nextValue < value) moved = [next, nextValue];
-    }
-    if (!moved) break;
-    const gained = value - moved[1];
-    [x, value] = moved;
-    if (gained <= 1e-14 * Math.max(1e-300, value)) break;
+export function oneEndOfEach(problem) {
+  const relaxed = solved(problem, [], null);
+  let best = rounded(problem, relaxed);
+  let work = WORK;
+  for (const open = [relaxed]; open.length && work > 0; ) {
+    const here = open.pop();
+    if (here.price >= best.price) continue;
+    const pair = mostBroken(problem, here.x);
+    if (!pair) best = here;
+    else open.push(...pair.map((k) => solved(problem, [...here.held, k], here.rest)).sort((p, q) => q.price - p.price));
+    work -= 2 * problem.columns.length;
   }
-  return x;
+  return best;
 }
 
-/** -(D + A'A)^-1 g on the free variables, with D the ridge: (D + A'A)^-1 = D^-1 - D^-1 A' (I + A D^-1 A')^-1 A D^-1. */
-function newtonStep(columns, ridge, gradient, free) {
-  if (!free.length) return [];
-  const rows = columns[0].length;
-  const small = Array.from({ length: rows }, (_, i) => Float64Array.from({ length: rows }, (_, j) => (i === j ? 1 : 0)));
-  const right = new Float64Array(rows);
+/** A solution with one end of each pair off, if not the best. */
+function rounded(problem, from) {
+  const broken = brokenPairs(problem, from.x);
+  if (!broken.length) return from;
+  const lesser = broken.map(([k, l]) => (wayOf(problem, from.x, k) < wayOf(problem, from.x, l) ? k : l));
+  return rounded(problem, solved(problem, [...from.held, ...lesser], from.rest));
+}
+
+/** The bounded minimum with some variables held off. */
+function solved(problem, held, from) {
+  const [lower, upper] = [[...problem.lower], [...problem.upper]];
+  for (const k of held) lower[k] = upper[k] = problem.off[k];
+  const found = boundedLeastSquares({ ...problem, lower, upper }, from);
+  return { held, ...found, price: cost(problem.columns, problem.right, problem.ridge, found.x) };
+}
+
+/** How far a variable away from off moves the places. */
+const wayOf = ({ columns, off }, x, k) => Math.abs(x[k] - off[k]) * Math.sqrt(dot(columns[k], columns[k]));
+
+const isAway = ({ lower, upper, off }, x, k) => Math.abs(x[k] - off[k]) > SAME * (upper[k] - lower[k]);
+
+const brokenPairs = (problem, x) => problem.pairs.filter((pair) => pair.every((k) => isAway(problem, x, k)));
+
+function mostBroken(problem, x) {
+  const lesser = (pair) => Math.min(...pair.map((k) => wayOf(problem, x, k)));
+  return least(brokenPairs(problem, x), (pair) => -lesser(pair));
+}
+
+/** The first of those that cost least; undefined where there are none. */
+function least(all, price) {
+  let [best, lowest] = [undefined, Infinity];
+  for (const each of all) {
+    const own = price(each);
+    if (own < lowest) [best, lowest] = [each, own];
+  }
+  return best;
+}
+
+/**
+ * min |A x - b|^2 + sum ridge_k x_k^2 subject to lower <= x <= upper, as {x, rest}; `from` is the rest of a like
+ * problem.
+ *
+ * The rest y = b - A x at the solution says all: x_k is a_k y / ridge_k within its bounds.  The dual problem, of as
+ * many unknowns as A has rows, is convex and piecewise quadratic with the gradient y + A x(y) - b: Newton's method.
+ */
+export function boundedLeastSquares(problem, from = null) {
+  let rest = from ?? new Float64Array(problem.right.length);
+  let here = dualAt(problem, rest);
+  const enough = 1e-12 * (norm(problem.right) + norm(here.gradient));
+  for (let round = 0; round < 100 && norm(here.gradient) > enough; round++) {
+    const step = solveSymmetric(curvature(problem, here.free), here.gradient.map((value) => -value));
+    [rest, here] = alongStep(problem, rest, step, dot(here.gradient, step));
+  }
+  return { x: here.x, rest };
+}
+
+function dualAt({ columns, right, ridge, lower, upper }, rest) {
+  const x = new Float64Array(columns.length);
+  const gradient = new Float64Array(right.length);
+  const free = [];
+  for (let i = 0; i < right.length; i++) gradient[i] = rest[i] - right[i];
+  for (let k = 0; k < columns.length; k++) {
+    const column = columns[k];
+    const value = dot(column, rest) / ridge[k];
+    x[k] = clamp(value, lower[k], upper[k]);
+    if (x[k] === value && upper[k] > lower[k]) free.push(k);
+    if (x[k] !== 0) for (let i = 0; i < column.length; i++) gradient[i] += column[i] * x[k];
+  }
+  return { x, gradient, free };
+}
+
+/** I + A D^-1 A' of the free variables, with D the ridge. */
+function curvature({ columns, right, ridge }, free) {
+  const rows = right.length;
+  const matrix = Array.from({ length: rows }, () => new Float64Array(rows));
+  matrix.forEach((row, i) => (row[i] = 1));
   for (const k of free) {
     const column = columns[k];
     for (let i = 0; i < rows; i++) {
-      right[i] += (column[i] * gradient[k]) / ridge[k];
-      for (let j = 0; j < rows; j++) small[i][j] += (column[i] * column[j]) / ridge[k];
+      const row = matrix[i];
+      const factor = column[i] / ridge[k];
+      for (let j = 0; j <= i; j++) row[j] += factor * column[j];
     }
   }
-  const inner = solveSymmetric(small, right);
-  return free.map((k) => -(gradient[k] - dot(columns[k], inner)) / ridge[k]);
+  return matrix;
 }
 
-/** Cholesky solution of a small positive definite system. */
+/** The rest after a step, or after the part of it at which the slope, which only rises, is nearly gone. */
+function alongStep(problem, rest, step, slope) {
+  let [low, high, length] = [0, Infinity, 1];
+  for (let round = 0; ; round++) {
+    const next = rest.map((value, i) => value + length * step[i]);
+    const here = dualAt(problem, next);
+    const there = dot(here.gradient, step);
+    if (round > 40 || Math.abs(there) <= 0.1 * Math.abs(slope)) return [next, here];
+    if (there > 0) high = length;
+    else low = length;
+    length = high < Infinity ? (low + high) / 2 : 2 * length;
+  }
+}
+
+/** Cholesky solution of a small positive definite system, given by its lower half. */
 function solveSymmetric(matrix, right) {
   const n = right.length;
   const l = matrix.map((row) => Float64Array.from(row));
@@ -191,4 +314,5 @@ function dot(a, b) {
   return sum;
 }
 
+const norm = (a) => Math.sqrt(dot(a, a));
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

@@ -67,8 +67,11 @@ function axisEnd(control, side, controls, rest) {
   const { minimum, default: middle, maximum } = controls[control];
   const base = rest[control];
   if (side === 0) return { control, sign: 1, off: minimum, far: maximum, base };
-  return { control, sign: side, off: middle, far: maximum - middle >= middle - minimum ? maximum : minimum, base };
+  return { control, sign: side, off: middle, far: farOf(controls[control]), base };
 }
+
+/** Where an end of a signed axis goes to from its default: the farther bound. */
+export const farOf = ({ minimum, default: middle, maximum }) => (maximum - middle >= middle - minimum ? maximum : minimum);
 
 /** Value of an end: `off` on the other side of 0, and in the base pose that value to the last bit. */
 function valueOf({ sign, off, far, base }, coordinate) {

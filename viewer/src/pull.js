@@ -1,6 +1,7 @@
 // Pulling the skin: a picked place, the pins and the present pose become the bounded fit of direct.js.
 
 import { fitPull } from './direct.js';
+import { farOf } from './drag.js';
 
 const PROBE = 1e-3; // share of a control's range by which its motion is measured
 
@@ -46,12 +47,21 @@ export class Pull {
 
   // --- the model that direct.js asks for -------------------------------------------------------------
 
+  /** Ends of signed axes go from their default to one side. */
   minimum(index) {
-    return this.controls[index].minimum;
+    return this.opposites(index).length ? Math.min(this.off(index), farOf(this.controls[index])) : this.controls[index].minimum;
   }
 
   maximum(index) {
-    return this.controls[index].maximum;
+    return this.opposites(index).length ? Math.max(this.off(index), farOf(this.controls[index])) : this.controls[index].maximum;
+  }
+
+  opposites(index) {
+    return this.session.opposites[index];
+  }
+
+  off(index) {
+    return this.controls[index].default;
   }
 
   peak(index) {

@@ -36,7 +36,8 @@ export class Session {
     this.rest = this.elements.rest;
     this.values = Float64Array.from(this.rest);
     this.influence = new Influence(character, this.deformer, this.rest);
-    this.twins = twinsOf(this.elements.list, this.controls.length);
+    this.opposites = oppositesOf(this.elements.list, this.controls.length);
+    this.twins = twinsOf(this.elements.list, this.opposites);
     this.animation = new Animation(character, this.rest);
     this.history = new History();
     this.frame = this.animation.first;
@@ -422,9 +423,22 @@ export class Session {
 
   /**
    * Controls that may change in a pull of the skin, those that change together in one list: not the locked
-   * ones, and without `wide` none of the whole face's, nor any that repeats what others do together.
+   * ones, and without `wide` none of the whole face's, nor any that repeats what others do together.  What
+   * keeps its value away from its default keeps the other end of its axis, too.
    */
   groups(wide) {
+    return this.besideFreeEnds(this.unlocked(wide));
+  }
+
+  /** The groups of which no control has an opposite end away from its default that is in no group. */
+  besideFreeEnds(groups) {
+    const free = new Set(groups.flat());
+    const held = (end) => !free.has(end) && this.values[end] !== this.controls[end].default;
+    const left = groups.filter((group) => !group.some((control) => this.opposites[control].some(held)));
+    return left.length < groups.length ? this.besideFreeEnds(left) : left;
+  }
+
+  unlocked(wide) {
     const groups = [];
     for (let index = 0; index < this.controls.length; index++) {
       const twin = this.options.symmetric ? this.twins[index] : -1;
@@ -448,15 +462,27 @@ export class Session {
   }
 }
 
-/** Twin of each control, or -1, from the elements that mirror each other. */
-function twinsOf(elements, count) {
-  const twins = new Int32Array(count).fill(-1);
+/** Per control the other ends of its axes: one at most of an opposed pair is away from its default. */
+export function oppositesOf(elements, count) {
+  const opposites = Array.from({ length: count }, () => []);
+  for (const { members, axes } of elements) {
+    for (const [a, b] of axes.filter((axis) => axis.length === 2).map((axis) => axis.map((m) => members[m].control))) {
+      if (!opposites[a].includes(b)) [opposites[a], opposites[b]].forEach((each, k) => each.push([b, a][k]));
+    }
+  }
+  return opposites;
+}
+
+/** Twin of each control, or -1, from the elements that mirror each other; the other end of an axis is none. */
+export function twinsOf(elements, opposites) {
+  const twins = new Int32Array(opposites.length).fill(-1);
   const named = new Map(elements.map((element) => [element.name, element]));
   for (const element of elements) {
     const mirror = named.get(element.mirror);
     if (!mirror || mirror === element || mirror.members.length !== element.members.length) continue;
     element.members.forEach(({ control }, m) => {
-      if (!element.reversed?.includes(m)) twins[control] = mirror.members[m].control;
+      const twin = mirror.members[m].control;
+      if (!element.reversed?.includes(m) && !opposites[control].includes(twin)) twins[control] = twin;
     });
   }
   return twins;

@@ -24,6 +24,7 @@ test('a pull leaves joints of the whole head, and what the layout calls global o
   const session = Object.assign(Object.create(Session.prototype), {
     controls: moved.character.controls,
     twins: [-1, -1, -1, -1, -1],
+    opposites: [[], [], [], [], []],
     options: { symmetric: false },
     locks: new Set(),
     influence: moved,
@@ -31,4 +32,18 @@ test('a pull leaves joints of the whole head, and what the layout calls global o
   });
   assert.deepEqual(session.groups(false), [[1], [2], [4]]);
   assert.deepEqual(session.groups(true), [[0], [1], [2], [3], [4]]);
+});
+
+test('an end stays where it is while the other end, away from its default, may not change', () => {
+  const session = (values, locks) => Object.assign(Object.create(Session.prototype), {
+    controls: values.map(() => ({ default: 0 })),
+    values,
+    twins: [1, 0, 3, 2],
+    opposites: [[2], [3], [0], [1]],
+    options: { symmetric: true },
+    locks: new Set(locks),
+  });
+  assert.deepEqual(session([0, 0, 0, 0], [3]).groups(true), [[0, 1]]);
+  assert.deepEqual(session([0, 0, 0.5, 0.5], [3]).groups(true), []);
+  assert.deepEqual(session([0, 0, 0.5, 0.5], []).groups(true), [[0, 1], [2, 3]]);
 });
