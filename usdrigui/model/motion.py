@@ -79,13 +79,13 @@ class Motion(Record):
         return among & (self.owned >= _STANDS * float(self.owned[among].max()))
 
     def on_own_skin(self) -> Motion:
-        """The motion of the skin that the joint of the control owns; the whole motion where no joint does."""
+        """The motion of the skin that the joint of the control owns, by how much it owns of each point, and so the same
+        for every axis of the joint; the whole motion where no joint does."""
         if self.owned is None:
             return self
         own = self.owned >= _OWN * float(self.owned.max(initial=0.0))
-        return replace(
-            self, points=self.points[own], offsets=self.offsets[:, own], arc_length=self.arc_length[own], owned=None
-        )
+        points, offsets = self.points[own], self.offsets[:, own]
+        return replace(self, points=points, offsets=offsets, arc_length=self.owned[own], owned=None)
 
 
 @dataclass(frozen=True, eq=False)

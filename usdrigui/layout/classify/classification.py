@@ -65,6 +65,8 @@ def classify(
     vanish = visibility_shapes(rig, trajectories, views)
     repeated = composites(rig, trajectories, symmetry, similarity, shares[: len(trajectories.motions)])
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    # The joints of a chain explain each other; what repeats a blend shape or a pose is told by those.
+    joints_alone = all(control.kind == "joint" for control in rig.controls)
     found = []
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
@@ -72,7 +74,7 @@ def classify(
             moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
-            composite=repeated.get(index) if motion.owned is None else None,
+            composite=repeated.get(index) if not (joints_alone and motion.owned is not None) else None,
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()
