@@ -150,11 +150,11 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     for asset, output in zip(assets, places.outputs_of(assets, arguments.folder), strict=True):
         picture = str(output.with_suffix(".png")) if arguments.sheet is not None else ""
         arguments.asset = asset
-        read += files_read(arguments)
         try:
             digest = settings_digest(arguments)
         except RigUIError:
             digest = ""  # nothing is remembered under it; its own process says what is wrong with its configuration
+        read += files_read(arguments)  # known once the settings were read
         again, named = arguments.again, str(asset) in arguments.patterns
         found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, again, named))
     del arguments.asset
