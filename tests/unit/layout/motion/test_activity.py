@@ -1,11 +1,13 @@
 """What animation tells of controls: use, and what moves together, on clips whose answer is known."""
 
+from types import SimpleNamespace
+
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.motion.activity import activity, agreement, importances, together, with_importances
+from usdrigui.layout.motion.activity import _moving_tokens, activity, agreement, importances, together, with_importances
 from usdrigui.model import Performance
 from usdrigui.settings import ControlSettings
 
@@ -102,3 +104,8 @@ def test_animations_of_somebody_else_are_refused_and_strays_are_told():
     (told,) = activity(FACE, [clip(wing=RAMP, chin=RAMP)]).issues
     assert (told.code, told.severity) == ("CLIP_UNKNOWN_CONTROL", "warning")
     assert "wing" in told.message
+
+
+def test_a_weight_that_stays_is_no_motion():
+    clip = SimpleNamespace(tokens=("rises", "stays"), weights=np.array([[0.0, 0.5], [1.0, 0.5]]))
+    assert _moving_tokens(clip) == ["rises"]

@@ -1,12 +1,14 @@
 """Transfer of a layout to a face of other topology and proportions, by control name and place."""
 
+from types import SimpleNamespace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.reuse.retargeting import corresponding, of_another
+from usdrigui.layout.reuse.retargeting import _face_middle, corresponding, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
 
@@ -139,3 +141,9 @@ def test_beside_there_is_beside_here(theirs):
     ours = chain.lay_out(rig, prior=prior)
     assert {e.name for e in ours.layout.elements if e.anchor.beside} == {"chin"}
     assert any(c.kind == "beside" for c in difference(theirs.layout, ours.layout).changes)
+
+
+def test_the_middle_of_a_face_lies_halfway_between_the_ends_of_what_moves():
+    base = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [4.0, 2.0, 0.0], [9.0, 9.0, 9.0]])
+    motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([0.5, 1.0, 0.5]))
+    assert _face_middle(SimpleNamespace(base=base, motions=[motion])).tolist() == [2.0, 1.0, 0.0]
