@@ -625,12 +625,6 @@ _CODES: dict[str, Code] = {
         "Allow places beside the face (objective.off_face_allowed), make handles smaller or prune fewer candidates.",
     ),
     "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
-    "SOLVE_MEMORY": Code(
-        "error",
-        "The method would need more memory than solve.memory_limit allows.",
-        "Use the method highs, or raise the limit.",
-        Exit.LIMIT,
-    ),
     "SOLVE_EXTRA": Code(
         "error",
         "The method needs a package that is not installed.",

@@ -612,7 +612,6 @@ OCCASIONS: Mapping[str, Occasion] = {
     "ANIMATION_MISSING": _no_animation,
     "NORMALS_INWARD": _trajectories("NORMALS_INWARD"),
     "SOLVE_TOO_LARGE": _too_large,
-    "SOLVE_MEMORY": _solved("toulbar2", memory_limit=0),
     "SOLVE_EXTRA": _without("pytoulbar2", _solved("toulbar2")),
     "SOLVE_INFEASIBLE": _infeasible,
     "PROBLEM_FILE": _bad_problem,
