@@ -66,7 +66,7 @@ def make_caster(triangles: Floats, method: Literal["auto", "embree", "grid"] = "
         raise ValueError("triangles must be finite")
     has_embree = find_spec("embreex") is not None
     if method == "embree" and not has_embree:
-        raise refuse("EXTRA_MISSING", "embreex", "Embree is not installed: `pip install usdrigui-core[rays]`")
+        raise refuse("EXTRA_MISSING", "embreex", "Embree is not installed: `pip install embreex`")
     if method == "grid" or not has_embree or not len(soup):
         return GridCaster(soup)
     return _EmbreeCaster(soup)
