@@ -122,7 +122,9 @@ def _become_reader(ours: socket.socket, descriptors: Any, asker: int) -> None:
     for number, each in enumerate(descriptors):
         os.dup2(each, number)
         os.close(each)
-    while os.getppid() != asker:
+    while (parent := os.getppid()) != asker:
+        if parent == 1:  # Whoever asked has ended: nobody waits for this reader.
+            os._exit(0)
         os.sched_yield()
     ours.send(struct.pack("<i", os.getpid()))
     ours.close()
