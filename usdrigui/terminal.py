@@ -351,9 +351,11 @@ def _verdict(report: Report) -> str:
 
 
 def _ending(solution: Assignment) -> str:
-    """What closed the problem, or the limit that came first."""
+    """What closed the problem, the limit that came first, or that neither did."""
     if solution.status == "optimal":
         return f"proved by {solution.closed_by}"
+    if not solution.closed_by:
+        return "not proved"
     return f"stopped by the {solution.closed_by}" if "limit" in solution.closed_by else "interrupted"
 
 

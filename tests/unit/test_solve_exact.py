@@ -267,6 +267,11 @@ def test_a_best_cost_of_nothing_is_proved() -> None:
     assert found.gap <= 1e-4
 
 
+def test_a_method_without_a_proof_names_no_limit() -> None:
+    found = solve(crowd(5, variables=5, candidates=10), SolveSettings(method="paper", clusters=2))
+    assert (found.status, found.closed_by) == ("stopped", "")
+
+
 def test_stopping_at_once_returns_an_honest_layout() -> None:
     problem = crowd(5, variables=5, candidates=30)
     told: list[Progress] = []

@@ -24,14 +24,14 @@ class Assignment(Record):
     bound: float
     """Lower bound on the cost of every solution of the problem as given; -inf if none is known."""
     status: Status
-    """``optimal`` when the relative gap is within the setting; ``stopped`` at a limit."""
+    """``optimal`` when the relative gap is within the setting, up to rounding; else ``stopped``."""
     in_play: float
     """cost minus the sum over variables of their least linear cost: what the choice can change (>= 0)."""
     method: str
     """What ran last: ``bounds`` where nothing was left for a solver, or the solver's name."""
     closed_by: str
     """The method that proved the gap, or the limit that kept it from that: ``time limit``, ``work limit``,
-    ``memory limit``, ``node limit`` or ``interrupt``."""
+    ``memory limit`` or ``interrupt``.  Empty where the method ended without a proof, as the paper's does."""
     steps: tuple[Step, ...] = ()
 
     @property

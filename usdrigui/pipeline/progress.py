@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -51,8 +52,10 @@ class Clock:
 
     def solving(self, progress: Progress) -> None:
         """Tell how far the solver is."""
-        detail = f"{progress.step}: cost {progress.cost:.4f}, bound {progress.bound:.4f}, gap {progress.gap:.1e}"
-        self._tell(Event("solve", detail, can_stop=True))
+        bound = f"bound {progress.bound:.4f}"
+        known = f"cost {progress.cost:.4f}, {bound}, gap {progress.gap:.1e}"
+        detail = known if math.isfinite(progress.cost) else f"{bound}, no layout yet"
+        self._tell(Event("solve", f"{progress.step}: {detail}", can_stop=True))
 
     def _tell(self, event: Event) -> None:
         if self.watch is not None:

@@ -44,7 +44,8 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, budget: 
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
     rounding = SAFETY * (abs(budget.bound) + float(np.abs(labels.best).sum()))
     bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf
-    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR)
+    # What is taken off for rounding keeps no gap open: a bound that reaches the cost proves it at a gap of 0, too.
+    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR) + rounding
     return Assignment(
         labels=chosen,
         cost=cost,
@@ -52,7 +53,7 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, budget: 
         status="optimal" if closed else "stopped",
         in_play=max(0.0, cost - float(labels.best.sum())),
         method=method,
-        closed_by=method if closed else budget.limit or "work limit",
+        closed_by=method if closed else budget.limit,
         steps=tuple(budget.steps),
     )
 

@@ -117,6 +117,8 @@ class _Program:
             if self._infeasible():
                 self._bound = self._lp_bound = self._cutoff
                 return False
+            if not self._optimal():  # The value of a program that is not solved bounds nothing.
+                return False
             self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
             self._raise(self._lp_bound)
             if self._bound >= self._cutoff or self._budget.stopped():
@@ -174,6 +176,11 @@ class _Program:
             highspy.HighsModelStatus.kInfeasible,
             highspy.HighsModelStatus.kObjectiveBound,
         )
+
+    def _optimal(self) -> bool:
+        import highspy
+
+        return bool(self._highs.getModelStatus() == highspy.HighsModelStatus.kOptimal)
 
     def _lowered(self, value: float) -> float:
         """A bound of the program as one of the problem, less what rounding may have added."""
