@@ -140,6 +140,7 @@ def _cheapest(prices: Floats, twins: Indices, known: Sequence[tuple[int, Explana
         integrality=np.ones(columns),
         bounds=Bounds(0.0, 1.0),
         constraints=limits,
+        options={"mip_rel_gap": 0.0},
     )
     if answer.x is None:  # Repetitions of repetitions may exclude each other's explanations: then all stay.
         return np.ones(count, dtype=bool)
