@@ -111,3 +111,9 @@ def set_of(line, name):
     names = [control.name for control in line.face.rig.controls]
     motions = line.face.trajectories.motions
     return next(each for each in line.candidates.sets if names[motions[each.motion].control] == name)
+
+
+def chosen(rig, **parts):
+    """The candidates of a control by its name, under settings of these `parts`."""
+    found = with_candidates(rig, settings(**parts))
+    return lambda name: set_of(found, name)

@@ -151,6 +151,28 @@ def face(columns=33, rows=41, height=2.0, ranges=None, up=Y_UP):
     return rig(points, quads, face_shapes(points, height / 2.0), ranges, up)
 
 
+TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
+"""(4, 3) a plate behind the skin of the face."""
+
+
+def face_with(**more):
+    """The face with further shapes, by name."""
+    points, faces = mask()
+    return rig(points, faces, {**face_shapes(points), **more})
+
+
+def face_with_teeth(skin_moves=0.0, visible=True, name="teeth"):
+    """The face with teeth behind it, and a control `name` that moves the teeth, and the skin by `skin_moves`."""
+    points, faces = mask()
+    shapes = face_shapes(points)
+    last = len(shapes)
+    skin_shapes = [shape(i, offsets) for i, offsets in enumerate(shapes.values())]
+    skin_shapes.append(shape(last, skin_moves * shapes["pucker"]))
+    moved_teeth = [shape(last, np.full((4, 3), 0.1))]
+    teeth = mesh(TEETH, [[0, 1, 2, 3]], moved_teeth, path="/Root/teeth", visible=visible)
+    return rig_of_meshes([mesh(points, faces, skin_shapes), teeth], [*shapes, name])
+
+
 def moved(made, matrix, offset=(0.0, 0.0, 0.0)):
     """A copy of a skinless one-mesh rig under a linear map and an offset (winding flips with a mirror)."""
     linear = np.asarray(matrix, dtype=np.float64)

@@ -14,27 +14,6 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
-
-
-def rig_with_teeth(skin_moves=0.0, visible=True):
-    """The face with teeth behind it, and a control that moves the teeth, and the skin by `skin_moves`."""
-    names = [*SHAPES, "teeth"]
-    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
-    face.append(makers.shape(len(SHAPES), skin_moves * SHAPES["pucker"]))
-    meshes = [
-        makers.mesh(POINTS, QUADS, face),
-        makers.mesh(
-            TEETH,
-            [[0, 1, 2, 3]],
-            [makers.shape(len(SHAPES), np.full((4, 3), 0.1))],
-            path="/Root/teeth",
-            visible=visible,
-        ),
-    ]
-    return makers.rig_of_meshes(meshes, names)
-
-
 def test_views_are_named_or_angles_or_a_camera():
     face = chain.face_of(makers.face())
 
@@ -61,12 +40,12 @@ def test_the_screen_is_upright_even_from_above():
 
 
 def test_what_lies_behind_the_face_is_not_seen_unless_occlusion_is_off():
-    face = chain.face_of(rig_with_teeth())
+    face = chain.face_of(makers.face_with_teeth())
     assert not face.views.anywhere[-4:].any()
     assert face.views.anywhere[: len(POINTS)].mean() > 0.8
-    without = chain.face_of(rig_with_teeth(), chain.settings(candidates={"occlusion": False}))
+    without = chain.face_of(makers.face_with_teeth(), chain.settings(candidates={"occlusion": False}))
     assert without.views.anywhere.all()
-    hidden = chain.face_of(rig_with_teeth(visible=False), chain.settings(candidates={"occlusion": False}))
+    hidden = chain.face_of(makers.face_with_teeth(visible=False), chain.settings(candidates={"occlusion": False}))
     assert not hidden.views.anywhere[-4:].any()
 
 

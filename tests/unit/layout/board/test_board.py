@@ -13,13 +13,9 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
 def test_the_board_is_tidy_and_outside_the_silhouette():
     more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
-    line = chain.lay_out(rig_with(whole=np.full_like(POINTS, 0.2), **more))
+    line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), **more))
     board = [element for element in line.layout.elements if element.anchor.beside]
     assert {element.family for element in board} == {"global", "composite"}
     spots = np.array([element.anchor.position for element in board])
@@ -42,7 +38,7 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
 
 def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own():
     line = chain.lay_out(
-        rig_with(whole=np.full_like(POINTS, 0.2)),
+        makers.face_with(whole=np.full_like(POINTS, 0.2)),
         chain.settings(controls={"chin": {"place": "beside"}, "whole": {"place": "beside"}}),
     )
     families = {name: element.family for name, element in chain.by_name(line).items() if element.anchor.beside}
@@ -73,7 +69,7 @@ def test_a_crowded_face_sends_the_least_telling_controls_to_the_board():
 def test_the_board_hangs_on_the_joint_that_holds_the_face():
     from usdrigui.model import Joint, Skeleton, Skin
 
-    rig = rig_with(whole=np.full_like(POINTS, 0.2))
+    rig = makers.face_with(whole=np.full_like(POINTS, 0.2))
     head = (POINTS[:, 1] > -0.9).astype(float)
     skin = Skin(
         np.tile([0, 1], (len(POINTS), 1)), np.stack([1.0 - head, head], axis=1), "classicLinear", np.eye(4), False

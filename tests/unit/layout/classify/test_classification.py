@@ -13,49 +13,19 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
-
-
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
-def rig_with_teeth(skin_moves=0.0, visible=True):
-    """The face with teeth behind it, and a control that moves the teeth, and the skin by `skin_moves`."""
-    names = [*SHAPES, "teeth"]
-    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
-    face.append(makers.shape(len(SHAPES), skin_moves * SHAPES["pucker"]))
-    meshes = [
-        makers.mesh(POINTS, QUADS, face),
-        makers.mesh(
-            TEETH,
-            [[0, 1, 2, 3]],
-            [makers.shape(len(SHAPES), np.full((4, 3), 0.1))],
-            path="/Root/teeth",
-            visible=visible,
-        ),
-    ]
-    return makers.rig_of_meshes(meshes, names)
-
-
-def chosen(rig, **parts):
-    found = chain.with_candidates(rig, chain.settings(**parts))
-    return lambda name: chain.set_of(found, name)
-
-
 @pytest.mark.parametrize(
     "whole",
     [np.full_like(POINTS, 0.2), 0.3 * POINTS, POINTS * [0.3, 0.0, 0.1]],
     ids=["translation", "scale", "identity"],
 )
 def test_whole_head_controls_are_global(whole):
-    rig = rig_with(whole=whole)
-    found = chosen(rig)
+    rig = makers.face_with(whole=whole)
+    found = chain.chosen(rig)
     assert found("whole").category == "global"
     assert "whole" in found("whole").off_face_reason
     assert not any(found(name).category == "global" for name in SHAPES)
-    assert chosen(rig, candidates={"beside_global": False})("whole").category != "global"
-    assert chosen(rig, controls={"whole": {"place": "face"}})("whole").category != "global"
+    assert chain.chosen(rig, candidates={"beside_global": False})("whole").category != "global"
+    assert chain.chosen(rig, controls={"whole": {"place": "face"}})("whole").category != "global"
 
 
 def test_whole_head_controls_may_peak_off_the_face():
@@ -64,21 +34,21 @@ def test_whole_head_controls_may_peak_off_the_face():
     assert not any(np.any(each[rim]) for each in SHAPES.values()), "no other control moves the rim"
     spot = np.linalg.norm(POINTS[:, :2] - [0.35, 0.55], axis=1) < 0.1
     even = np.where(spot[:, None], 1.6, 1.0) * np.full_like(POINTS, 0.05)
-    assert chosen(rig_with(whole=np.where(rim[:, None], 5.0 * even, even)))("whole").category == "global"
-    assert chosen(rig_with(whole=np.where(rim[:, None], 30.0 * even, even)))("whole").category != "global"
+    assert chain.chosen(makers.face_with(whole=np.where(rim[:, None], 5.0 * even, even)))("whole").category == "global"
+    assert chain.chosen(makers.face_with(whole=np.where(rim[:, None], 30.0 * even, even)))("whole").category != "global"
 
 
 def test_controls_of_hidden_things_are_hidden():
-    found = chosen(rig_with_teeth())
+    found = chain.chosen(makers.face_with_teeth())
     assert found("teeth").category == "hidden"
     assert found("chin").category != "hidden"
-    kept = chosen(rig_with_teeth(), candidates={"beside_hidden": False})("teeth")
+    kept = chain.chosen(makers.face_with_teeth(), candidates={"beside_hidden": False})("teeth")
     assert kept.category != "hidden"
     assert (kept.points >= len(POINTS)).any()
 
 
 def test_coverage_is_the_share_of_the_face_for_small_controls_too():
-    found = chosen(rig_with(whole=np.full_like(POINTS, 0.2)))
+    found = chain.chosen(makers.face_with(whole=np.full_like(POINTS, 0.2)))
     assert found("whole").coverage == pytest.approx(1.0)
     assert 0.0 < found("sneer_L").coverage < found("brow_L").coverage < 0.5
     assert found("sneer_L").coverage == pytest.approx(found("sneer_R").coverage, rel=0.05)
@@ -88,15 +58,15 @@ def test_excluding_a_control_calls_no_other_one_global():
     """A control that moves the lower half is large beside small ones, unless the other half has its own."""
     half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
     upper = {f"up{i}": makers.bump(POINTS, (x, 0.75), (0, 0, 1), 0.45) for i, x in enumerate((-0.4, 0.0, 0.4))}
-    whole = rig_with(half=half, **upper)
+    whole = makers.face_with(half=half, **upper)
     without = [control for control in whole.controls if not control.name.startswith("up")]
     left_out = tuple(control for control in whole.controls if control.name.startswith("up"))
     gone = replace(whole, controls=tuple(without))
-    assert chosen(whole)("half").category != "global"
-    assert chosen(gone)("half").category == "global"
+    assert chain.chosen(whole)("half").category != "global"
+    assert chain.chosen(gone)("half").category == "global"
     excluded = replace(gone, excluded=left_out)
-    assert chosen(excluded)("half").category != "global"
-    assert chosen(excluded)("half").coverage == pytest.approx(chosen(whole)("half").coverage)
+    assert chain.chosen(excluded)("half").category != "global"
+    assert chain.chosen(excluded)("half").coverage == pytest.approx(chain.chosen(whole)("half").coverage)
     names = [control.name for control in excluded.controls]
     face = chain.face_of(excluded)
     assert len(face.trajectories.excluded) == 3
@@ -105,12 +75,13 @@ def test_excluding_a_control_calls_no_other_one_global():
 
 def test_place_beside_and_exclude():
     rig = makers.face()
-    assert chosen(rig, controls={"chin": {"place": "beside"}})("chin").category == "requested"
+    assert chain.chosen(rig, controls={"chin": {"place": "beside"}})("chin").category == "requested"
     line = chain.with_candidates(rig, chain.settings(controls={"chin": {"exclude": True}}))
     assert [each.control for each in line.candidates.left_off] == ["chin"]
 
 
 def test_a_renamed_control_is_known_by_both_names():
     assert (
-        chosen(makers.face(), controls={"old": {"rename": "chin", "place": "beside"}})("chin").category == "requested"
+        chain.chosen(makers.face(), controls={"old": {"rename": "chin", "place": "beside"}})("chin").category
+        == "requested"
     )

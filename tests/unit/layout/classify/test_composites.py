@@ -16,29 +16,20 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
-def chosen(rig, **parts):
-    found = chain.with_candidates(rig, chain.settings(**parts))
-    return lambda name: chain.set_of(found, name)
-
-
 def test_repetitions_mixtures_and_spreads_are_composites():
     smile = SHAPES["smile_L"] + SHAPES["smile_R"]
     brow = SHAPES["brow_L"] + SHAPES["brow_R"]
-    rig = rig_with(
+    rig = makers.face_with(
         smile_50=0.5 * SHAPES["pucker"], both=smile, emotion=0.6 * brow + 0.8 * SHAPES["pucker"] + SHAPES["chin"] * 0.5
     )
-    found = chosen(rig)
+    found = chain.chosen(rig)
     assert "pucker" in found("smile_50").off_face_reason
     assert found("smile_50").category == "composite"
     assert found("both").category == "composite"
     assert found("emotion").category == "composite"
     assert not any(found(name).category == "composite" for name in SHAPES)
-    assert chosen(rig, candidates={"beside_composite": False})("both").category != "composite"
-    assert chosen(rig, controls={"both": {"place": "face"}})("both").category != "composite"
+    assert chain.chosen(rig, candidates={"beside_composite": False})("both").category != "composite"
+    assert chain.chosen(rig, controls={"both": {"place": "face"}})("both").category != "composite"
 
 
 @pytest.mark.parametrize("noise", [0.0, 1e-3])
@@ -46,7 +37,7 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
     random = np.random.default_rng(1)
     raised = makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), 0.3)
     copies = {f"copy_{i:02d}": raised + noise * raised * random.normal(size=raised.shape) for i in range(12)}
-    found = chosen(rig_with(**copies))
+    found = chain.chosen(makers.face_with(**copies))
     said = [found(name) for name in copies]
     assert sum(each.category != "composite" for each in said) == 1
     assert all(
@@ -55,20 +46,20 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
 
 
 def test_a_control_alone_is_no_composite():
-    found = chosen(makers.rig(POINTS, QUADS, {"pucker": SHAPES["pucker"]}))("pucker")
+    found = chain.chosen(makers.rig(POINTS, QUADS, {"pucker": SHAPES["pucker"]}))("pucker")
     assert (found.category, found.off_face_reason) == ("", "")
 
 
 def test_a_part_that_stands_twice_is_one_part():
     lesser, whole = (makers.bump(POINTS, (0.0, 0.8), (0, 1, 0.2), radius) for radius in (0.28, 0.3))
     aside = np.linalg.norm(whole, axis=1)[:, None] * [0.25, 0.0, 0.0]
-    found = chosen(rig_with(raise_a=lesser, raise_b=lesser, swerving=whole + aside))
+    found = chain.chosen(makers.face_with(raise_a=lesser, raise_b=lesser, swerving=whole + aside))
     assert found("swerving").category != "composite"
 
 
 def test_flattened_in_betweens_are_steps_of_their_control():
     off_the_line = 0.5 * SHAPES["pucker"] + 0.3 * np.linalg.norm(SHAPES["pucker"], axis=1)[:, None] * [0.0, 1.0, 0.0]
-    found = chosen(rig_with(pucker_50=off_the_line, other=off_the_line * 1.1))
+    found = chain.chosen(makers.face_with(pucker_50=off_the_line, other=off_the_line * 1.1))
     assert found("pucker_50").category == "composite"
     assert "pucker" in found("pucker_50").off_face_reason
     assert found("other").category != "composite"
@@ -77,7 +68,7 @@ def test_flattened_in_betweens_are_steps_of_their_control():
 def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
     own = makers.bump(POINTS, (0.0, 0.1), (0, 0, 1), 0.5, 0.08)
     brow, smile = SHAPES["brow_L"] + SHAPES["brow_R"], SHAPES["smile_L"] + SHAPES["smile_R"]
-    measured = chain.measured(rig_with(emotion=brow + smile + own))
+    measured = chain.measured(makers.face_with(emotion=brow + smile + own))
     face = measured.face
     coverage = np.array([each.coverage for each in measured.classification])
     found = composites(face.rig, face.trajectories, face.symmetry, measured.similarity, coverage)
@@ -86,7 +77,7 @@ def test_an_emotion_with_a_shape_of_its_own_is_still_a_spread():
 
 
 def test_an_explanation_that_fails_costs_the_words_alone(monkeypatch):
-    rig = rig_with(both=SHAPES["smile_L"] + SHAPES["smile_R"])
+    rig = makers.face_with(both=SHAPES["smile_L"] + SHAPES["smile_R"])
     sound = chain.measured(rig).classification
     monkeypatch.setattr(classification, "explanation", lambda *_: [][1])
     spoilt = chain.measured(rig).classification

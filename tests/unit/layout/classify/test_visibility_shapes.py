@@ -10,11 +10,6 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def chosen(rig, **parts):
-    found = chain.with_candidates(rig, chain.settings(**parts))
-    return lambda name: chain.set_of(found, name)
-
-
 def test_parts_that_vanish_are_global():
     hair = np.array([[0.9, 1.0, 0.3], [1.2, 1.0, 0.3], [1.2, 1.3, 0.3], [0.9, 1.3, 0.3]])
     points, quads = np.vstack([POINTS, hair]), [*QUADS, [len(POINTS) + i for i in range(4)]]
@@ -22,7 +17,7 @@ def test_parts_that_vanish_are_global():
 
     def hides(offsets):
         shapes = {**still, "hide": np.vstack([np.zeros_like(POINTS), offsets])}
-        return chosen(makers.rig(points, quads, shapes))("hide")
+        return chain.chosen(makers.rig(points, quads, shapes))("hide")
 
     collapsed, sunk, swung = (
         hides(hair.mean(axis=0) - hair),

@@ -10,12 +10,8 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
 def test_every_control_has_exactly_one_member():
-    line = chain.lay_out(rig_with(whole=np.full_like(POINTS, 0.2), empty=np.zeros_like(POINTS)))
+    line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), empty=np.zeros_like(POINTS)))
     members = [member.control for element in line.layout.elements for member in element.members]
     assert sorted(members) == sorted({*SHAPES, "whole"})
     assert [each.control for each in line.layout.left_off] == ["empty"]
@@ -30,14 +26,7 @@ def test_tracks_pass_through_the_anchor_at_the_base_value():
 
 
 def test_proxies_draw_the_hidden_trajectory_at_the_visible_anchor():
-    teeth = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
-    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
-    meshes = [
-        makers.mesh(POINTS, QUADS, face),
-        makers.mesh(teeth, [[0, 1, 2, 3]], [makers.shape(len(SHAPES), np.full((4, 3), 0.1))], path="/Root/teeth"),
-    ]
-    rig = makers.rig_of_meshes(meshes, [*SHAPES, "teeth"])
-    line = chain.lay_out(rig, chain.settings(controls={"teeth": {"place": "proxy"}}))
+    line = chain.lay_out(makers.face_with_teeth(), chain.settings(controls={"teeth": {"place": "proxy"}}))
     element = chain.by_name(line)["teeth"]
     assert element.anchor.mesh == "/Root/mesh"
     assert np.allclose(element.members[0].track[1] - element.members[0].track[0], 0.1, atol=1e-6)

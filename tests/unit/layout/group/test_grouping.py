@@ -16,10 +16,6 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
 def eye(centre, sign=1.0):
     """Four gaze controls about one eye."""
     ways = {"In": (-sign, 0, 0), "Out": (sign, 0, 0), "Up": (0, 1, 0), "Down": (0, -1, 0)}
@@ -58,7 +54,7 @@ def test_opposed_controls_become_one_slider_with_two_ends():
 
 
 def test_the_opposite_of_like_amount_is_preferred():
-    rig = rig_with(jawBit=-0.2 * SHAPES["jawLeft"])
+    rig = makers.face_with(jawBit=-0.2 * SHAPES["jawLeft"])
     groups, _ = groups_of(rig, symmetry={"enabled": False})
     assert ("jawRight", "jawLeft") in groups or ("jawLeft", "jawRight") in groups
 
@@ -110,7 +106,7 @@ def test_an_axis_takes_a_crossing_single_control():
 
 def test_patches_and_fans_by_the_jaccard_index():
     third = makers.bump(POINTS, (0.0, -0.45), (0.0, 1.0, 0.0), 0.3, 0.1)
-    rig = rig_with(lipUp=third, lipOut=makers.bump(POINTS, (0.0, -0.45), (0.0, 1.0, 0.5), 0.3, 0.1))
+    rig = makers.face_with(lipUp=third, lipOut=makers.bump(POINTS, (0.0, -0.45), (0.0, 1.0, 0.5), 0.3, 0.1))
     off = {"opposed": False}
     assert not any(len(key) > 1 for key in groups_of(rig, groups=off)[0])
     pairs = [key for key in groups_of(rig, groups={**off, "patches": True})[0] if len(key) > 1]
@@ -126,7 +122,7 @@ def test_patches_and_fans_by_the_jaccard_index():
 
 def test_the_users_groups_are_kept_and_their_image_is_made():
     said = {"groups": {"mouth": ("smile_L", "sneer_L"), "middle": ("pucker", "chin")}}
-    rig = rig_with()
+    rig = makers.face_with()
     rig = makers.rig(POINTS, QUADS, {**SHAPES, "chin": 0.5 * SHAPES["pucker"] + SHAPES["chin"]})
     line = chain.problem_of(rig, chain.settings(groups=said, candidates={"peak_share": 0.05, "prune_at": 0.1}))
     found = {group.name: group for group in line.groups}

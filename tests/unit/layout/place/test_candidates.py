@@ -10,32 +10,6 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, -0.3, 0.2]])
-
-
-def rig_with_teeth(skin_moves=0.0, visible=True):
-    """The face with teeth behind it, and a control that moves the teeth, and the skin by `skin_moves`."""
-    names = [*SHAPES, "inside"]
-    face = [makers.shape(i, offsets) for i, offsets in enumerate(SHAPES.values())]
-    face.append(makers.shape(len(SHAPES), skin_moves * SHAPES["pucker"]))
-    meshes = [
-        makers.mesh(POINTS, QUADS, face),
-        makers.mesh(
-            TEETH,
-            [[0, 1, 2, 3]],
-            [makers.shape(len(SHAPES), np.full((4, 3), 0.1))],
-            path="/Root/teeth",
-            visible=visible,
-        ),
-    ]
-    return makers.rig_of_meshes(meshes, names)
-
-
-def chosen(rig, **parts):
-    found = chain.with_candidates(rig, chain.settings(**parts))
-    return lambda name: chain.set_of(found, name)
-
-
 def test_pruning_keeps_what_moves_more_than_the_mean_and_half_the_peak():
     line = chain.with_candidates(makers.face())
     motion = line.face.trajectories.motions[0]
@@ -48,7 +22,7 @@ def test_pruning_keeps_what_moves_more_than_the_mean_and_half_the_peak():
 
 def test_pruning_follows_its_settings():
     def size(**parts):
-        return len(chosen(makers.face(), candidates=parts)("brow_L").points)
+        return len(chain.chosen(makers.face(), candidates=parts)("brow_L").points)
 
     assert size(peak_share=0.9) < size() < size(peak_share=0.0, prune_at=0.5)
 
@@ -57,17 +31,17 @@ def test_split_points_give_one_candidate_per_place():
     seam = np.flatnonzero(np.isclose(POINTS[:, 0], 0.0))
     doubled = np.vstack([POINTS, POINTS[seam]])
     shapes = {name: np.vstack([each, each[seam]]) for name, each in SHAPES.items()}
-    found = chosen(makers.rig(doubled, QUADS, shapes))("pucker")
+    found = chain.chosen(makers.rig(doubled, QUADS, shapes))("pucker")
     assert (found.points < len(POINTS)).all()
 
 
 def test_a_control_that_peaks_inside_stands_on_the_skin_it_moves():
-    found = chosen(rig_with_teeth(skin_moves=0.5))("inside")
+    found = chain.chosen(makers.face_with_teeth(skin_moves=0.5, name="inside"))("inside")
     assert found.category != "hidden"
     assert (found.points < len(POINTS)).all()
 
 
 def test_only_what_can_be_seen_from_the_view_is_a_candidate():
-    front_only = chosen(makers.face(), candidates={"view": "90,0"})("smile_R")
+    front_only = chain.chosen(makers.face(), candidates={"view": "90,0"})("smile_R")
     assert front_only.category == "hidden"
-    assert chosen(makers.face(), candidates={"view": "-90,0"})("smile_R").category != "hidden"
+    assert chain.chosen(makers.face(), candidates={"view": "-90,0"})("smile_R").category != "hidden"

@@ -72,10 +72,6 @@ def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_a
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
 def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     flat = chain.settings(
         candidates={"occlusion_weight": 0.0}, objective={"relative_displacement": 0.0}, groups={"opposed": False}
@@ -109,7 +105,7 @@ def test_a_group_counts_its_worst_member():
 
 def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
     cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
-    line = chain.lay_out(rig_with(cheeks=cheeks))
+    line = chain.lay_out(makers.face_with(cheeks=cheeks))
     assert not chain.by_name(line)["cheeks"].anchor.beside
     chin = chain.by_name(line)["chin"]
     assert abs(chin.anchor.position[0]) < 1e-6
@@ -118,7 +114,7 @@ def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
 
 def test_a_middle_control_may_be_doubled():
     cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
-    line = chain.lay_out(rig_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": "always"}))
+    line = chain.lay_out(makers.face_with(cheeks=cheeks), chain.settings(symmetry={"double_middle": "always"}))
     elements = chain.by_name(line)
     one, other = elements["cheeks"], elements["cheeks_mirror"]
     assert one.anchor.position[0] == pytest.approx(-other.anchor.position[0], abs=1e-6)
@@ -145,14 +141,14 @@ def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
     out = makers.bump(POINTS, (0.2, -0.2), (0, 0, 1), 0.2, 0.1)
     up = makers.bump(POINTS, (0.2, -0.2), (0, 1, 0), 0.2, 0.1)
     flat = chain.settings(candidates={"space": "view", "view": "front", "occlusion_weight": 0.0})
-    line = chain.problem_of(rig_with(out=out, up=up), flat)
+    line = chain.problem_of(makers.face_with(out=out, up=up), flat)
     costs = {variable.name: variable.cost.min(initial=np.inf) for variable in line.problem.variables}
     assert costs["up"] < -0.5
     assert costs["out"] > -0.01 or "out" not in costs
     for variable in line.problem.variables:
         for flat_part in (variable.samples[..., 2], variable.handles[..., 2]):
             assert flat_part.size == 0 or np.ptp(flat_part) < 1e-9
-    assert chain.lay_out(rig_with(up=up), flat).layout.space == "view"
+    assert chain.lay_out(makers.face_with(up=up), flat).layout.space == "view"
 
 
 def test_a_control_kept_on_the_face_cannot_leave_it():

@@ -20,28 +20,19 @@ POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 
 
-def rig_with(**more):
-    return makers.rig(POINTS, QUADS, {**SHAPES, **more})
-
-
-def chosen(rig, **parts):
-    found = chain.with_candidates(rig, chain.settings(**parts))
-    return lambda name: chain.set_of(found, name)
-
-
 def test_a_fixed_anchor_is_the_only_candidate():
-    found = chosen(makers.face(), controls={"chin": {"anchor": "/Root/mesh#20"}})("chin")
+    found = chain.chosen(makers.face(), controls={"chin": {"anchor": "/Root/mesh#20"}})("chin")
     assert found.points.tolist() == [20]
     for anchor in ("/Root/mesh", "/Root/mesh#x", "/Root/mesh#99999", "/other#1"):
         with pytest.raises(RigUIError):
-            chosen(makers.face(), controls={"chin": {"anchor": anchor}})
+            chain.chosen(makers.face(), controls={"chin": {"anchor": anchor}})
 
 
 def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
     names = [name for name in SHAPES if name.endswith(("_R", "Right"))]
     one = next(name for name in names if name.replace("_R", "_L").replace("Right", "Left") in SHAPES)
     other = one.replace("_R", "_L").replace("Right", "Left")
-    line = chain.problem_of(rig_with(), chain.settings(controls={one: {"place": "beside"}}))
+    line = chain.problem_of(makers.face_with(), chain.settings(controls={one: {"place": "beside"}}))
     controls = [control.name for control in line.face.rig.controls]
     categories = {controls[c]: group.category for group in line.groups for c in (*group.controls, *group.mirror)}
     assert categories[one] == "requested"
