@@ -85,6 +85,11 @@ class Group:
         return (self.controls, *self.images)
 
     @property
+    def doubled(self) -> bool:
+        """Whether it is its own mirror image and has a copy on either side, of the same controls."""
+        return bool(self.images) and set(self.mirror) == set(self.controls)
+
+    @property
     def axes(self) -> tuple[tuple[int, ...], ...]:
         """Positions in `controls` of each axis: one control, or the negative and the positive end of a signed axis."""
         return axes_of(len(self.controls), self.opposed)

@@ -7,12 +7,14 @@ gets the same layout; ``objective.scene_units`` takes the paper's constants lite
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import arc_lengths, flattened, lengths, magnification, paths, resampled
-from usdrigui.layout.place.terms import off_plane
+from usdrigui.layout.place.terms import linear_cost, off_plane
+from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
 from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
@@ -33,6 +35,8 @@ def labels_of(
     `sets` are the candidates by control.
     """
     group = groups[index]
+    if group.doubled:
+        sets = {control: _on_both_sides(face, sets[control], settings) for control in group.controls}
     choice = _with_copies(face, group, index, sets[group.controls[0]], settings.symmetry.tolerance)
     toward = face.views.flat_direction(settings.candidates.space)
     weight = settings.objective.displacement_weight
@@ -56,7 +60,7 @@ def labels_of(
 
 def own_mirror_image(face: Face, group: Group) -> bool:
     """Whether the element is its own mirror image: one in the middle, not doubled."""
-    if not face.symmetry.normal.any() or group.images:
+    if not face.symmetry.normal.any() or group.mirror or group.images:
         return False
     return {int(face.symmetry.twins[control]) for control in group.controls} == set(group.controls)
 
@@ -106,11 +110,28 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
     return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
 
 
+def _on_both_sides(face: Face, found: CandidateSet, settings: Settings) -> CandidateSet:
+    """The candidates of a doubled control and their mirror images, which it moves alike: one side may be all that is
+    fixed, or all that pruning leaves."""
+    partner = face.symmetry.partner
+    places = np.column_stack([found.points, found.sources])
+    images = partner[places]
+    motion = face.trajectories.motions[found.motion]
+    moved = np.isin(images[:, 1], motion.points)
+    places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
+    _, first = np.unique(places[:, 0], return_index=True)
+    points, sources = places[first].T
+    return replace(found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings))
+
+
 def _with_copies(face: Face, group: Group, index: int, candidate_set: CandidateSet, tolerance: float) -> Choice:
     """Anchors and sources of all copies, of those candidates whose images lie on the character."""
     anchors = _images(face, group, candidate_set.points, tolerance)
     sources = _images(face, group, candidate_set.sources, tolerance)
     kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
+    if group.doubled:
+        # The mirror image of a label of a doubled element is the same layout.
+        kept &= plane_distance(face.trajectories.base[anchors[:, 0]], face.symmetry) >= 0.0
     return Choice(index, group.copies, anchors[kept], sources[kept])
 
 

@@ -213,13 +213,15 @@ def _as_problem(
 def _as_groups(rig: Rig, layout: Layout, elements: tuple[Element, ...]) -> tuple[Group, ...]:
     index = {control.name: number for number, control in enumerate(rig.controls)}
     seen, parts = states(layout.elements), _parts(layout)
+    controls = {each.name: tuple(index[member.control] for member in each.members) for each in elements}
     return tuple(
         Group(
             element.name,
             element.kind,
-            tuple(index[member.control] for member in element.members),
+            controls[element.name],
             element.opposed,
-            (),
+            # A copy of a doubled element is not held to the mirror plane; that of a pair never is.
+            controls.get(element.mirror, ()),
             "",
             part=element.name in parts,
             states=seen[element.name],
