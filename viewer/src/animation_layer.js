@@ -106,7 +106,7 @@ function layer(session, controls, states, first, last, work) {
     '    }',
     ')',
     '',
-    ...written(nested(prims)),
+    ...rendered(nested(prims)),
     '',
   ].join('\n');
   return { text: animations.size ? text : '', unwritten };
@@ -230,13 +230,13 @@ function nested(prims) {
   return tree;
 }
 
-function written({ children }, indent = '') {
+function rendered({ children }, indent = '') {
   return [...children].flatMap(([name, child]) => [
     `${indent}${child.type} ${quoted(name)}${child.metadata && ' ('}`,
     ...(child.metadata ? [`${indent}    ${child.metadata}`, `${indent})`] : []),
     `${indent}{`,
     ...child.lines.map((line) => `${indent}    ${line}`),
-    ...written(child, `${indent}    `),
+    ...rendered(child, `${indent}    `),
     `${indent}}`,
   ]);
 }

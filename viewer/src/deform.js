@@ -52,8 +52,8 @@ export class Deformer {
   /** Compute `points` (root space, 3 per point) at control values. */
   pose(values) {
     this.drive(values);
-    const turned = this.updateMaps();
-    for (const mesh of this.character.meshes) if (mesh.visible) this.poseMesh(mesh, turned);
+    this.updateMaps();
+    for (const mesh of this.character.meshes) if (mesh.visible) this.poseMesh(mesh);
     return this.points;
   }
 

@@ -90,8 +90,8 @@ function columnOf(model, here, group, rows) {
 /** Groups that matter at the grabbed point (the first three rows), and those of their opposite ends. */
 function local(model, groups, here, locality) {
   const strength = groups.map((group) => Math.max(...columnOf(model, here, group, here.at.length).paths));
-  const least = locality * strength.reduce((most, value) => Math.max(most, value), 0);
-  const matter = groups.filter((_, g) => strength[g] > 0 && strength[g] >= least);
+  const lowest = locality * strength.reduce((most, value) => Math.max(most, value), 0);
+  const matter = groups.filter((_, g) => strength[g] > 0 && strength[g] >= lowest);
   const ends = new Set(matter.flat().flatMap((control) => model.opposites(control)));
   return groups.filter((group) => matter.includes(group) || group.some((control) => ends.has(control)));
 }

@@ -112,7 +112,8 @@ const NONE = { ends: [], base: 0, at: [0, 1], points: [[0, 0], [0, 0]] }; // an 
 /** Coordinates of one or two axes. */
 function onPair(axes, start, last, goal) {
   if (axes.length === 2) return nearest(axes, start, last, goal).at;
-  return nearest([...axes, NONE, NONE].slice(0, 2), [...start, 0, 0], [...last, 0, 0], goal).at.slice(0, axes.length);
+  const [one = NONE] = axes;
+  return nearest([one, NONE], [...start, 0, 0], [...last, 0, 0], goal).at.slice(0, axes.length);
 }
 
 /**

@@ -11,7 +11,10 @@ const MOST_RANKED = 12;
 
 export class Inspector {
   constructor(session, view, timeline, say) {
-    Object.assign(this, { session, view, timeline, say });
+    this.session = session;
+    this.view = view;
+    this.timeline = timeline;
+    this.say = say;
     this.updates = [];
     this.chosen = make('div', { class: 'chosen' });
     this.ranked = make('div', { class: 'ranked' });

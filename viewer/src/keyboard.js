@@ -85,11 +85,12 @@ export class Stops {
 /** Shortcuts of the page; `actions` maps names of keys to functions. */
 export function listenToKeys(actions) {
   document.addEventListener('keydown', (event) => {
-    const typing = event.target.matches('input[type=text], input[type=number], input[type=search], textarea');
+    const target = /** @type {Element} */ (event.target);
+    const typing = target.matches('input[type=text], input[type=number], input[type=search], textarea');
     const name = [event.ctrlKey || event.metaKey ? 'Ctrl+' : '', event.shiftKey ? 'Shift+' : '', event.key.length === 1 ? event.key.toLowerCase() : event.key].join('');
     const action = actions[name];
     if (!action || (typing && name !== 'Escape')) return;
-    if (event.target.matches('button, summary, a') && (name === ' ' || name === 'Enter')) return;
+    if (target.matches('button, summary, a') && (name === ' ' || name === 'Enter')) return;
     if (action() !== false) event.preventDefault();
   });
 }

@@ -131,6 +131,7 @@ class App {
     ];
     session.on('options', () => parts.forEach((part) => part.update()));
     const act = (label, title, onclick, name = label) => make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
+    /** @type {[string, number, number][]} */
     const looks = [['Front', 0, 0], ['¾', 0.7, 0.05], ['Side', Math.PI / 2, 0], ['Back', Math.PI, 0]];
     return make(
       'header',

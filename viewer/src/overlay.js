@@ -63,8 +63,8 @@ export class Overlay {
       return this.screenTrack(element.members[m], track, project, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
     });
     const hidden = hides ? hides(handle) && mostlyCovered(tracks) : (before?.hidden ?? false);
-    const outline = element.glyph && element.outline.map(project);
-    return { element, handle, tracks, width, hidden, outline, origin: project(element.origin) };
+    const corners = element.glyph && element.outline.map(project);
+    return { element, handle, tracks, width, hidden, corners, origin: project(element.origin) };
   }
 
   /** Corners of the drawn track between minimum and maximum, each with whether it is covered. */
@@ -244,14 +244,14 @@ export class Overlay {
   }
 
   /** A custom handle: lines, or faces within a rim; as much larger as small handles are drawn larger than they are. */
-  drawGlyph({ element, handle, outline: corners }, inside, rim, width, larger) {
+  drawGlyph({ element, handle, corners }, inside, rim, width, larger) {
     const { pen } = this;
     const { parts, closed } = element.glyph;
     const enlarged = this.enlarged * larger;
     const at = (corner) => [0, 1].map((axis) => handle[axis] + enlarged * (corners[corner][axis] - handle[axis]));
     const paths = parts.map((part) => {
       const path = new Path2D();
-      for (const corner of part) path.lineTo(...at(corner));
+      for (const [x, y] of part.map(at)) path.lineTo(x, y);
       if (closed) path.closePath();
       return path;
     });

@@ -12,6 +12,8 @@ export class Painter {
     this.canvas = canvas;
     this.pen = canvas.getContext('2d', { alpha: false });
     this.surface = surface;
+    this.screen = null;
+    this.colours = null;
     this.resize(1, 1, 1);
   }
 
@@ -40,10 +42,10 @@ export class Painter {
   /** Columns and rows of pixels that belong to a column of the picture: [left, top, right, bottom). */
   frameOf({ left, top, width, height }) {
     const { canvas, ratio } = this;
-    const inside = (value, most) => Math.min(most, Math.max(0, Math.round(value * ratio)));
+    const within = (value, most) => Math.min(most, Math.max(0, Math.round(value * ratio)));
     return [
-      inside(left, canvas.width), inside(top, canvas.height),
-      inside(left + width, canvas.width), inside(top + height, canvas.height),
+      within(left, canvas.width), within(top, canvas.height),
+      within(left + width, canvas.width), within(top + height, canvas.height),
     ];
   }
 

@@ -12,6 +12,7 @@ export class Stage {
   /** `how`: 'webgl' or 'canvas' to insist on one, null to take what is faster. */
   constructor(character, points, how = null) {
     this.node = make('div', { class: 'skin' });
+    this.onlost = null;
     this.triangles = visibleTriangles(character);
     this.welded = seams(character, this.triangles);
     this.facing = facings(points, this.triangles);

@@ -188,7 +188,7 @@ function outsides(points, { right, above, towards, fieldDegrees }, eye, wide) {
     const across = x * right[0] + y * right[1] + z * right[2];
     const upward = x * above[0] + y * above[1] + z * above[2];
     const [edge, top] = [depth * high * wide, depth * high];
-    out[k] = (across > edge) | ((across < -edge) << 1) | ((upward > top) << 2) | ((upward < -top) << 3) | ((depth <= 0) << 4);
+    out[k] = (across > edge ? 1 : 0) | (across < -edge ? 2 : 0) | (upward > top ? 4 : 0) | (upward < -top ? 8 : 0) | (depth <= 0 ? 16 : 0);
   }
   return out;
 }

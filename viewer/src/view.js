@@ -31,6 +31,8 @@ export class View {
     this.rearranging = new Rearranging(this);
     this.gestures = new Gestures(this);
     this.kinds = null;
+    this.say = null;
+    this.onInfluences = null;
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
     this.fineness = 1;

@@ -81,9 +81,9 @@ export class Webgl {
     camera.fov = orbit.fieldDegrees;
     camera.near = Math.max(orbit.distance - 6 * orbit.size, 0.01 * orbit.distance);
     camera.far = orbit.distance + 60 * orbit.size;
-    camera.position.set(...orbit.position);
-    camera.up.set(...orbit.up);
-    camera.lookAt(...orbit.target);
+    camera.position.fromArray(orbit.position);
+    camera.up.fromArray(orbit.up);
+    camera.lookAt(new THREE.Vector3().fromArray(orbit.target));
     camera.updateMatrixWorld();
     const wide = Math.max(...columns.map(({ width, height }) => width / height));
     const shown = new Map([...new Set(columns.map(skinOf))].filter(Boolean).map((skin) => [skin, this.sent(skin, orbit, wide)]));

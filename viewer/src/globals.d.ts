@@ -1,0 +1,4 @@
+interface Window {
+  usdrigui: any;
+}
+declare module '*.css';
