@@ -74,6 +74,8 @@ def changed(draw, element):
         side=draw(st.sampled_from(["left", "right", "middle", "none"])),
         kind=draw(st.sampled_from(["slider", "patch", "fan"])),
         adapt=draw(st.sampled_from(["deform", "static"])),
+        pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
+        pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
         opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
         anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), beside=draw(st.booleans())),
     )

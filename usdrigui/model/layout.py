@@ -11,6 +11,8 @@ from usdrigui.model.record import Floats, Record
 from usdrigui.model.rig import Glyph, LeftOff
 
 Side = Literal["left", "right", "middle", "none"]
+Decision = Literal["anchor", "place", "grouping"]
+"""What a person may decide about an element: its point; on the character or beside it; which controls share it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +75,10 @@ class Element(Record):
     """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
     inner: tuple[str, ...] = ()
     """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
+    pinned: tuple[Decision, ...] = ()
+    """Decisions of a person that hold whenever the layout is made again."""
+    pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing without ``anchor``."""
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:

@@ -271,6 +271,8 @@ def _author_element_api(
             "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
             "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
             "family": element.family,
+            "pinned": element.pinned,
+            "pinnedPosition": element.pinned_position,
             "reason": element.reason,
         },
     )

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Anchor, Element, Floats, Glyph, Indices, Layout, LeftOff, Member
+from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices, Layout, LeftOff, Member
 from usdrigui.usd import author, schema
 from usdrigui.usd.arrays import value_at
 from usdrigui.usd.stage import open_stage
@@ -220,6 +220,8 @@ def _element(prim: Usd.Prim) -> Element:
         family=str(get("family")),
         reason=str(get("reason")),
         inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
+        pinned=_decisions(prim, get("pinned")),
+        pinned_position=tuple(_floats(get("pinnedPosition")).tolist()),
         **_handle(prim),
     )
 
@@ -406,6 +408,13 @@ def _positions(prim: Usd.Prim, values: Any, count: int) -> tuple[int, ...]:
     if any(not 0 <= each < count for each in positions):
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:reversed", f"{positions} for {count} controls")
     return positions
+
+
+def _decisions(prim: Usd.Prim, values: Any) -> tuple[Decision, ...]:
+    unknown = sorted(set(_strings(values)) - set(get_args(Decision)))
+    if unknown:
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:pinned", f"{unknown[0]!r} is no decision")
+    return tuple(each for each in get_args(Decision) if each in values)
 
 
 def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
