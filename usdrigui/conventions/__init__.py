@@ -51,6 +51,13 @@ class Action:
     place: tuple[float, float] | None = None
     """Where it stands on a canonical face: to the side on which it acts, and up from between the eyes, in distances of
     the pupils."""
+    vague: bool = False
+    """Whether only the region is known, not which way it goes."""
+
+    @property
+    def in_family(self) -> bool:
+        """Whether it is one of a set that is used as a set, not an end or an axis of something."""
+        return self.category in ("viseme", "emotion", "identity")
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +101,9 @@ def _meaning(each: tuple[str, ...], *, action_units: bool) -> Meaning | None:
         return Meaning(found, "")
     for phrase in _phrases():
         if phrase.fits(rest, side):
-            return Meaning(_actions()[phrase.action], "" if phrase.directed else side)
+            # In mouthLeft the only side is the direction; in lookLeft_R there is another one.
+            spent = phrase.directed and not phrase.fits(rest, "")
+            return Meaning(_actions()[phrase.action], "" if spent else side)
     return None
 
 

@@ -171,8 +171,8 @@ def measure(
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
         requests = _requests(rig, symmetry, settings, references)
-        expected = expectations(found, symmetry, views, meanings([control.name for control in rig.controls]))
-        requests = replace(requests, expected=expected)
+        told = meanings([control.name for control in rig.controls])
+        requests = replace(requests, meanings=told, expected=expectations(found, symmetry, views, told))
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)

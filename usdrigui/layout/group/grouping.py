@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
+from itertools import chain, combinations
 
 import numpy as np
 
 from usdrigui.errors import meant, refuse
 from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.face import Face
+from usdrigui.layout.group.evidence import Evidence, Relation
 from usdrigui.layout.motion.similarity import Similarity, bidirectional
 from usdrigui.layout.names import has_side
 from usdrigui.layout.reuse.partial_layout import has_own_place
@@ -37,6 +38,9 @@ _SINGLE_SHARED = 0.9
 """The same for an axis and a single control."""
 _ACROSS = 0.4
 """Largest cosine of the directions of two axes of a joystick."""
+_SHARED_BY_CONVENTION = 0.5
+_ACROSS_BY_CONVENTION = 0.7
+"""The same where the conventions make a joystick of them."""
 _ALIKE = 0.1
 """Least amount of one axis of a joystick in shares of the other's: no drag could aim at a far lesser one."""
 
@@ -69,7 +73,7 @@ def find_groups(
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
     if settings.groups.patches:
         merged += grouping.patches(_free(merged, grouping))
-    merged += [_Merged((i,), ((0,),), "") for i in sorted(_free(merged, grouping))]
+    merged += [_Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))]
     return grouping.folded(merged, orbits)
 
 
@@ -119,6 +123,7 @@ class _Grouping:
         index = {motion.control: i for i, motion in enumerate(motions)}
         self.face, self.similarity, self.prior = face, similarity, requests.prior
         self.settings, self.double_middle, self.requests = settings.groups, settings.symmetry.double_middle, requests
+        self.evidence = Evidence(face, similarity, requests.meanings)
         self.two_sided = frozenset(bidirectional(face.trajectories))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]
@@ -190,29 +195,49 @@ class _Grouping:
     # --- opposed controls -------------------------------------------------------------------------
 
     def axes(self, free: set[int]) -> list[_Merged]:
-        """Pairs of opposed controls, the clearest first, each control in one."""
+        """Pairs of opposed controls, those of the convention and the clearest first, each control in one."""
         if not self.settings.opposed:
             return []
-        table = self.similarity
-        ranked = []
-        one_way = sorted(free - self.two_sided)
-        for a in one_way:
-            for b in one_way:
-                if a < b and self.may_share((a, b)) and self._opposed(a, b):
-                    ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
-                    # Of several opposites the one of like amount is meant: look down and up, not down and wide.
-                    score = float(table.cosine[a, b] * ratio**0.25)
-                    ranked.append((round(score, 9), sorted((self.names[a], self.names[b])), a, b))
+        table, ranked = self.similarity, []
+        for a, b in combinations(sorted(free - self.two_sided), 2):
+            if self._share_a_slider(a, b):
+                ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
+                # Of several opposites the one of like amount is meant: look down and up, not down and wide.
+                score = float(table.cosine[a, b] * ratio**0.25)
+                known = self.evidence.ends_by_convention(a, b)
+                ranked.append((not known, round(score, 9), sorted((self.names[a], self.names[b])), a, b))
         found: list[_Merged] = []
         taken: set[int] = set()
-        for _, _, a, b in sorted(ranked):
+        for *_, a, b in sorted(ranked):
             pairs = self._with_image((a, b))
             if taken & set().union(*pairs):
                 continue
             for pair in pairs:
                 taken |= set(pair)
-                found.append(_Merged(self._signed(pair), ((0, 1),), "opposed: two ends of one axis"))
+                by = " by convention" if self.evidence.ends_by_convention(a, b) else ""
+                reason = f"opposed: two ends of one axis{by} ({self.evidence.words(*pair)})"
+                found.append(_Merged(self._signed(pair), ((0, 1),), reason))
         return found
+
+    def _share_a_slider(self, a: int, b: int) -> bool:
+        """Whether two controls are the ends of one axis: by convention if their motions agree, or by motions alone."""
+        evidence = self.evidence
+        if evidence.ends_by_convention(a, b):
+            fits = evidence.agrees(a, b, twins=self.twin.get(a, -1) == b)
+        else:
+            fits = evidence.relation(a, b) != "" and self._opposed(a, b) and evidence.like_amount(a, b)
+        return fits and self._share_a_place((a, b))
+
+    def why_alone(self, index: int) -> str:
+        """Why a control shares no slider with its opposite by convention; empty for one that has none."""
+        if not self.settings.opposed or self.category[index]:
+            return ""
+        ends = [i for i in sorted(self.sets) if i != index and self.evidence.ends_by_convention(index, i)]
+        refused = [i for i in ends if not self._share_a_slider(index, i)]
+        if not refused:
+            return ""
+        words = self.evidence.words(index, refused[0])
+        return f"apart from {self.names[refused[0]]}, its opposite by convention ({words})"
 
     def _opposed(self, a: int, b: int) -> bool:
         least = self.settings.opposed_cosine
@@ -250,19 +275,28 @@ class _Grouping:
         return [*made, *(axis for axis in left if not used & set(axis.motions))]
 
     def _crossings(self, firsts: list[_Merged], seconds: list[_Merged], least: float) -> list[tuple[_Merged, _Merged]]:
-        """Pairs of axes that may make a joystick, the best first."""
+        """Pairs of axes that may make a joystick, those of the convention and the best first."""
         ranked = []
         for first in firsts:
             for second in seconds:
                 if (first.motions >= second.motions and second in firsts) or set(first.motions) & set(second.motions):
                     continue
-                if not self.may_share((*first.motions, *second.motions)):
-                    continue
-                shared, across = self._crossing(first, second)
-                if shared >= least and across <= _ACROSS and self._match(first, second):
+                known = self._cross(first, second, least)
+                if known and self._share_a_place((*first.motions, *second.motions)):
+                    shared, across = self._crossing(first, second)
+                    score = -round(shared * (1.0 - across) * self._flatness(second), 9)
                     names = sorted(self.names[i] for i in (*first.motions, *second.motions))
-                    ranked.append((-round(shared * (1.0 - across) * self._flatness(second), 9), names, first, second))
-        return [(first, second) for _, _, first, second in sorted(ranked, key=lambda each: each[:2])]
+                    ranked.append((known == "open", score, names, first, second))
+        return [(first, second) for *_, first, second in sorted(ranked, key=lambda each: each[:3])]
+
+    def _cross(self, first: _Merged, second: _Merged, least: float) -> Relation:
+        """What makes a joystick of two axes: the convention if their motions agree, or these alone; empty if not."""
+        known = self.evidence.crossing(first.motions, second.motions)
+        most = _ACROSS
+        if known == "convention":
+            least, most = _SHARED_BY_CONVENTION, _ACROSS_BY_CONVENTION
+        shared, across = self._crossing(first, second)
+        return known if shared >= least and across <= most and self._alike(first, second) else ""
 
     def _crossing(self, first: _Merged, second: _Merged) -> tuple[float, float]:
         """Least overlap of the regions of two axes, and largest cosine of their directions."""
@@ -270,14 +304,10 @@ class _Grouping:
         pick = np.ix_(first.motions, second.motions)
         return float(table.shared[pick].min()), float(np.abs(table.direction[pick]).max())
 
-    def _match(self, first: _Merged, second: _Merged) -> bool:
-        """Whether two axes are of like amount, and of one joint if joints turn both: a joystick poses one thing."""
+    def _alike(self, first: _Merged, second: _Merged) -> bool:
+        """Whether two axes are of like amount: no drag could aim at a far lesser one."""
         amounts = [max(float(self.similarity.norm[i]) for i in axis.motions) for axis in (first, second)]
-        motions = self.face.trajectories.motions
-        controls = [self.face.rig.controls[motions[i].control] for i in (*first.motions, *second.motions)]
-        by_joints = all(each.kind == "joint" for each in controls)
-        joints = {joint for each in controls for joint in each.drive.joints.tolist()} if by_joints else set()
-        return min(amounts) >= _ALIKE * max(amounts) and len(joints) <= 1
+        return min(amounts) >= _ALIKE * max(amounts)
 
     def _flatness(self, axis: _Merged) -> float:
         """How far an axis runs along the surface rather than out of it: what a drag on a screen can follow."""
@@ -303,7 +333,11 @@ class _Grouping:
             first, second = second, first
         shift = len(first.motions)
         axes = (*first.axes, *(tuple(i + shift for i in axis) for axis in second.axes))
-        return _Merged((*first.motions, *second.motions), axes, "two axes of one region: a joystick")
+        motions = (*first.motions, *second.motions)
+        shared, across = self._crossing(first, second)
+        by = " by convention" if self.evidence.crossing(first.motions, second.motions) == "convention" else ""
+        words = f"cosine of directions {across:.2f}, regions {shared:.0%} shared"
+        return _Merged(motions, axes, f"two axes of one region: a joystick{by} ({words})")
 
     def _uprightness(self, axis: _Merged) -> float:
         fields = self.similarity.fields
@@ -367,20 +401,23 @@ class _Grouping:
         return [motions] if set(image) == set(motions) else [motions, image]
 
     def may_share(self, motions: tuple[int, ...]) -> bool:
-        """Whether these motions stand in one place: same category, a common candidate, and a mirror image
-        that is the same set or has nothing in common with it."""
-        if len({self.category[i] for i in motions}) > 1:
-            return False
-        image = set(self._image(motions))
-        if image != set(motions) and image & set(motions):
-            return False
-        lone = [self.twin[i] < 0 for i in motions]
-        if any(lone) and not all(lone):
-            return False
+        """Whether these motions could be one element and have a common candidate."""
         common = self.sets[motions[0]].points
         for i in motions[1:]:
             common = np.intersect1d(common, self.sets[i].points, assume_unique=True)
-        return bool(self.category[motions[0]]) or len(common) > 0
+        return self._go_together(motions) and (bool(self.category[motions[0]]) or len(common) > 0)
+
+    def _share_a_place(self, motions: tuple[int, ...]) -> bool:
+        """Whether these motions could be one element and keep enough of their displacement at one visible place."""
+        return self._go_together(motions) and (bool(self.category[motions[0]]) or self.evidence.one_place(motions))
+
+    def _go_together(self, motions: tuple[int, ...]) -> bool:
+        """Whether these motions are of one category, and their mirror image is the same set or has nothing in common
+        with it."""
+        image = set(self._image(motions))
+        alone = {self.twin[i] < 0 for i in motions}
+        whole = image == set(motions) or not image & set(motions)
+        return len({self.category[i] for i in motions}) == 1 and whole and len(alone) == 1
 
     def folded(self, merged: list[_Merged], orbits: tuple[tuple[int, ...], ...]) -> tuple[Group, ...]:
         """Groups of the merged motions: of two mirror images the left one, of an orbit the first one only."""
@@ -430,7 +467,7 @@ class _Grouping:
 
     def _is_double(self, merged: _Merged) -> bool:
         """Whether an element that is its own mirror image has a copy on either side instead of one in the middle."""
-        if self.double_middle != "evidence" or any(self.category[i] or self.twin[i] != i for i in merged.motions):
+        if self.double_middle != "evidence" or any(self.category[i] for i in merged.motions):
             return self.double_middle == "always"
         return all(self._has_two_lobes(i) for i in merged.motions)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.model import Layout
@@ -22,6 +23,9 @@ class Requests:
     """A layout that stays as it is and to which the new one adds elements."""
     expected: tuple[Expectation | None, ...] = ()
     """(controls,) where the conventions of the field expect each control; empty where they are not asked."""
+
+    meanings: tuple[Meaning | None, ...] = ()
+    """(controls,) what the name of each control says; empty where names are not asked."""
 
     def expectation(self, control: int) -> Expectation | None:
         """Where a control is expected, unless nothing says so."""

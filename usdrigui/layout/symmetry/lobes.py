@@ -26,8 +26,11 @@ def two_lobed(
     """Whether a symmetric control's motion has two lobes off the mirror plane and little in between.
 
     `visible` (n,) are the points that some view sees, `both_sides` says whether the conventions of the field expect
-    the control on both sides; None where they do not know it.
+    the control on both sides; None where they do not know it.  The control of a joint stands on the skin that its joint
+    owns, once.
     """
+    if motion.owned is not None:
+        return False
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length

@@ -96,12 +96,69 @@ def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
     assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:])) == shared
 
 
-def test_an_axis_takes_a_crossing_single_control():
-    shapes = {name: offsets for name, offsets in SHAPES.items() if name != "chin"}
-    shapes["jawOpen"] = makers.bump(POINTS, (0.0, -0.7), (0, -1, 0), 0.45, 0.3)
-    groups, _ = groups_of(makers.rig(POINTS, QUADS, shapes))
-    stick = groups["jawRight", "jawLeft", "jawOpen"]
-    assert (stick.kind, stick.opposed) == ("patch", ((0, 1),))
+AT = (0.0, -0.55)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "way", "amount", "together"),
+    [
+        ("one", "two", (0, 1, 0), 1.0, True),
+        ("one", "two", (0.75, 0.6, 0), 1.0, False),
+        ("one", "two", (0, 1, 0), 0.15, False),
+        ("mouthDown", "mouthUp", (0.75, 0.6, 0), 0.15, True),
+        ("mouthDown", "mouthUp", (1, 0.1, 0), 1.0, False),
+        ("jawOpen", "mouthRollLower", (0, 1, 0), 1.0, False),
+        ("mouthPucker", "viseme_OO", (0, 1, 0), 1.0, False),
+        ("mouthSmile", "two", (0, 1, 0), 1.0, False),
+        ("mouth-1", "mouth-2", (0, 1, 0), 1.0, True),
+        ("mouth-1", "nose-2", (0, 1, 0), 1.0, False),
+    ],
+)
+def test_names_decide_first_and_motions_where_they_say_nothing_or_disagree(first, second, way, amount, together):
+    ends = {
+        first: makers.bump(POINTS, AT, (0, -1, 0), 0.3, 0.1),
+        second: makers.bump(POINTS, AT, way, 0.3, 0.1 * amount),
+    }
+    groups, _ = groups_of(makers.rig(POINTS, QUADS, ends), symmetry={"enabled": False})
+    assert any(len(key) == 2 for key in groups) == together
+
+
+def test_the_report_says_why_opposites_by_convention_stayed_apart():
+    ends = {
+        name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, size) for name, size in (("mouthDown", 0.1), ("mouthUp", 0.06))
+    }
+    groups, _ = groups_of(makers.rig(POINTS, QUADS, ends), candidates={"beside_composite": False})
+    assert groups["mouthUp",].reason.startswith(
+        "apart from mouthDown, its opposite by convention (cosine of directions 1.00"
+    )
+
+
+@pytest.mark.parametrize(
+    ("names", "together"),
+    [
+        (("one", "two", "three"), True),
+        (("eyeLookIn_L", "eyeLookOut_L", "eyeLookUp_L"), True),
+        (("jawRight", "jawLeft", "jawOpen", "browUp"), False),
+    ],
+)
+def test_an_axis_takes_a_crossing_single_control_if_the_convention_has_no_other_word(names, together):
+    ways = ((-1, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))
+    shapes = {name: makers.bump(POINTS, (0.35, 0.3), way, 0.3, 0.1) for name, way in zip(names, ways, strict=False)}
+    groups, _ = groups_of(makers.rig(POINTS, QUADS, shapes), symmetry={"enabled": False})
+    assert (names[:3] in groups) == together
+    if together:
+        assert (groups[names].kind, groups[names].opposed) == ("patch", ((0, 1),))
+
+
+def test_a_gaze_of_both_eyes_stands_on_each_of_them():
+    ways = {"lookLeft": (1, 0, 0), "lookRight": (-1, 0, 0), "lookUp": (0, 1, 0), "lookDown": (0, -1, 0)}
+    shapes = {
+        name: sum(makers.bump(POINTS, (side * 0.35, 0.3), way, 0.2, 0.06) for side in (-1, 1))
+        for name, way in ways.items()
+    }
+    groups, names = groups_of(makers.rig(POINTS, QUADS, shapes))
+    stick = groups["lookRight", "lookLeft", "lookDown", "lookUp"]
+    assert [names[c] for c in stick.mirror] == ["lookLeft", "lookRight", "lookDown", "lookUp"]
 
 
 def test_patches_and_fans_by_the_jaccard_index():
