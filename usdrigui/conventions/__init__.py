@@ -76,6 +76,25 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     return tuple(_meaning(each, action_units=coded) for each in bare)
 
 
+@dataclass(frozen=True, slots=True)
+class Spelling:
+    """A name without its spelling: ``browDown_L``, ``L_brow-down`` and ``face.BrowDownLeft`` are one."""
+
+    words: frozenset[str]
+    """Without the side and without what the names of the rig share."""
+    side: Side
+
+
+def spellings(names: Sequence[str]) -> tuple[Spelling, ...]:
+    """(names,) what each name of one rig says, however it is written."""
+    return tuple(_spelling(each) for each in _without_shared([words(name) for name in names]))
+
+
+def _spelling(each: tuple[str, ...]) -> Spelling:
+    side, rest = _side(each)
+    return Spelling(frozenset(rest), side)
+
+
 def words(name: str) -> tuple[str, ...]:
     """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come apart alike."""
     found: list[str] = []

@@ -132,12 +132,12 @@ def _penalty_share(prior: PriorLayout, place: Place, anchors: Indices, base: Flo
 def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
     """The places of the controls, and those of the sliders that some have besides under a coarse element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
-    meshes = {mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)}
+    meshes = points_of_meshes(rig)
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
     inner = inner_names(layout.elements)
     for element in outer_first(layout.elements):
-        place = Place(_same_point(element, meshes), element.anchor.position, element.anchor.beside)
+        place = Place(same_point(element, meshes), element.anchor.position, element.anchor.beside)
         for control in (index[member.control] for member in element.members if member.control in index):
             if control not in places:
                 places[control] = place
@@ -146,7 +146,12 @@ def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place
     return places, axis_places
 
 
-def _same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
+def points_of_meshes(rig: Rig) -> Mapping[str, tuple[int, RigMesh]]:
+    """By prim path, each mesh and its first point among all points of the rig."""
+    return {mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)}
+
+
+def same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
     """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or faces."""
     anchor = element.anchor
     if anchor.mesh not in meshes:

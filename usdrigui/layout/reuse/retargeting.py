@@ -81,16 +81,38 @@ def corresponding(
     positions: list[Floats], theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
 ) -> Floats:
     """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root space."""
-    points = np.array(positions, dtype=np.float64).reshape(-1, 3)
+    return face_map(theirs, ours, names).points(np.array(positions, dtype=np.float64).reshape(-1, 3))
+
+
+@dataclass(frozen=True)
+class FaceMap:
+    """From one face to another: a similarity, and the landmarks that warp what it maps."""
+
+    similarity: _Similarity
+    source: Floats
+    """(k, 3) trusted landmarks of the one face, mapped by the similarity; none where they are too few for a warp."""
+    target: Floats
+    """(k, 3) the same landmarks on the other."""
+
+    def points(self, points: Floats) -> Floats:
+        """(m, 3) where points (m, 3) of the one face are on the other."""
+        aligned = self.similarity(points)
+        return _warped(self.source, self.target, aligned) if len(self.source) >= _LEAST_FOR_WARP else aligned
+
+    def vectors(self, vectors: Floats) -> Floats:
+        """(..., 3) displacements as the other face has them, without the warp."""
+        return np.asarray(self.similarity.scale * vectors @ self.similarity.rotation.T, dtype=np.float64)
+
+
+def face_map(
+    theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> FaceMap:
+    """The map from their face to ours by the controls that both have; `names` maps their names to ours."""
     source, target = _landmarks(theirs, ours, names)
     if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
-        return _by_size(theirs, ours)(points)
+        return FaceMap(_by_size(theirs, ours), source[:0], target[:0])
     similarity, weights = _robust(source, target)
-    aligned = similarity(points)
-    trusted = weights > 0.0
-    if trusted.sum() < _LEAST_FOR_WARP:
-        return aligned
-    return _warped(similarity(source[trusted]), target[trusted], aligned)
+    return FaceMap(similarity, similarity(source[weights > 0.0]), target[weights > 0.0])
 
 
 # --- landmarks ---------------------------------------------------------------------------------------

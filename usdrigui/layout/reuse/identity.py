@@ -1,0 +1,187 @@
+"""Which control is which: the controls of two rigs, of a layout and a rig, or of two layouts, matched one to one.
+
+Names change their spelling, meshes their topology, and shapes are sculpted again; seldom does all that change at once.
+Every pair of controls is weighed by what their names say and by what they do to the face, in logarithms of odds; the
+assignment of greatest total is taken, and what it would lose without a pair is how sure that pair is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import linear_sum_assignment
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
+
+from usdrigui.conventions import Spelling, spellings
+from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
+from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
+from usdrigui.levels import outer_first
+from usdrigui.model import Floats, Indices, Layout, Rig, Trajectories
+from usdrigui.ties import rounded
+
+SURE = 0.9
+"""Confidence from which a match is acted upon; matches that are less sure are told."""
+
+_CHANCE = 2.5
+"""Evidence that chance alone may give a pair: a pair below it is none."""
+_LANDMARK = 0.5
+"""Confidence from which a match by names alone may be a landmark: wrong ones are outvoted."""
+_ROUNDS = 3
+"""Matches shape the map between two faces, and the map the matches, at most so often."""
+_CERTAIN = 12.0
+"""Evidence beyond which nothing is gained by knowing more exactly how sure a pair is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """Two names of one control."""
+
+    before: str
+    after: str
+    confidence: float
+    """In [0, 1], to three digits: the odds of the best assignment against the best one without this pair."""
+    reason: str
+    """What speaks for it: ``name``, ``spelling``, ``meaning`` or ``motion``, the first that does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Matching:
+    """What is matched, and what is left on either side."""
+
+    matches: tuple[Match, ...] = ()
+    """In the order of the controls before."""
+    left_before: tuple[str, ...] = ()
+    left_after: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> dict[str, str]:
+        """The name after by the name before, of the matches that are sure."""
+        return {each.before: each.after for each in self.matches if each.confidence >= SURE}
+
+    @property
+    def renamed(self) -> dict[str, str]:
+        """The same, of controls that have another name now."""
+        return {before: after for before, after in self.names.items() if before != after}
+
+    @property
+    def unsure(self) -> tuple[Match, ...]:
+        """Matches that are told and not acted upon."""
+        return tuple(each for each in self.matches if each.confidence < SURE)
+
+
+def match_rigs(before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories]) -> Matching:
+    """The controls of two characters, whatever their names, topology, size and place in the world."""
+    names = tuple([control.name for control in rig.controls] for rig, _ in (before, after))
+    found = _matched(*names, name_evidence(*names, geometry=False))
+    landmarks = {each.before: each.after for each in found.matches if each.confidence >= _LANDMARK}
+    named = name_evidence(*names, geometry=True)
+    for _ in range(_ROUNDS):
+        found = _matched(*names, named + over_faces(before, after, landmarks))
+        if found.names == landmarks:
+            break
+        landmarks = found.names
+    return found
+
+
+def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matching:
+    """The controls of an earlier layout of a character and those of the character today.
+
+    A control that keeps its name is the same control, unless the name is a mere number.
+    """
+    before, after = _names_of(layout), [control.name for control in rig.controls]
+    kept, left, new = _kept(before, after)
+    if not left:
+        return Matching(kept, (), tuple(new))
+    evidence = name_evidence(left, new, geometry=True) + at_anchors(layout, left, rig, trajectories, new)
+    return _joined(before, kept, _matched(left, new, evidence))
+
+
+def match_layouts(before: Layout, after: Layout) -> Matching:
+    """The controls of two layouts of one character, by what the layouts themselves tell; names as of `match_layout`."""
+    names = _names_of(before), _names_of(after)
+    kept, left, new = _kept(*names)
+    if not left:
+        return Matching(kept, (), tuple(new))
+    evidence = name_evidence(left, new, geometry=True) + between_anchors(before, left, after, new)
+    return _joined(names[0], kept, _matched(left, new, evidence))
+
+
+def _names_of(layout: Layout) -> list[str]:
+    """Every control of a layout once, in the order of its elements."""
+    return list(dict.fromkeys(member.control for each in outer_first(layout.elements) for member in each.members))
+
+
+def _kept(before: Sequence[str], after: Sequence[str]) -> tuple[tuple[Match, ...], list[str], list[str]]:
+    """The controls that keep their names, and what is left on either side."""
+    said = dict(zip(before, spellings(before), strict=True))
+    same = {name for name in before if name in set(after) and not is_number(said[name])}
+    kept = tuple(Match(name, name, 1.0, "name") for name in before if name in same)
+    return kept, [name for name in before if name not in same], [name for name in after if name not in same]
+
+
+def is_number(spelling: Spelling) -> bool:
+    """Whether a name says no more than a number: exporters count shapes anew."""
+    return all(word.isdigit() for word in spelling.words)
+
+
+def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> Matching:
+    order = {name: number for number, name in enumerate(before)}
+    matches = sorted((*kept, *found.matches), key=lambda each: order[each.before])
+    return Matching(tuple(matches), found.left_before, found.left_after)
+
+
+# --- the assignment ----------------------------------------------------------------------------------
+
+
+def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> Matching:
+    """The assignment of greatest evidence (before, after)."""
+    gain = np.maximum(rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0)
+    pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(gain)]
+    said, means = (spellings(before), spellings(after)), same_meaning(before, after)
+    matches = []
+    for i, j, loss in pairs:
+        spelt = "spelling" if said[0][i] == said[1][j] else "meaning" if means[i, j] else "motion"
+        reason = "name" if before[i] == after[j] else spelt
+        matches.append(Match(before[i], after[j], round(float(1.0 / (1.0 + np.exp(-loss))), 3), reason))
+    rows, columns = {i for i, _, _ in pairs}, {j for _, j, _ in pairs}
+    left = tuple(name for i, name in enumerate(before) if i not in rows)
+    return Matching(tuple(matches), left, tuple(name for j, name in enumerate(after) if j not in columns))
+
+
+def _assigned(gain: Floats) -> list[tuple[int, int, float]]:
+    """Rows and columns of the assignment of greatest total, and what the total would lose without each pair.
+
+    Rows and columns that share no gain do not know of each other, so every connected part is an assignment of its own.
+    """
+    count = len(gain)
+    where = np.nonzero(gain)
+    graph = csr_array((np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(gain.shape),) * 2)
+    _, part = connected_components(graph, directed=False)
+    found = []
+    for number in np.unique(part[np.unique(where[0])]):
+        rows, columns = np.flatnonzero(part[:count] == number), np.flatnonzero(part[count:] == number)
+        found += _assigned_part(gain[np.ix_(rows, columns)], rows, columns)
+    return sorted(found)
+
+
+def _assigned_part(gain: Floats, rows: Indices, columns: Indices) -> list[tuple[int, int, float]]:
+    chosen = [(i, j) for i, j in zip(*linear_sum_assignment(-gain), strict=True) if gain[i, j] > 0.0]
+    total = sum(gain[i, j] for i, j in chosen)
+    return [(int(rows[i]), int(columns[j]), _loss(gain, i, j, total)) for i, j in chosen]
+
+
+def _loss(gain: Floats, row: int, column: int, total: float) -> float:
+    """What the best total loses without a pair, or a bound below it where that is enough.
+
+    The best assignment without the pair, less what it gives to its row and its column, is one of the rest.
+    """
+    without = gain.copy()
+    without[row, column] = 0.0
+    least = float(gain[row, column] - without[row].max() - without[:, column].max())
+    if least >= _CERTAIN:
+        return least
+    i, j = linear_sum_assignment(-without)
+    return float(total - without[i, j].sum())

@@ -1,0 +1,80 @@
+"""What the names of two rigs' controls say about which is which."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+
+from usdrigui.conventions import Meaning, Spelling, meanings, spellings
+from usdrigui.model import Flags, Floats
+
+_SAME_NAME = 9.5
+_SAME_SPELLING = 6.0
+_NUMBER = 2.0
+"""Of equal names that are mere numbers: exporters count shapes anew."""
+_SAME_ACTION = 4.5
+"""Of two names that mean one action of the field's conventions; less where several of a rig do."""
+_OTHER_ACTION = -2.5
+_SHARED_WORDS = 2.5
+"""Of names all of whose words are shared; in proportion where some are."""
+_OTHER_SIDE = 1.5
+_OTHER_SIDE_ALONE = 4.0
+"""What names lose that name two sides, where geometry tells the sides too, and where it does not: rigs that mean the
+side of the viewer are not rare."""
+_ONE_SIDE = 0.5
+"""Share of that which is lost where only one of two names has a side."""
+
+
+def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool) -> Floats:
+    """(before, after) logarithms of odds that two names are of one control.
+
+    `geometry`: whether evidence of motion is added, which tells sides better than names do.
+    """
+    said, meant = (spellings(before), spellings(after)), (meanings(before), meanings(after))
+    usual = tuple(Counter(_sense(each) for each in rig if each is not None) for rig in meant)
+    side_weight = _OTHER_SIDE if geometry else _OTHER_SIDE_ALONE
+    found = np.zeros((len(before), len(after)))
+    for i, name in enumerate(before):
+        for j, other in enumerate(after):
+            one, two = said[0][i], said[1][j]
+            if name == other or one == two:
+                number = all(word.isdigit() for word in one.words)
+                found[i, j] = _NUMBER if number else _SAME_NAME if name == other else _SAME_SPELLING
+            else:
+                senses = meant[0][i], meant[1][j]
+                found[i, j] = _shared(one, two) + _by_meaning(*senses, *usual) - side_weight * _sides(*senses, one, two)
+    return found
+
+
+def same_meaning(before: Sequence[str], after: Sequence[str]) -> Flags:
+    """(before, after) whether two names mean one action of the conventions."""
+    one, two = ([each and each.action.name for each in meanings(names)] for names in (before, after))
+    return np.array([[a is not None and a == b for b in two] for a in one], dtype=bool).reshape(len(one), len(two))
+
+
+def _sense(meaning: Meaning) -> tuple[str, str]:
+    return meaning.action.name, meaning.side
+
+
+def _shared(one: Spelling, two: Spelling) -> float:
+    return _SHARED_WORDS * len(one.words & two.words) / max(1, len(one.words | two.words))
+
+
+def _by_meaning(
+    one: Meaning | None, two: Meaning | None, first: Counter[tuple[str, str]], second: Counter[tuple[str, str]]
+) -> float:
+    if one is None or two is None:
+        return 0.0
+    if one.action != two.action:
+        return _OTHER_ACTION
+    return _SAME_ACTION - float(np.log(max(first[_sense(one)], second[_sense(two)])))
+
+
+def _sides(one: Meaning | None, two: Meaning | None, first: Spelling, second: Spelling) -> float:
+    """1 where names name two sides, less where one of them names none, 0 where they agree."""
+    sides = (one.side, two.side) if one is not None and two is not None else (first.side, second.side)
+    if sides[0] == sides[1]:
+        return 0.0
+    return 1.0 if all(sides) else _ONE_SIDE
