@@ -585,6 +585,16 @@ _CODES: dict[str, Code] = {
         "The animations given move no control of the character at all.",
         "Give animations of this character, or correct their blendShapes and joints.",
     ),
+    "CONTROL_RENAMED": Code(
+        "info",
+        "A control of the earlier layout has another name now; its element stays.",
+        "Nothing, if it is the same control; name it in the configuration as it is called now.",
+    ),
+    "CONTROL_UNSURE": Code(
+        "warning",
+        "A control of the earlier layout may have another name now, but that is not sure: it counts as gone.",
+        "If it is the same control, call it as before, or give the earlier layout the new name.",
+    ),
     "LAYOUT_MESH_GONE": Code(
         "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
     ),

@@ -116,10 +116,15 @@ def _listed(paths: Sequence[str]) -> str:
 
 
 def meant(name: str, known: Iterable[str]) -> str:
-    """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where nothing is like it."""
+    """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where nothing is like it.
+
+    The same name in another spelling comes first, then one that means the same, then one with nearly the same letters.
+    """
+    from usdrigui.conventions import same_name
+
     folded = {each.lower(): each for each in known}
-    like = get_close_matches(name.lower(), folded, n=1)
-    return f"; did you mean {folded[like[0]]!r}?" if like else ""
+    like = same_name(name, tuple(folded.values())) or next(iter(get_close_matches(name.lower(), folded, n=1)), "")
+    return f"; did you mean {folded.get(like, like)!r}?" if like else ""
 
 
 def visible(text: str) -> str:

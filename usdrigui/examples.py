@@ -14,8 +14,10 @@ from usdrigui.animation import performances
 from usdrigui.errors import issue, meant, refuse
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
+from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
 from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
+from usdrigui.layout.reuse.renaming import element_names, with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
@@ -99,12 +101,12 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
     return replace(examples, previous={rig.root: layout}, edited=edited), (replace(rig, issues=(*rig.issues, renamed)),)
 
 
-def rigs_over(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Rig, ...]:
+def rigs_over(examples: Examples, rigs: tuple[Rig, ...], settings: Settings) -> tuple[Rig, ...]:
     """The characters to lay out: all, or those with an existing layout.
 
     Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of them.
     """
-    if examples.previous and not any(_shares_controls(examples.previous.get(rig.root), rig) for rig in rigs):
+    if examples.previous and not any(_can_be_of(examples.previous.get(rig.root), rig, settings) for rig in rigs):
         raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
     if examples.base is None:
         return rigs
@@ -127,52 +129,87 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
     return f"shares no control with a layout of the layer, of {', '.join(previous)}"
 
 
-def _shares_controls(layout: Layout | None, rig: Rig) -> bool:
-    """Whether a layout can be an earlier one of this character."""
-    names = {control.name for control in rig.controls}
-    return layout is not None and not names.isdisjoint(layout.controls)
+def _can_be_of(layout: Layout | None, rig: Rig, settings: Settings) -> bool:
+    """Whether a layout can be an earlier one of this character, all of whose controls may have other names now."""
+    if layout is None or _shares_controls(layout, rig):
+        return layout is not None
+    return bool(match_layout(layout, rig, find_trajectories(rig, settings.trajectories)).names)
 
 
-def with_fixed(examples: Examples, rig: Rig, settings: Settings) -> Settings:
+def _shares_controls(layout: Layout, rig: Rig) -> bool:
+    return not {control.name for control in rig.controls}.isdisjoint(layout.controls)
+
+
+@dataclass(frozen=True, eq=False)
+class OwnExamples:
+    """What the examples hold for one character, by its own names for its controls."""
+
+    fixed: Layout | None = None
+    previous: Layout | None = None
+    edited: frozenset[str] = frozenset()
+    """Elements of `previous` that a stronger layer has corrected."""
+    like: tuple[Rig, Trajectories, Layout] | None = None
+    """Another character and its layout, by the names that it has there."""
+    matchings: Mapping[str, Matching] = field(default_factory=dict)
+    """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
+
+
+def own_examples(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> OwnExamples:
+    """The examples of one character, their controls matched with those that it has now.
+
+    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed layer has no such
+    character, or none of several characters to imitate has the path of this one.
+    """
+    if examples.fixed and rig.root not in examples.fixed:
+        raise refuse("CONFIG_VALUE", "--fixed", f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}")
+    earlier = {"fixed": examples.fixed.get(rig.root), "previous": examples.previous.get(rig.root)}
+    found = {which: match_layout(each, rig, trajectories) for which, each in earlier.items() if each is not None}
+    here = {which: with_names(each, found[which].renamed) for which, each in earlier.items() if each is not None}
+    edited = frozenset(examples.edited.get(rig.root, ()))
+    if edited:
+        names = element_names(examples.previous[rig.root], found["previous"].renamed)
+        edited = frozenset(names[each] for each in edited)
+    like = _to_imitate(examples, rig, settings)
+    if like is not None:
+        found["like"] = match_rigs(like[:2], (rig, trajectories), settings.like.names)
+    return OwnExamples(here.get("fixed"), here.get("previous"), edited, like, found)
+
+
+def with_fixed(examples: OwnExamples, rig: Rig, settings: Settings) -> Settings:
     """The settings of one character with the anchors that the examples fix.
 
-    Raises FIXED_IMPOSSIBLE, CONFIG_UNKNOWN_CONTROL, and CONFIG_VALUE when the fixed layer has no such character.
+    Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
     """
-    if examples.fixed:
-        if rig.root not in examples.fixed:
-            raise refuse("CONFIG_VALUE", "--fixed", f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}")
-        settings = fixed_by(examples.fixed[rig.root], rig, settings)
-    corrected = frozenset(examples.edited.get(rig.root, ()))
-    if corrected and settings.objective.keep_penalty > 0.0:
-        settings = fixed_by(_known(examples.previous[rig.root], rig), rig, settings, corrected)
+    if examples.fixed is not None:
+        settings = fixed_by(examples.fixed, rig, settings)
+    if examples.previous is not None and examples.edited and settings.objective.keep_penalty > 0.0:
+        settings = fixed_by(_known(examples.previous, rig), rig, settings, examples.edited)
     return settings
 
 
-def prior_layout_of(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
-    """What the examples ask of one character besides fixed anchors.
-
-    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when none of several
-    characters to imitate has the path of this one.
-    """
+def prior_layout_of(examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
+    """What the examples ask of one character besides fixed anchors."""
     prior = NO_PRIOR
-    if examples.like and settings.like.penalty > 0.0:
-        prior = _imitating(examples, rig, trajectories, settings)
-    if rig.root in examples.previous:
-        prior = of_previous(examples.previous[rig.root], rig, settings.objective.keep_penalty)
-    if rig.root in examples.fixed:
-        prior = joined(PriorLayout(kept_groups(examples.fixed[rig.root], rig)), prior)
+    if examples.like is not None and settings.like.penalty > 0.0:
+        other, found, layout = examples.like
+        names = {**examples.matchings["like"].names, **settings.like.names}
+        prior = of_another(layout, (other, found), (rig, trajectories), names, settings.like.penalty)
+    if examples.previous is not None:
+        prior = of_previous(examples.previous, rig, settings.objective.keep_penalty)
+    if examples.fixed is not None:
+        prior = joined(PriorLayout(kept_groups(examples.fixed, rig)), prior)
     return prior
 
 
-def _imitating(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
+def _to_imitate(examples: Examples, rig: Rig, settings: Settings) -> tuple[Rig, Trajectories, Layout] | None:
+    if not examples.like:
+        return None
     by_root = {other.root: (other, layout) for other, layout in examples.like}
     if rig.root not in by_root and len(by_root) > 1:
         raise refuse("CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}")
     other, layout = by_root.get(rig.root) or examples.like[0]
-    names = settings.like.names
-    _check_names(names, other, rig)
-    found = find_trajectories(other, settings.trajectories)
-    return of_another(layout, (other, found), (rig, trajectories), names, settings.like.penalty)
+    _check_names(settings.like.names, other, rig)
+    return other, find_trajectories(other, settings.trajectories), layout
 
 
 def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:

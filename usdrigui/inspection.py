@@ -76,6 +76,16 @@ class AnimationFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class Likeness:
+    """Which control of another character is which of this one."""
+
+    matching: Any
+    """`usdrigui.layout.reuse.identity.Matching`."""
+    configuration: str
+    """The same as lines of a configuration, for a person to complete."""
+
+
+@dataclass(frozen=True, slots=True)
 class CharacterFacts:
     """One SkelRoot."""
 
@@ -90,6 +100,8 @@ class CharacterFacts:
     """Elements that would carry several controls, and suggestions, one line each."""
     animation: AnimationFacts | None = None
     """Where animations were given."""
+    likeness: Likeness | None = None
+    """Where the layout of another character was given."""
 
 
 @dataclass(frozen=True, slots=True)

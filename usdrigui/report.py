@@ -56,6 +56,8 @@ class CharacterReport:
     """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was given."""
     added: frozenset[str] = frozenset()
     """Names of the elements that this run placed: all, but for those that stand in the layer of `--base`."""
+    matchings: Mapping[str, Any] = field(default_factory=dict)
+    """`usdrigui.layout.reuse.identity.Matching` by the layout that was given: ``fixed``, ``previous``, ``like``."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""
@@ -157,7 +159,8 @@ def difference_json(before: str, after: str, found: Sequence[Any], only_in_one: 
 
 def _difference(found: Any) -> dict[str, Any]:
     changes = [asdict(change) for change in found.changes]
-    return {"root": found.root, "shared": found.shared, "displaced": len(found.displaced), "changes": changes}
+    counts = {"shared": found.shared, "displaced": len(found.displaced), "renamed": len(found.renamed)}
+    return {"root": found.root, **counts, "changes": changes}
 
 
 def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
@@ -197,6 +200,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
         "view": layout.view.tolist(),
         "difference": _difference(character.difference) if character.difference is not None else None,
+        "matchings": {which: asdict(found) for which, found in character.matchings.items()},
         "solution": {
             "method": assignment.method,
             "closed_by": assignment.closed_by,

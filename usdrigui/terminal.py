@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import sys
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from usdrigui.clients.batch.run import Summary
     from usdrigui.errors import Issue
     from usdrigui.inspection import AnimationFacts, ControlFacts, Inspection, UseFacts
+    from usdrigui.layout.reuse.identity import Matching
     from usdrigui.layout.review.difference import Change, Difference
     from usdrigui.layout.review.review import ElementReview
     from usdrigui.model import Assignment
@@ -121,6 +123,11 @@ class Screen:
             self._table(_facts_table(character.controls))
             for line in character.groups:
                 self._out.print(f"  {line}")
+            if character.likeness is not None:
+                self._matching("like", character.likeness.matching)
+                self._out.print("as a configuration:")
+                for line in character.likeness.configuration.splitlines():
+                    self._out.print(line, soft_wrap=True)
             if character.animation is not None:
                 self._animation(character.animation)
         if not self._quiet:
@@ -202,7 +209,9 @@ class Screen:
 
     def _changes(self, found: Difference) -> None:
         count = f"{len(found.displaced)} of {found.shared} common controls changed"
-        self._out.print(f"{found.root}: {count}, {len(found.changes) - len(found.displaced)} came or went")
+        went = sum(change.kind in ("added", "removed") for change in found.changes)
+        renamed = f", {len(found.renamed)} were renamed" if found.renamed else ""
+        self._out.print(f"{found.root}: {count}, {went} came or went{renamed}")
         if found.changes:
             self._table(_changes_table(found.changes))
 
@@ -247,9 +256,26 @@ class Screen:
             f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap_in_play:.2e} of what "
             f"the choice can change ({solution.gap:.2e} of the cost), {_ending(solution)}"
         )
+        for which, found in character.matchings.items():
+            self._matching(which, found)
         if character.difference is not None:
             self._out.print("since the previous layout:")
             self._changes(character.difference)
+
+    def _matching(self, which: str, found: Matching) -> None:
+        """What was matched with an existing layout, what is unsure and what is left."""
+        sure = [each for each in found.matches if each not in found.unsure]
+        count = len(found.matches) + len(found.left_before)
+        reasons = Counter(each.reason for each in sure)
+        told = ", ".join(f"{number} by {reason}" for reason, number in reasons.items())
+        self._out.print(
+            f"  --{which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}", soft_wrap=True
+        )
+        if found.unsure:
+            pairs = (f"{each.before} may be {each.after} ({each.confidence:.0%} sure)" for each in found.unsure)
+            self._out.print(f"    unsure: {', '.join(pairs)}", soft_wrap=True)
+        if found.left_before:
+            self._out.print(f"    without a counterpart: {', '.join(found.left_before)}", soft_wrap=True)
 
     def _issues(self, issues: Sequence[Issue]) -> None:
         for found in issues:
@@ -290,7 +316,8 @@ def _changes_table(changes: Sequence[Change]) -> Table:
     for change in changes:
         by = f"{change.distance:.1f} w" if math.isfinite(change.distance) else ""
         element = change.element if change.element != change.control else ""
-        cells = (change.control, change.kind, element, by, change.before, change.after, "; ".join(change.why))
+        why = ((f"was {change.was}",) if change.was else ()) + change.why
+        cells = (change.control, change.kind, element, by, change.before, change.after, "; ".join(why))
         table.add_row(*map(_cell, cells))
     return table
 

@@ -175,6 +175,16 @@ _OTHER_NAMES = (
 )
 
 
+def _laid_out_again(*edits: tuple[str, str]) -> Occasion:
+    """The smallest character changed since its layout was made."""
+
+    def occasion(folder: Path, _: Any) -> Found:
+        earlier = _edited(*edits, of="char.usda")(folder).rename(folder / "earlier.rigui.usda")
+        return command("process", folder / "char.usda", "--dry-run", "--previous", earlier)
+
+    return occasion
+
+
 def _checked(made: Callable[[Path], Path], *arguments: object) -> Occasion:
     return lambda folder, _: command("check", made(folder), *arguments)
 
@@ -573,6 +583,8 @@ OCCASIONS: Mapping[str, Occasion] = {
     "LAYOUT_VERSION": _checked(_edited((_WIDTH, "uniform int rigUI:layout:version = 99\n" + _WIDTH))),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),
+    "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
+    "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
     "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
     "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),
     "LAYOUT_ANCHOR_MOVED": _checked(_edited((r"anchor:position = \([^)]*\)", "anchor:position = (9, 9, 9)"))),

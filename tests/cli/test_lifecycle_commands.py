@@ -1,7 +1,10 @@
 """`process --fixed`, `process --previous` and `usdrigui diff` over the life of a character's files."""
 
+import itertools
 import json
+import re
 import shutil
+import tomllib
 
 import pytest
 from pxr import Sdf, Usd, UsdSkel
@@ -201,10 +204,12 @@ def test_layouts_of_different_characters_have_nothing_in_common(folder, capsys):
 def test_layouts_without_a_common_control_say_so(folder, capsys):
     other = folder / "other.rigui.usda"
     shutil.copy(folder / "old.rigui.usda", other)
-    stage = Usd.Stage.Open(str(other))
+    stage, numbers = Usd.Stage.Open(str(other)), itertools.count()
     for prim in stage.GetPrimAtPath("/World/Char/RigUI").GetAllChildren():
         for each in prim.GetAttribute("rigUI:element:controls").Get() or ():
-            prim.CreateAttribute(f"rigUI:control:{each}:name", Sdf.ValueTypeNames.Token).Set(f"other {each}")
+            name = prim.CreateAttribute(f"rigUI:control:{each}:name", Sdf.ValueTypeNames.Token)
+            name.Set(f"other {next(numbers)}")
+        prim.GetAttribute("rigUI:anchor:position").Set((99, 99, 99))
     stage.GetRootLayer().Save()
     assert main(["diff", str(folder / "old.rigui.usda"), str(other), "--strict"]) == 1
     assert capsys.readouterr().out.splitlines()[-1].endswith("they have no control in common")
@@ -234,6 +239,77 @@ def test_the_previous_layout_of_a_character_that_was_renamed_is_kept(folder, cap
     }
 
 
+NEW_NAMES = {"smile_L": "LeftGrin", "smile_R": "RightGrin", "pucker": "target.7"}
+
+
+def rename_controls(asset, names=None):
+    """The character's blend shapes by other tokens; their prims keep their names."""
+    text = asset.read_text()
+    for before, after in (names or NEW_NAMES).items():
+        assert f'"{before}"' in text
+        text = re.sub(rf'(?<!BlendShape )"{before}"', f'"{after}"', text)
+    asset.write_text(text)
+
+
+def test_renamed_controls_keep_their_elements_and_corrections(folder, capsys):
+    point = another_point(folder, "smile_L")
+    corrections = corrected(folder, "smile_L", point)
+    before = anchors(corrections)
+    rename_controls(folder / "char.usda")
+    told = run(capsys, "check", folder / "old.rigui.usda", expected=1)
+    gone = {each["path"]: each["message"] for each in told["issues"] if each["code"] == "LAYOUT_CONTROL_GONE"}
+    assert all(f"; {NEW_NAMES[name]!r} does what it did" in gone[name] for name in NEW_NAMES)
+    told = run(capsys, "process", folder / "char.usda", "--previous", corrections)
+    (character,) = told["characters"]
+    assert {(each["was"], each["control"], each["kind"]) for each in character["difference"]["changes"]} == {
+        (was, now, "renamed") for was, now in NEW_NAMES.items()
+    }
+    matches = {each["before"]: each["after"] for each in character["matchings"]["previous"]["matches"]}
+    assert {name: matches[name] for name in NEW_NAMES} == NEW_NAMES
+    assert all(matches[name] == name for name in matches.keys() - NEW_NAMES.keys())
+    after = anchors(folder / "char.rigui.usda")
+    assert {NEW_NAMES.get(name, name): place for name, place in before.items()} == after
+    assert after["LeftGrin"] == (point, False)
+    assert {each["path"] for each in told["issues"] if each["code"] == "CONTROL_RENAMED"} == NEW_NAMES.keys()
+
+
+def test_a_fixed_layout_of_renamed_controls_stands_to_the_point(folder, capsys):
+    rename_controls(folder / "char.usda")
+    old, new = folder / "old.rigui.usda", folder / "char.rigui.usda"
+    run(capsys, "process", folder / "char.usda", "--fixed", old)
+    assert {NEW_NAMES.get(name, name): place for name, place in anchors(old).items()} == anchors(new)
+    (found,) = run(capsys, "diff", old, new)["characters"]
+    assert (found["displaced"], found["renamed"]) == (0, 3)
+    assert main(["diff", str(old), str(new)]) == 0
+    assert "0 came or went, 3 were renamed" in capsys.readouterr().out
+
+
+def test_a_character_all_of_whose_controls_were_renamed_is_the_same_character(folder, capsys):
+    (layout,) = read_layout(folder / "old.rigui.usda")
+    rename_controls(folder / "char.usda", {name: f"ctl-{name}" for name in sorted(layout.controls)})
+    told = run(capsys, "process", folder / "char.usda", "--previous", folder / "old.rigui.usda")
+    assert {each["kind"] for each in told["characters"][0]["difference"]["changes"]} == {"renamed"}
+
+
+def test_another_character_is_imitated_whatever_its_controls_are_called(folder, capsys):
+    """And the names can be written down, which says the same."""
+    shutil.copytree(folder, folder / "hero")
+    rename_controls(folder / "hero" / "char.usda")
+    hero, old = folder / "hero" / "char.usda", folder / "old.rigui.usda"
+    told = run(capsys, "process", hero, "--like", old, "-o", folder / "one.rigui.usda")
+    assert not told["characters"][0]["matchings"]["like"]["left_before"]
+    before, after = anchors(old), anchors(folder / "one.rigui.usda")
+    assert {NEW_NAMES.get(name, name): place for name, place in before.items()} == after
+    (character,) = run(capsys, "inspect", hero, "--like", old)["characters"]
+    draft = character["likeness"]["configuration"]
+    assert tomllib.loads(draft)["like"]["names"] == NEW_NAMES
+    (folder / "draft.toml").write_text(draft)
+    run(capsys, "process", hero, "--like", old, "--config", folder / "draft.toml", "-o", folder / "two.rigui.usda")
+    assert anchors(folder / "two.rigui.usda") == after
+    assert main(["inspect", str(hero), "--like", str(old)]) == 0
+    assert draft in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("configuration", "meant"),
     [
@@ -246,6 +322,8 @@ def test_the_previous_layout_of_a_character_that_was_renamed_is_kept(folder, cap
         ("[poses.a.weights]\nsmile_LL = 1.0", "smile_L"),
         ('[levels.members]\nchin = ["smile_LL"]', "smile_L"),
         ('[like.names]\nsmile_LL = "smile_L"', "smile_L"),
+        ('[controls."L-smile"]\nlabel = "x"', "smile_L"),
+        ("[controls.eyes_closed_right]\nlabel = 'x'", "blink_R"),
     ],
 )
 def test_a_name_that_is_nearly_right_is_suggested(folder, capsys, configuration, meant):

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from laid_out_again import lay_out, read
+from rig_copies import box_of, other_head, reshaped
 
 from usdrigui.layout.review.difference import difference
-from usdrigui.model import RigMesh, Shape
 from usdrigui.settings import load
 
 pytestmark = pytest.mark.real
@@ -53,54 +53,12 @@ def test_removing_and_adding_five_moves_fewer_than_one_in_twenty():
     assert len(found.displaced) < found.shared / 20
 
 
-def reshaped(points, box):
-    """Another head in the same box: wider jaw, longer chin, flatter; smooth, and the same for every point."""
-    low, size = box
-    x, y, z = ((points - low) / size - 0.5).T
-    turned = np.stack([x * (1.1 - 0.3 * y), 1.15 * y + 0.1 * y * y, 0.85 * z + 0.15 * x * x], axis=1)
-    return (turned + 0.5) * size + low
-
-
-def other_head(rig, cells, box):
-    """The rig on coarser meshes, reshaped: points of one cell of a grid become one, motions go along."""
-    return replace(rig, meshes=tuple(_other_mesh(mesh, cells, box) for mesh in rig.meshes))
-
-
-def _other_mesh(mesh: RigMesh, cells, box):
-    low, size = box
-    cell = np.floor((mesh.points - low) / size.max() * cells).astype(np.int64)
-    _, kept, place = np.unique(cell, axis=0, return_index=True, return_inverse=True)
-    place = place.reshape(-1)
-    corners = np.split(place[mesh.face_indices], np.cumsum(mesh.face_counts)[:-1])
-    faces = [face for face in corners if len(set(face.tolist())) == len(face)]
-    old = mesh.points[kept]
-    shapes = []
-    for shape in mesh.shapes:
-        dense = np.zeros((len(shape.weights), len(mesh.points), 3))
-        dense[:, shape.points] = shape.offsets
-        offsets = np.stack([reshaped(old + each[kept], box) - reshaped(old, box) for each in dense])
-        points = np.flatnonzero(offsets.any(axis=(0, 2)))
-        shapes.append(Shape(shape.channel, shape.path, shape.weights, points, offsets[:, points].astype(np.float32)))
-    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[kept], weights=mesh.skin.weights[kept])
-    return replace(
-        mesh,
-        points=reshaped(old, box),
-        face_counts=np.array([len(face) for face in faces], dtype=np.int64),
-        face_indices=np.concatenate(faces) if faces else np.zeros(0, dtype=np.int64),
-        shapes=tuple(shapes),
-        skin=skin,
-        topology_hash="coarse " + mesh.topology_hash,
-        subsets=(),
-    )
-
-
 def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_topology():
     rig = read("ict_face57.usdc")
     ready, _, theirs = lay_out(rig)
-    points = np.concatenate([mesh.points for mesh in rig.meshes])
-    box = points.min(axis=0), np.ptp(points, axis=0)
+    box = box_of(rig)
     other = other_head(rig, 110, box)
-    assert sum(len(mesh.points) for mesh in other.meshes) < 0.7 * len(points)
+    assert sum(len(mesh.points) for mesh in other.meshes) < 0.7 * sum(len(mesh.points) for mesh in rig.meshes)
     context, _, ours = lay_out(other, like=((rig, theirs),))
     now = {member.control: element.anchor for element in ours.elements for member in element.members}
     # Meshes without skin or transform: root space is their own.

@@ -8,52 +8,13 @@ at the nearest point at which it may stand.
 import numpy as np
 import pytest
 from laid_out_again import lay_out, read
+from names_of_two_makers import NAMES
 from scipy.interpolate import RBFInterpolator
 
 from usdrigui.settings import load
 
 pytestmark = pytest.mark.real
 
-SIDES = ("Left", "Right")
-PAIRS = {
-    "browDown": "Eyebrows_Lower",
-    "browInnerUp": "Eyebrows_InnerBrow_Raised",
-    "browOuterUp": "Eyebrows_OuterBrow_Raised",
-    "cheekRaiser": "Cheeks_Raised",
-    "eyeBlink": "Eyes_Closed",
-    "eyeLookDown": "Look_Dwn",
-    "eyeLookIn": "Look_In",
-    "eyeLookOut": "Look_Out",
-    "eyeLookUp": "Look_Up",
-    "eyeWide": "Eyes_Opened_Max",
-    "mouthDimple": "Lips_Dimple",
-    "mouthLowerDown": "Lips_Dn_Lower",
-    "mouthSmile": "Smile_Lips_Closed",
-    "mouthStretch": "Lips_Dn_Corner_Wide",
-    "noseSneer": "Nostrils_Corners_Raise_GLOBAL",
-    "PupilDilate": "Pupil_Dilation",
-}
-CROSSED = {"mouthFrown": "Frown", "mouthUpperUp": "Lips_Up_Raised"}
-"""The other maker calls these by the side of the viewer."""
-MIDDLE = {
-    "jawForward": "Jaw_Out",
-    "jawOpen": "Jaw_Lower",
-    "mouthLeft": "Mouth_Closed_Move_Left",
-    "mouthRight": "Mouth_Closed_Move_Right",
-    "mouthRollLower": "Lips_Dn_In",
-    "mouthRollUpper": "Lips_Up_In",
-    "mouthShrugLower": "Chin_Raised",
-    "mouthPucker": "Kiss",
-}
-NAMES = {
-    **{f"{theirs}_{side[0]}": f"{ours}_{side}" for theirs, ours in PAIRS.items() for side in SIDES},
-    **{
-        f"{theirs}_{side[0]}": f"{ours}_{other}"
-        for theirs, ours in CROSSED.items()
-        for side, other in zip(SIDES, SIDES[::-1], strict=True)
-    },
-    **MIDDLE,
-}
 LANDMARKS = {
     "outer corner of the eye": ((-4.45, 3.43), (-0.0476, 1.6319)),
     "inner corner of the eye": ((-1.85, 3.26), (-0.0200, 1.6312)),

@@ -43,6 +43,7 @@ def add_inspect(commands: Any) -> None:
     parser = command(commands, "inspect", _inspect, "list the controls without solving")
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     _add_animation(parser, "tell which controls these use, and which they move together")
+    parser.add_argument("--like", type=Path, metavar="LAYER", help="match the controls of another character's layout")
     add_settings(parser)
 
 
@@ -99,7 +100,8 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
     settings = settings_of(arguments)
     screen = screen_of(arguments)
     with screen.progress() as shown:
-        found = pipeline.inspect(arguments.asset, settings, progress=shown, animations=arguments.animation)
+        clips, like = arguments.animation, arguments.like
+        found = pipeline.inspect(arguments.asset, settings, progress=shown, animations=clips, like=like)
     if arguments.json:
         sys.stdout.write(inspection.to_json(found))
     else:

@@ -72,7 +72,8 @@ class Meaning:
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     """(names,) how each name of one rig is read; None where it says nothing that is known."""
     bare = _without_shared([words(name) for name in names])
-    coded = sum(_action_unit(each) is not None for each in bare) >= _CODED * max(1, len(bare))
+    units = sum(_action_unit(each) is not None for each in bare)
+    coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
     return tuple(_meaning(each, action_units=coded) for each in bare)
 
 
@@ -84,10 +85,24 @@ class Spelling:
     """Without the side and without what the names of the rig share."""
     side: Side
 
+    @property
+    def is_number(self) -> bool:
+        """Whether the name says no more than a number."""
+        return all(word.isdigit() for word in self.words)
+
 
 def spellings(names: Sequence[str]) -> tuple[Spelling, ...]:
     """(names,) what each name of one rig says, however it is written."""
     return tuple(_spelling(each) for each in _without_shared([words(name) for name in names]))
+
+
+def same_name(name: str, known: Sequence[str]) -> str:
+    """The one of a rig's names that `name` spells otherwise, or that means the same; empty if none or several do."""
+    rig = spellings(known)
+    spelt = [each for each, one in zip(known, rig, strict=True) if one == _spelling(words(name)) and one.words]
+    meant, senses = meanings([name])[0], meanings(known)
+    means = [each for each, one in zip(known, senses, strict=True) if one is not None and one == meant]
+    return next((each[0] for each in (spelt, means) if len(each) == 1), "")
 
 
 def _spelling(each: tuple[str, ...]) -> Spelling:
@@ -170,6 +185,12 @@ def _action_unit(each: tuple[str, ...]) -> Action | None:
     if len(numbers) != 1 or others:
         return None
     return next((a for a in _actions().values() if int(numbers[0]) in _units().get(a.name, ())), None)
+
+
+def _counted(names: list[tuple[str, ...]]) -> bool:
+    """Whether the numbers of the names count something, one after the other: action units have gaps."""
+    numbers = [int(word) for each in names for word in each if word.isdigit()]
+    return len(numbers) > 1 and len(set(numbers)) == len(numbers) == max(numbers) - min(numbers) + 1
 
 
 def _coded(each: tuple[str, ...]) -> Action | None:

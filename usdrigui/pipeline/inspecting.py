@@ -7,8 +7,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from usdrigui import animation
-from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection
+from usdrigui.examples import ExampleLayers, read_examples
+from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness
 from usdrigui.layout.group.grouping import suggested_groups
+from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import ProblemInputs, build_problem
 from usdrigui.settings import Settings
@@ -16,16 +18,23 @@ from usdrigui.usd.reader_process import read_rigs_isolated
 
 
 def inspect(
-    asset: Path, settings: Settings, *, progress: Watch | None = None, animations: Sequence[Path] = ()
+    asset: Path,
+    settings: Settings,
+    *,
+    progress: Watch | None = None,
+    animations: Sequence[Path] = (),
+    like: Path | None = None,
 ) -> Inspection:
-    """What the stages before the search find out about `asset`, and what `animations` tell of its controls;
-    writes nothing.
+    """What the stages before the search find out about `asset`; writes nothing.
+
+    `animations` tell how its controls are used, `like`, the layout of another character, which control is which there.
     """
     clock = Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         clips = animation.performances(animations, settings)
-    found = [build_problem(rig, settings, clock, source.cameras) for rig in source.rigs]
+        examples = read_examples(ExampleLayers(like=like), settings)
+    found = [build_problem(rig, settings, clock, source.cameras, examples) for rig in source.rigs]
     issues = [each for inputs in found for each in inputs.issues]
     characters = []
     for inputs in found:
@@ -81,7 +90,13 @@ def _facts(inputs: ProblemInputs) -> CharacterFacts:
         symmetric=float((symmetry.partner >= 0).mean()),
         controls=tuple(rows),
         groups=_group_lines(inputs),
+        likeness=_likeness(inputs),
     )
+
+
+def _likeness(inputs: ProblemInputs) -> Likeness | None:
+    found = inputs.matchings.get("like")
+    return None if found is None else Likeness(found, names_draft(found))
 
 
 def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:

@@ -60,7 +60,7 @@ def process(
             check_replaceable(target, settings, asset if output is None else None)
         references = read_examples(examples or ExampleLayers(), settings)
     references, characters = followed(references, source.rigs)
-    rigs = rigs_over(references, characters)
+    rigs = rigs_over(references, characters, settings)
     reports = [_lay_out(rig, settings, clock, stop, source.cameras, references) for rig in rigs]
     outcome: Outcome = "dry run"
     with Transaction(_never_replaced(target, settings, source, references, examples or ExampleLayers(), read)) as files:
@@ -158,7 +158,7 @@ def _lay_out(
 
 def _changes(inputs: ProblemInputs, previous: Layout, layout: Layout, assignment: Assignment) -> Difference:
     improved = improvements(inputs.face, inputs.requests, inputs.placement, assignment.labels)
-    return difference(previous, layout, improved)
+    return difference(previous, layout, improved, inputs.matchings["previous"])
 
 
 def _account(
@@ -182,6 +182,7 @@ def _account(
         issues=(*inputs.issues, *unexplained, *_nothing_added(inputs, layout)),
         difference=changes,
         added=_added(inputs, layout),
+        matchings=inputs.matchings,
     )
 
 

@@ -8,14 +8,14 @@ The order of these stages is known here and nowhere else.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.errors import Issue, meant, refuse
-from usdrigui.examples import Examples, prior_layout_of, with_fixed
+from usdrigui.examples import Examples, own_examples, prior_layout_of, with_fixed
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.control_overrides import control_overrides
@@ -29,6 +29,7 @@ from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import PlacementProblem, placement_problem
 from usdrigui.layout.reuse.existing_layout import of_new_controls, with_drawn_handles
+from usdrigui.layout.reuse.identity import Matching, matching_issues
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.review.review import refuse_stale
@@ -84,12 +85,15 @@ class ProblemInputs:
     placement: PlacementProblem
     base_values: Floats
     """(controls,) the base pose."""
+    matchings: Mapping[str, Matching] = field(default_factory=dict)
+    """By ``fixed``, ``previous`` and ``like``: which control of that layout is which of this rig."""
 
     @property
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
         unexplained = (found for each in self.classification for found in each.issues)
-        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained)
+        renamed = (found for which, each in self.matchings.items() for found in matching_issues(which, each))
+        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained, *renamed)
 
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
@@ -117,16 +121,18 @@ def build_problem(
     """The layout problem of one rig: every stage between reading and solving."""
     clock, examples = clock or Clock(), examples or Examples()
     camera = _camera(rig, settings.candidates.view, cameras or {})
-    settings = with_fixed(examples, rig, settings)
     base_values = _base_values(rig, settings)
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.trajectories, base_values)
+    own = own_examples(examples, rig, found, settings)
+    settings = with_fixed(own, rig, settings)
     existing = examples.existing(rig)
     if existing is not None:
         settings = with_drawn_handles(existing, found, settings)
         refuse_stale(rig, found, existing, settings.read)
-    references = References(prior_layout_of(examples, rig, found, settings), existing, examples.clips)
-    return problem_at(rig, found, settings, base_values, references, clock, camera)
+    references = References(prior_layout_of(own, rig, found, settings), existing, examples.clips)
+    inputs = problem_at(rig, found, settings, base_values, references, clock, camera)
+    return replace(inputs, matchings=own.matchings)
 
 
 def problem_at(

@@ -7,15 +7,17 @@ assignment of greatest total is taken, and what it would lose without a pair is 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components
 
-from usdrigui.conventions import Spelling, spellings
+from usdrigui.conventions import spellings
+from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
 from usdrigui.levels import outer_first
@@ -28,8 +30,8 @@ SURE = 0.9
 _CHANCE = 2.5
 """Evidence that chance alone may give a pair: a pair below it is none."""
 _LANDMARK = 0.5
-"""Confidence from which a match by names alone may be a landmark: wrong ones are outvoted."""
-_ROUNDS = 3
+"""Confidence from which a match may be a landmark of the map between two faces: wrong ones are outvoted."""
+_ROUNDS = 8
 """Matches shape the map between two faces, and the map the matches, at most so often."""
 _CERTAIN = 12.0
 """Evidence beyond which nothing is gained by knowing more exactly how sure a pair is."""
@@ -44,7 +46,7 @@ class Match:
     confidence: float
     """In [0, 1], to three digits: the odds of the best assignment against the best one without this pair."""
     reason: str
-    """What speaks for it: ``name``, ``spelling``, ``meaning`` or ``motion``, the first that does."""
+    """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the first that does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,18 +74,31 @@ class Matching:
         return tuple(each for each in self.matches if each.confidence < SURE)
 
 
-def match_rigs(before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories]) -> Matching:
-    """The controls of two characters, whatever their names, topology, size and place in the world."""
-    names = tuple([control.name for control in rig.controls] for rig, _ in (before, after))
-    found = _matched(*names, name_evidence(*names, geometry=False))
-    landmarks = {each.before: each.after for each in found.matches if each.confidence >= _LANDMARK}
-    named = name_evidence(*names, geometry=True)
+def match_rigs(
+    before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], chosen: Mapping[str, str] | None = None
+) -> Matching:
+    """The controls of two characters, whatever their names, topology, size and place in the world.
+
+    `chosen`: names after by names before that somebody has decided; an empty one has no counterpart.
+    """
+    chosen = chosen or {}
+    names = [control.name for control in before[0].controls], [control.name for control in after[0].controls]
+    decided = tuple(Match(a, b, 1.0, "configuration") for a, b in chosen.items() if b)
+    one = [name for name in names[0] if name not in chosen]
+    other = [name for name in names[1] if name not in chosen.values()]
+    found = _matched(one, other, name_evidence(one, other, geometry=False))
+    rows, columns = ([all_.index(name) for name in left] for all_, left in zip(names, (one, other), strict=True))
+    landmarks: dict[str, str] | None = None
     for _ in range(_ROUNDS):
-        found = _matched(*names, named + over_faces(before, after, landmarks))
-        if found.names == landmarks:
+        known = landmarks
+        landmarks = {m.before: m.after for m in (*decided, *found.matches) if m.confidence >= _LANDMARK}
+        if known == landmarks:
             break
-        landmarks = found.names
-    return found
+        same = [(names[0].index(a), names[1].index(b)) for a, b in landmarks.items()]
+        motion = over_faces(before, after, landmarks).evidence(same)[np.ix_(rows, columns)]
+        found = _matched(one, other, name_evidence(one, other, geometry=True) + motion)
+    dropped = tuple(name for name in chosen if not chosen[name])
+    return _joined(names[0], decided, replace(found, left_before=(*found.left_before, *dropped)))
 
 
 def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matching:
@@ -109,6 +124,33 @@ def match_layouts(before: Layout, after: Layout) -> Matching:
     return _joined(names[0], kept, _matched(left, new, evidence))
 
 
+def matching_issues(which: str, found: Matching) -> Iterator[Issue]:
+    """Controls of an earlier layout of the character that have another name now, or may have; `which` it is."""
+    if which == "like":
+        return  # two characters owe each other no names
+    for each in found.matches:
+        if each.before != each.after:
+            code, verb = ("CONTROL_RENAMED", "is") if each.confidence >= SURE else ("CONTROL_UNSURE", "may be")
+            told = f"of the {which} layout {verb} {each.after} now (by {each.reason}, {each.confidence:.0%} sure)"
+            yield issue(code, each.before, told)
+
+
+def names_draft(found: Matching) -> str:
+    """The matching as ``[like.names]`` of a configuration: what is sure as it is, the rest as comments to decide on."""
+    lines = ["[like.names]"]
+    for each in found.matches:
+        if each.before != each.after:
+            mark = "" if each.confidence >= SURE else "# "
+            pair = f"{_quoted(each.before)} = {_quoted(each.after)}"
+            lines.append(f"{mark}{pair}  # {each.reason}, {each.confidence:.0%} sure")
+    lines += [f'# {_quoted(name)} = ""  # no counterpart found' for name in found.left_before]
+    return "\n".join(lines) + "\n"
+
+
+def _quoted(name: str) -> str:
+    return json.dumps(name, ensure_ascii=True)
+
+
 def _names_of(layout: Layout) -> list[str]:
     """Every control of a layout once, in the order of its elements."""
     return list(dict.fromkeys(member.control for each in outer_first(layout.elements) for member in each.members))
@@ -117,14 +159,9 @@ def _names_of(layout: Layout) -> list[str]:
 def _kept(before: Sequence[str], after: Sequence[str]) -> tuple[tuple[Match, ...], list[str], list[str]]:
     """The controls that keep their names, and what is left on either side."""
     said = dict(zip(before, spellings(before), strict=True))
-    same = {name for name in before if name in set(after) and not is_number(said[name])}
+    same = {name for name in before if name in set(after) and not said[name].is_number}
     kept = tuple(Match(name, name, 1.0, "name") for name in before if name in same)
     return kept, [name for name in before if name not in same], [name for name in after if name not in same]
-
-
-def is_number(spelling: Spelling) -> bool:
-    """Whether a name says no more than a number: exporters count shapes anew."""
-    return all(word.isdigit() for word in spelling.words)
 
 
 def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> Matching:

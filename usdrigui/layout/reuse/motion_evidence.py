@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.levels import outer_first
-from usdrigui.model import Element, Floats, Indices, Layout, Member, Rig, Trajectories
+from usdrigui.model import Element, Flags, Floats, Indices, Layout, Member, Rig, Trajectories
 
 _SAMPLES = 1.0 / 30.0
 """Distance of the sample points, as a share of the face."""
@@ -28,22 +28,68 @@ _BLUR = 0.03
 _NEIGHBOURS = 64
 """Cells within two standard deviations, at most."""
 
-_SLOPE, _MIDDLE, _LEAST = 12.0, 0.45, -4.0
-"""Evidence of two fields by their cosine: none at the middle, that of one maker's shape and another's is above."""
+_LEAST = -4.0
+"""Motion says no more than this against a pair: shapes are replaced."""
+_OFF, _UNEVEN = 0.4, 0.5
+"""How far fields of one control are from parallel (1 less the cosine) and from equal length (natural logarithm) in
+rigs of two makers."""
+_OFF_LEAST, _UNEVEN_LEAST, _ENOUGH = 0.005, 0.02, 4
+"""The least of either that matches may tell, and how many it takes."""
+_SLOPE, _SHARPER = 12.0, 0.7
+"""Evidence for each unit of the cosine at that distance, and the power with which it grows as copies get nearer."""
+_AT_OFF, _CLOSER = 1.8, 1.6
+"""Evidence of a pair that is just so far off; what it gains for each natural logarithm by which copies are nearer."""
+_LENGTH, _LENGTH_MOST = 0.5, 12.0
+"""What a pair loses for each unit of the length, at that inequality and at most."""
+_SELDOM = 1.5
+"""What the evidence loses where a shape must have been sculpted anew."""
 _ANCHOR_SLOPE, _ANCHOR_MIDDLE = 5.0, 0.6
-"""The same at a single point, where many controls go the same way."""
-_LENGTH = 0.5
-"""What a pair loses for each natural logarithm between the two lengths, up to three."""
+"""Evidence for each unit of the cosine at a single point, where many controls go the same way."""
 _CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
-"""Relative difference below which agreement says more and more, until it is as small as rounding and resampling."""
+"""Relative difference at an anchor below which agreement says more and more, until it is as small as rounding."""
 _HANDLE = 0.5
 """Handle widths within which two anchors are one place."""
 
 
+@dataclass(frozen=True)
+class Agreement:
+    """How alike the fields of two rigs' controls are."""
+
+    cosine: Floats
+    """(a, b) of the fields as vectors; 0 where one of them moves nothing."""
+    length: Floats
+    """(a, b) magnitude of the natural logarithm of the ratio of their lengths; at most three."""
+    moving: Flags
+    """(a, b) whether both move anything."""
+
+    def evidence(self, same: Sequence[tuple[int, int]]) -> Floats:
+        """(a, b) logarithms of odds, for pairs `same` that are taken for one control so far.
+
+        How far one maker's shape is from another's of the same name differs from pair to pair of rigs, and so does what
+        a difference means: between copies of a rig a tenth is much.  The matches so far tell; as single shapes may
+        have been sculpted anew, a shape that is as far off as another maker's keeps what it would have there.
+        """
+        off, uneven = self._typical(same)
+        slope = _SLOPE * (_OFF / off) ** _SHARPER
+        close = _AT_OFF + _CLOSER * np.log(_OFF / off) + slope * (self.cosine - 1.0 + off)
+        close -= np.minimum(_LENGTH * _UNEVEN / uneven, _LENGTH_MOST) * self.length
+        loose = _SLOPE * (self.cosine - 1.0 + _OFF) + _AT_OFF - _LENGTH * self.length - _SELDOM
+        return np.where(self.moving, np.maximum(np.logaddexp(close, loose), _LEAST), 0.0)
+
+    def _typical(self, same: Sequence[tuple[int, int]]) -> tuple[float, float]:
+        """How far from parallel, and how unequal in length, the fields of one control are in the middle."""
+        pairs = [pair for pair in same if self.moving[pair]]
+        if len(pairs) < _ENOUGH:
+            return _OFF, _UNEVEN
+        rows, columns = np.array(pairs).T
+        off, uneven = 1.0 - np.median(self.cosine[rows, columns]), np.median(self.length[rows, columns])
+        return float(np.clip(off, _OFF_LEAST, _OFF)), float(np.clip(uneven, _UNEVEN_LEAST, _UNEVEN))
+
+
 def over_faces(
     before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], landmarks: Mapping[str, str]
-) -> Floats:
-    """(controls, controls) evidence for every pair of controls of two characters.
+) -> Agreement:
+    """How alike every pair of controls of two characters acts.
 
     `landmarks`: names after by names before, from which the map between the faces is made; the faces are laid over
     each other by size where there are too few.
@@ -52,12 +98,19 @@ def over_faces(
     map_ = face_map(before, after, {**dict.fromkeys(known, ""), **landmarks})
     samples = _thinned(before[1], _SAMPLES)
     one, other = map_.vectors(_blurred(before, samples)), _blurred(after, map_.points(samples))
-    return _evidence(one.reshape(len(one), -1), other.reshape(len(other), -1), _SLOPE, _MIDDLE)
+    return _agreement(one.reshape(len(one), -1), other.reshape(len(other), -1))
 
 
-def at_anchors(
-    layout: Layout, left: Sequence[str], rig: Rig, trajectories: Trajectories, new: Sequence[str]
-) -> Floats:
+def _agreement(one: Floats, other: Floats) -> Agreement:
+    """Of vectors (a, n) and (b, n)."""
+    lengths = np.linalg.norm(one, axis=1)[:, None], np.linalg.norm(other, axis=1)[None]
+    moving = (lengths[0] > 0.0) & (lengths[1] > 0.0)
+    first, second = (np.maximum(each, 1e-300) for each in lengths)
+    cosine = np.where(moving, (one / first) @ (other / second.T).T, 0.0)
+    return Agreement(cosine, np.minimum(np.abs(np.log(first / second)), 3.0), moving)
+
+
+def at_anchors(layout: Layout, left: Sequence[str], rig: Rig, trajectories: Trajectories, new: Sequence[str]) -> Floats:
     """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the layout."""
     held = _held(layout)
     points = _anchor_points(held, rig, trajectories)
@@ -67,7 +120,7 @@ def at_anchors(
     for row, name in enumerate(left):
         if name in held:
             here = _at_point(trajectories, len(rig.controls), points[name])[columns]
-            found[row] = _evidence(held[name].vector[None], here, _ANCHOR_SLOPE, _ANCHOR_MIDDLE)[0]
+            found[row] = _at_one_point(held[name].vector, here)
     return found
 
 
@@ -83,23 +136,23 @@ def between_anchors(before: Layout, left: Sequence[str], after: Layout, new: Seq
             a, b = one[name], other[new_name]
             apart = float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
             exact = apart < _HANDLE
-            value = _evidence(a.vector[None], b.vector[None], _ANCHOR_SLOPE, _ANCHOR_MIDDLE, exact=exact)[0, 0]
+            value = float(_at_one_point(a.vector, b.vector[None], exact=exact)[0])
             found[row, column] = max(_LEAST, value - (0.0 if exact else apart))
     return found
 
 
-def _evidence(one: Floats, other: Floats, slope: float, middle: float, *, exact: bool = True) -> Floats:
-    """(a, b) evidence for every pair of vectors (a, n) and (b, n); none where one of them does nothing at all."""
-    lengths = np.linalg.norm(one, axis=1)[:, None], np.linalg.norm(other, axis=1)[None]
-    both = np.maximum(lengths[0] * lengths[1], 1e-300)
-    product = one @ other.T
-    off = np.sqrt(np.maximum(np.square(lengths[0]) + np.square(lengths[1]) - 2.0 * product, 0.0))
-    off /= np.maximum(np.maximum(*lengths), 1e-300)
-    ratio = np.abs(np.log(np.maximum(lengths[0], 1e-300) / np.maximum(lengths[1], 1e-300)))
-    found = np.maximum(slope * (product / both - middle), _LEAST) - _LENGTH * np.minimum(ratio, 3.0)
+def _at_one_point(one: Floats, other: Floats, *, exact: bool = True) -> Floats:
+    """(b,) evidence of a displacement (3,) and others (b, 3) at one place; none where nothing moves there.
+
+    `exact`: whether it is one place, so that copies agree to the last digit.
+    """
+    found = _agreement(one[None], other)
+    evidence = np.maximum(_ANCHOR_SLOPE * (found.cosine[0] - _ANCHOR_MIDDLE), _LEAST) - _LENGTH * found.length[0]
     if exact:
-        found += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
-    return np.where((lengths[0] > 0.0) & np.any(lengths[1] > 0.0), found, 0.0)
+        sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
+        off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
+        evidence += np.where(off < _CLOSE, _CLOSE_WEIGHT * np.log(_CLOSE / (off + _EXACT)), 0.0)
+    return np.asarray(np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0))
 
 
 # --- fields ------------------------------------------------------------------------------------------
@@ -176,7 +229,9 @@ class _Held:
 
     element: Element
     vector: Floats
-    """(3,) from the least value to the greatest, at the anchor."""
+    """(3,) from the least value to the greatest, where the track is."""
+    track: Floats
+    """(k, 3) as drawn."""
 
 
 def _held(layout: Layout) -> dict[str, _Held]:
@@ -184,7 +239,7 @@ def _held(layout: Layout) -> dict[str, _Held]:
     found: dict[str, _Held] = {}
     for element in outer_first(layout.elements):
         for member in element.members if not element.anchor.beside else ():
-            found.setdefault(member.control, _Held(element, _displacement(member)))
+            found.setdefault(member.control, _Held(element, _displacement(member), member.track))
     return found
 
 
@@ -203,11 +258,22 @@ def _at_point(trajectories: Trajectories, count: int, point: int) -> Floats:
 
 
 def _anchor_points(held: Mapping[str, _Held], rig: Rig, trajectories: Trajectories) -> dict[str, int]:
-    """By control, the point of today's rig at which the layout held it: the same one, or the nearest that moves."""
+    """By control, the point of today's rig whose track the layout holds.
+
+    That is the anchor, or the nearest point that moves where the mesh has other points; but a hand that corrects an
+    anchor seldom draws its track again.
+    """
     meshes, places = points_of_meshes(rig), _moved_places(trajectories)
     tree = cKDTree(trajectories.base[places])
     found = {}
     for name, each in held.items():
-        point = same_point(each.element, meshes)
-        found[name] = point if point >= 0 else int(places[tree.query(each.element.anchor.position)[1]])
+        near = int(places[tree.query(each.element.anchor.position)[1]])
+        same = same_point(each.element, meshes)
+        apart = [_to_track(trajectories.base[point], each.track) for point in (near, same) if point >= 0]
+        found[name] = same if same >= 0 and apart[-1] <= apart[0] else near
     return found
+
+
+def _to_track(point: Floats, track: Floats) -> float:
+    """Distance of a point (3,) from the nearest vertex of a track (k, 3), one of which is its rest position."""
+    return float(np.linalg.norm(track - point, axis=1).min())

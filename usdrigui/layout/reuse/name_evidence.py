@@ -11,7 +11,7 @@ from usdrigui.conventions import Meaning, Spelling, meanings, spellings
 from usdrigui.model import Flags, Floats
 
 _SAME_NAME = 9.5
-_SAME_SPELLING = 6.0
+_SAME_SPELLING = 9.0
 _NUMBER = 2.0
 """Of equal names that are mere numbers: exporters count shapes anew."""
 _SAME_ACTION = 4.5
@@ -40,8 +40,7 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
         for j, other in enumerate(after):
             one, two = said[0][i], said[1][j]
             if name == other or one == two:
-                number = all(word.isdigit() for word in one.words)
-                found[i, j] = _NUMBER if number else _SAME_NAME if name == other else _SAME_SPELLING
+                found[i, j] = _NUMBER if one.is_number else _SAME_NAME if name == other else _SAME_SPELLING
             else:
                 senses = meant[0][i], meant[1][j]
                 found[i, j] = _shared(one, two) + _by_meaning(*senses, *usual) - side_weight * _sides(*senses, one, two)

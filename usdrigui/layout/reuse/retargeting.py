@@ -9,14 +9,15 @@ similarity that outvotes those that disagree and then by a smooth warp.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.interpolate import RBFInterpolator
 
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
+from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import inner_names
-from usdrigui.model import Element, Floats, Layout, Motion, Rig, Trajectories
+from usdrigui.model import Floats, Layout, Motion, Rig, Trajectories
 from usdrigui.ties import axis_across
 
 CUTOFF_DISTANCE = 4.0
@@ -64,7 +65,7 @@ def of_another(
     Parameters: `layout` of `theirs`; `names` maps their control names to ours where these differ.  Controls
     without a counterpart are free.  Elements that share controls there share them here.
     """
-    renamed = _renamed(layout, names)
+    renamed = with_names(layout, names)
     places = corresponding([element.anchor.position for element in layout.elements], theirs, ours, names)
     index = {control.name: number for number, control in enumerate(ours[0].controls)}
     found: dict[int, Place] = {}
@@ -104,9 +105,7 @@ class FaceMap:
         return np.asarray(self.similarity.scale * vectors @ self.similarity.rotation.T, dtype=np.float64)
 
 
-def face_map(
-    theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
-) -> FaceMap:
+def face_map(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]) -> FaceMap:
     """The map from their face to ours by the controls that both have; `names` maps their names to ours."""
     source, target = _landmarks(theirs, ours, names)
     if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
@@ -249,14 +248,3 @@ def _face_middle(trajectories: Trajectories) -> Floats:
         moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
     points = trajectories.base[moved]
     return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))
-
-
-def _renamed(layout: Layout, names: Mapping[str, str]) -> Layout:
-    """The layout with our names for their controls, and for elements called after them."""
-    return replace(layout, elements=tuple(_renamed_element(element, names) for element in layout.elements))
-
-
-def _renamed_element(element: Element, names: Mapping[str, str]) -> Element:
-    members = tuple(replace(member, control=names.get(member.control, member.control)) for member in element.members)
-    own = element.name == "_".join(member.control for member in element.members)
-    return replace(element, members=members, name="_".join(m.control for m in members) if own else element.name)

@@ -6,15 +6,17 @@ Pure comparison of two `Layout` records: works on layers from any tool.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
+from usdrigui.layout.reuse.identity import Matching, match_layouts
+from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import outer_first
 from usdrigui.model import Element, Layout
 
-ChangeKind = Literal["added", "removed", "moved", "to the face", "beside", "regrouped"]
+ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "beside", "regrouped"]
 
 _STILL = 1e-3
 """Handles nearer to where they were than this many handle widths have not moved."""
@@ -37,6 +39,8 @@ class Change:
     after: str
     why: tuple[str, ...]
     """Clauses, without full stops; empty when the layouts do not tell."""
+    was: str = ""
+    """The name of the control before, where that was another."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +55,12 @@ class Difference:
     @property
     def displaced(self) -> tuple[Change, ...]:
         """Changes of controls that both have."""
-        return tuple(change for change in self.changes if change.kind not in ("added", "removed"))
+        return tuple(change for change in self.changes if change.kind not in ("added", "removed", "renamed"))
+
+    @property
+    def renamed(self) -> tuple[Change, ...]:
+        """Changes of controls that have another name now, whether or not they moved."""
+        return tuple(change for change in self.changes if change.was)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,20 +75,30 @@ class _Membership:
         return self.element.controls
 
 
-def difference(before: Layout, after: Layout, improvements: Mapping[str, float] | None = None) -> Difference:
+def difference(
+    before: Layout,
+    after: Layout,
+    improvements: Mapping[str, float] | None = None,
+    matching: Matching | None = None,
+) -> Difference:
     """Compare two layouts of one character.
 
     `improvements` is what each element of `after` saves by not standing where it was, in the units of the
-    objective, as far as known.  The places of elements on the board are not compared.
+    objective, as far as known; `matching` tells which control of the one is which of the other, and is worked out from
+    the layouts where it is not given.  The places of elements on the board are not compared.
     """
-    old, new = _memberships(before), _memberships(after)
+    matching = matching or match_layouts(before, after)
+    names = matching.renamed
+    then = with_names(before, names)
+    old, new = _memberships(then), _memberships(after)
+    was = {now: earlier for earlier, now in names.items()}
     changes = [
         *(_added(new[key]) for key in sorted(new.keys() - old.keys())),
-        *(_removed(old[key]) for key in sorted(old.keys() - new.keys())),
-        *(_compared(before, after, old[key], new[key], improvements or {}) for key in sorted(old.keys() & new.keys())),
+        *(_removed(old[key], matching) for key in sorted(old.keys() - new.keys())),
+        *(_renamed(then, after, old[key], new[key], was, improvements) for key in sorted(old.keys() & new.keys())),
     ]
     found = [change for change in changes if change is not None]
-    kinds: tuple[ChangeKind, ...] = ("added", "removed", "regrouped", "to the face", "beside", "moved")
+    kinds: tuple[ChangeKind, ...] = ("added", "removed", "renamed", "regrouped", "to the face", "beside", "moved")
     found.sort(key=lambda change: kinds.index(change.kind))
     return Difference(after.root, tuple(found), len(old.keys() & new.keys()))
 
@@ -101,8 +120,27 @@ def _added(held: _Membership) -> Change:
     return Change(held.control, "added", held.element.name, np.nan, "", _where(held), why)
 
 
-def _removed(held: _Membership) -> Change:
-    return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", ())
+def _removed(held: _Membership, matching: Matching) -> Change:
+    may_be = {each.before: f"may be {each.after} ({each.confidence:.0%} sure)" for each in matching.unsure}
+    why = (may_be[held.control],) if held.control in may_be else ()
+    return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", why)
+
+
+def _renamed(
+    before: Layout,
+    after: Layout,
+    old: _Membership,
+    new: _Membership,
+    was: Mapping[str, str],
+    improvements: Mapping[str, float] | None,
+) -> Change | None:
+    """What changed of a control that both have; its name, if nothing else."""
+    change = _compared(before, after, old, new, improvements or {})
+    earlier = was.get(new.control, "")
+    if change is None and earlier:
+        where = _where(old), _where(new)
+        return Change(new.control, "renamed", new.element.name, _distance(before, old, new), *where, (), earlier)
+    return change and replace(change, was=earlier)
 
 
 def _compared(

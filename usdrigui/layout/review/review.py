@@ -15,6 +15,7 @@ from usdrigui.errors import Issue, issue, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
+from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.levels import inner_names, states
 from usdrigui.model import (
@@ -106,6 +107,8 @@ def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadS
     comparable = not _custom_base(layout, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = {control.name for control in rig.controls}
+    gone = not known.issuperset(layout.controls)
+    renamed = match_layout(layout, rig, trajectories).renamed if gone else {}
     for element in layout.elements:
         anchor = element.anchor
         mesh = meshes.get(anchor.mesh)
@@ -121,7 +124,8 @@ def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadS
             yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
         for member in element.members:
             if member.control not in known:
-                yield issue("LAYOUT_CONTROL_GONE", element.name, f"{rig.root} has no control {member.control!r}")
+                now = f"; {renamed[member.control]!r} does what it did" if member.control in renamed else ""
+                yield issue("LAYOUT_CONTROL_GONE", element.name, f"{rig.root} has no control {member.control!r}{now}")
 
 
 def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:

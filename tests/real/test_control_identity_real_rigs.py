@@ -1,0 +1,92 @@
+"""Controls of given rigs and of made copies are recognised, whatever they are called and however they are sculpted."""
+
+import pytest
+from laid_out_again import SETTINGS, lay_out, read
+from names_of_two_makers import NAMES
+from rig_copies import box_of, numbers, other_head, renamed, reordered, resculpted, spelt_otherwise
+
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.reuse.identity import match_layout, match_rigs
+
+pytestmark = pytest.mark.real
+
+RIGS = [
+    *("facecap_blender.usdc", "mh_expr34.usdc", "godette.usdc"),
+    *(pytest.param(name, marks=pytest.mark.slow) for name in ("ict_face57.usdc", "vitruvian.usdc")),
+]
+
+
+def with_motions(rig):
+    return rig, trajectories(rig, SETTINGS.trajectories)
+
+
+def known(names, rig):
+    """The names of the controls that move anything."""
+    motions = with_motions(rig)[1].motions
+    return {rig.controls[each.control].name: names[rig.controls[each.control].name] for each in motions}
+
+
+def judged(matching, truth):
+    """The share of `truth` that is matched for sure, and the sure matches that are wrong."""
+    right = [name for name, after in truth.items() if matching.names.get(name) == after]
+    wrong = {name: after for name, after in matching.names.items() if truth.get(name, after) != after}
+    return len(right) / len(truth), wrong
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("ict_face57.usdc", "ict_parts17.usdc"), ("ict_face57.usdc", "facecap_blender.usdc")],
+)
+def test_heads_that_share_names_share_controls(one, other):
+    first, second = read(one), read(other)
+    shared = {each.name for each in first.controls} & {each.name for each in second.controls}
+    for rigs in ((first, second), (second, first)):
+        share, wrong = judged(match_rigs(*map(with_motions, rigs)), {name: name for name in shared})
+        assert share >= 0.98
+        assert not wrong
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_copies_with_other_names_are_recognised(name):
+    """By another convention on another mesh, and by names that say nothing where the shapes stayed."""
+    rig = read(name)
+    spelt, names = renamed(rig, spelt_otherwise)
+    coarse = other_head(spelt, 110, box_of(rig))
+    silent, silent_names = renamed(rig, numbers())
+    copies = ((coarse, names), (resculpted(reordered(coarse, 1), 2), names), (reordered(silent, 3), silent_names))
+    for copy, truth in copies:
+        share, wrong = judged(match_rigs(with_motions(rig), with_motions(copy)), known(truth, rig))
+        assert share >= 0.98
+        assert not wrong
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_what_is_not_sure_is_said_to_be(name):
+    """Names that say nothing, on a coarser, reshaped head with other shapes: few are sure, none is wrong."""
+    rig = read(name)
+    silent, names = renamed(rig, numbers())
+    copy = resculpted(reordered(other_head(silent, 110, box_of(rig)), 1), 2)
+    _, wrong = judged(match_rigs(with_motions(rig), with_motions(copy)), names)
+    assert not wrong
+
+
+@pytest.mark.slow
+def test_two_makers_with_words_of_their_own():
+    """Two thirds are sure, sides that the one names by the viewer among them, and none of those is wrong."""
+    one, other = with_motions(read("ict_face57.usdc")), with_motions(read("vitruvian.usdc"))
+    for rigs, truth in (((one, other), NAMES), ((other, one), {ours: theirs for theirs, ours in NAMES.items()})):
+        share, wrong = judged(match_rigs(*rigs), truth)
+        assert share >= 0.6
+        assert not wrong
+
+
+@pytest.mark.parametrize("name", ["facecap_blender.usdc", "mh_expr34.usdc"])
+def test_a_layout_knows_its_controls_by_their_motion(name):
+    rig = read(name)
+    _, _, layout = lay_out(rig)
+    on_face = {m.control for e in layout.elements if not e.anchor.beside for m in e.members}
+    copy, names = renamed(rig, numbers())
+    found = match_layout(layout, *with_motions(reordered(copy, 4)))
+    share, wrong = judged(found, {name: names[name] for name in on_face})
+    assert share >= 0.98
+    assert not wrong

@@ -1,0 +1,124 @@
+"""Copies of a rig as its life makes them: renamed, reordered, on a coarser mesh, reshaped, sculpted again."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from dataclasses import replace
+
+import numpy as np
+
+from usdrigui.model import RigMesh, Shape
+
+_SIDE = re.compile("(?:_|-)?(L|R|Left|Right|left|right)$")
+
+
+def box_of(rig):
+    """Corner and size of the box around all points that a shape moves."""
+    points = np.concatenate([mesh.points[shape.points] for mesh in rig.meshes for shape in mesh.shapes])
+    return points.min(axis=0), np.ptp(points, axis=0)
+
+
+def reshaped(points, box):
+    """Another head in the same box: wider jaw, longer chin, flatter; smooth, and the same for every point."""
+    low, size = box
+    x, y, z = ((points - low) / size - 0.5).T
+    turned = np.stack([x * (1.1 - 0.3 * y), 1.15 * y + 0.1 * y * y, 0.85 * z + 0.15 * x * x], axis=1)
+    return (turned + 0.5) * size + low
+
+
+def other_head(rig, cells, box):
+    """The rig on coarser meshes, reshaped: points of one cell of a grid become one, motions go along."""
+    return replace(rig, meshes=tuple(_other_mesh(mesh, cells, box) for mesh in rig.meshes))
+
+
+def _other_mesh(mesh: RigMesh, cells, box):
+    low, size = box
+    cell = np.floor((mesh.points - low) / size.max() * cells).astype(np.int64)
+    _, kept, place = np.unique(cell, axis=0, return_index=True, return_inverse=True)
+    place = place.reshape(-1)
+    corners = np.split(place[mesh.face_indices], np.cumsum(mesh.face_counts)[:-1])
+    faces = [face for face in corners if len(set(face.tolist())) == len(face)]
+    old = mesh.points[kept]
+    shapes = []
+    for shape in mesh.shapes:
+        dense = np.zeros((len(shape.weights), len(mesh.points), 3))
+        dense[:, shape.points] = shape.offsets
+        offsets = np.stack([reshaped(old + each[kept], box) - reshaped(old, box) for each in dense])
+        points = np.flatnonzero(offsets.any(axis=(0, 2)))
+        shapes.append(Shape(shape.channel, shape.path, shape.weights, points, offsets[:, points].astype(np.float32)))
+    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[kept], weights=mesh.skin.weights[kept])
+    return replace(
+        mesh,
+        points=reshaped(old, box),
+        face_counts=np.array([len(face) for face in faces], dtype=np.int64),
+        face_indices=np.concatenate(faces) if faces else np.zeros(0, dtype=np.int64),
+        shapes=tuple(shapes),
+        skin=skin,
+        topology_hash="coarse " + mesh.topology_hash,
+        subsets=(),
+    )
+
+
+def renamed(rig, name):
+    """The rig whose controls are called `name(old)`, and the names by the old ones."""
+    names = {control.name: name(control.name) for control in rig.controls}
+    return replace(rig, controls=tuple(replace(each, name=names[each.name]) for each in rig.controls)), names
+
+
+def spelt_otherwise(name):
+    """``browDown_L`` as ``FCL_l-brow-down``: another case, another order, a prefix that all share."""
+    side = _SIDE.search(name)
+    words = re.findall("[A-Z]?[a-z]+|[A-Z]+|[0-9]+", name[: side.start()] if side else name)
+    return "FCL_" + "-".join([*([side[1][0].lower()] if side else []), *(word.lower() for word in words)])
+
+
+def numbers():
+    """Names that say nothing, one after the other."""
+    count = itertools.count()
+    return lambda _: f"target.{next(count):03d}"
+
+
+def reordered(rig, seed):
+    """The rig with its controls and the points of its meshes in another order."""
+    random = np.random.default_rng(seed)
+    controls = tuple(rig.controls[i] for i in random.permutation(len(rig.controls)))
+    meshes = tuple(_reordered(mesh, random.permutation(len(mesh.points))) for mesh in rig.meshes)
+    return replace(rig, controls=controls, meshes=meshes)
+
+
+def _reordered(mesh, order):
+    place = np.argsort(order)
+    skin = mesh.skin and replace(mesh.skin, joints=mesh.skin.joints[order], weights=mesh.skin.weights[order])
+    return replace(
+        mesh,
+        points=mesh.points[order],
+        face_indices=place[mesh.face_indices],
+        shapes=tuple(_in_order(shape, place) for shape in mesh.shapes),
+        skin=skin,
+        topology_hash="reordered " + mesh.topology_hash,
+        subsets=(),
+    )
+
+
+def _in_order(shape, place):
+    points = place[shape.points]
+    order = np.argsort(points)
+    return replace(shape, points=points[order], offsets=shape.offsets[:, order])
+
+
+def resculpted(rig, seed, amount=0.15):
+    """The rig with every shape stronger or weaker, and bent by a smooth share `amount` of itself."""
+    random = np.random.default_rng(seed)
+    return replace(rig, meshes=tuple(_resculpted(mesh, random, amount) for mesh in rig.meshes))
+
+
+def _resculpted(mesh, random, amount):
+    size = np.ptp(mesh.points, axis=0).max()
+    shapes = []
+    for shape in mesh.shapes:
+        wave = np.sin(mesh.points[shape.points] @ random.normal(size=(3, 3)) * 6.0 / size)
+        length = np.linalg.norm(shape.offsets, axis=2, keepdims=True)
+        bent = shape.offsets * random.uniform(0.8, 1.25) + amount * length * wave
+        shapes.append(replace(shape, offsets=bent.astype(np.float32)))
+    return replace(mesh, shapes=tuple(shapes))

@@ -1,0 +1,119 @@
+"""Which control is which: names, motions, and how sure a match is."""
+
+import tomllib
+from dataclasses import replace
+
+import chain
+import makers
+import numpy as np
+import pytest
+from rig_copies import numbers, renamed, spelt_otherwise
+
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.reuse.identity import SURE, match_layout, match_layouts, match_rigs, matching_issues, names_draft
+from usdrigui.layout.reuse.renaming import with_names
+from usdrigui.layout.review.difference import difference
+from usdrigui.settings import Settings
+
+
+@pytest.fixture(scope="module")
+def face():
+    return makers.face()
+
+
+@pytest.fixture(scope="module")
+def line(face):
+    return chain.lay_out(face)
+
+
+def with_motions(rig):
+    return rig, trajectories(rig, Settings().trajectories)
+
+
+@pytest.mark.parametrize("name", [spelt_otherwise, numbers()])
+def test_renamed_controls_are_recognised_in_rigs_and_layouts(face, line, name):
+    copy, names = renamed(face, name)
+    assert match_rigs(with_motions(face), with_motions(copy)).names == names
+    assert match_layout(line.layout, *with_motions(copy)).names == names
+    assert match_layouts(line.layout, with_names(line.layout, names)).names == names
+
+
+def test_a_control_that_keeps_its_name_is_the_same_one_whatever_it_does(face, line):
+    names = [control.name for control in face.controls]
+    turned = replace(
+        face, controls=tuple(replace(c, name=n) for c, n in zip(face.controls, names[1:] + names[:1], strict=True))
+    )
+    assert match_layout(line.layout, *with_motions(turned)).names == {name: name for name in names}
+
+
+def test_twins_that_do_the_same_are_told_apart_by_names_and_else_not_at_all():
+    """Two copies of one shape: names decide, and without names neither match is sure."""
+    points, quads = makers.mask()
+    shapes = makers.face_shapes(points)
+    double = makers.rig(points, quads, {**shapes, "smile_L_copy": shapes["smile_L"]})
+    found = match_rigs(with_motions(double), with_motions(double))
+    assert all(each.before == each.after for each in found.matches)
+    silent, _ = renamed(double, numbers())
+    unsure = {each.before: each.confidence for each in match_rigs(with_motions(double), with_motions(silent)).unsure}
+    assert unsure.keys() >= {"smile_L", "smile_L_copy"}
+    assert max(unsure[name] for name in ("smile_L", "smile_L_copy")) <= 0.6
+
+
+def test_what_has_no_counterpart_is_left_on_either_side(face):
+    points, quads = makers.mask()
+    shapes = makers.face_shapes(points)
+    ears = {"ears": makers.bump(points, (0.7, 0.2), (1.0, 0.0, 0.0), 0.1)}
+    other = makers.rig(points, quads, {**{n: o for n, o in shapes.items() if n != "chin"}, **ears})
+    found = match_rigs(with_motions(face), with_motions(other))
+    assert (found.left_before, found.left_after) == (("chin",), ("ears",))
+
+
+def test_the_configuration_decides_first(face):
+    chosen = {"chin": "pucker", "pucker": ""}
+    found = match_rigs(with_motions(face), with_motions(face), chosen)
+    assert found.names["chin"] == "pucker"
+    assert "pucker" not in found.names
+    assert "pucker" in found.left_before
+
+
+def test_the_draft_of_names_is_a_configuration(face):
+    copy, names = renamed(face, spelt_otherwise)
+    text = names_draft(match_rigs(with_motions(face), with_motions(copy)))
+    assert tomllib.loads(text)["like"]["names"] == names
+
+
+def test_unsure_matches_stand_in_the_draft_as_comments_only(face):
+    copy, _ = renamed(face, numbers())
+    found = match_rigs(with_motions(face), with_motions(copy))
+    doubted = replace(found, matches=tuple(replace(each, confidence=SURE - 0.1) for each in found.matches))
+    assert tomllib.loads(names_draft(doubted))["like"]["names"] == {}
+    assert {each.code for each in matching_issues("previous", doubted)} == {"CONTROL_UNSURE"}
+    assert {each.code for each in matching_issues("previous", found)} == {"CONTROL_RENAMED"}
+    assert not list(matching_issues("like", doubted))
+
+
+def test_a_renamed_control_is_no_loss_and_no_gain(line):
+    names = {"smile_L": "grin.left", "jawLeft": "jaw_to_the_left"}
+    found = difference(line.layout, with_names(line.layout, names))
+    assert {(each.was, each.control, each.kind) for each in found.changes} == {
+        (was, now, "renamed") for was, now in names.items()
+    }
+    assert not found.displaced
+    assert len(found.renamed) == 2
+
+
+def test_a_control_that_was_renamed_and_moved_is_told_so_once(line):
+    element = chain.by_name(line)["chin"]
+    anchor = replace(element.anchor, point=element.anchor.point + 1, position=element.anchor.position + 0.01)
+    moved = replace(
+        line.layout, elements=tuple(replace(e, anchor=anchor) if e is element else e for e in line.layout.elements)
+    )
+    (change,) = difference(line.layout, with_names(moved, {"chin": "chinUp"})).changes
+    assert (change.was, change.control, change.kind) == ("chin", "chinUp", "moved")
+
+
+def test_elements_of_a_layout_take_the_new_names_where_they_refer_to_each_other(line):
+    both = with_names(line.layout, {"smile_L": "a", "smile_R": "b"})
+    elements = {each.name: each for each in both.elements}
+    assert (elements["a"].mirror, elements["b"].mirror) == ("b", "a")
+    assert np.array_equal(elements["a"].anchor.position, chain.by_name(line)["smile_L"].anchor.position)

@@ -1,0 +1,36 @@
+"""A layout whose controls have other names by now."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from usdrigui.model import Element, Layout
+
+
+def with_names(layout: Layout, names: Mapping[str, str]) -> Layout:
+    """The layout with the new names of its controls by the old ones, and of the elements that are called after them."""
+    elements = element_names(layout, names)
+    return replace(layout, elements=tuple(_renamed(each, names, elements) for each in layout.elements))
+
+
+def element_names(layout: Layout, names: Mapping[str, str]) -> dict[str, str]:
+    """The names that the elements of a layout have when its controls have new ones."""
+    return {each.name: _name(each, names) for each in layout.elements}
+
+
+def _name(element: Element, names: Mapping[str, str]) -> str:
+    controls = [member.control for member in element.members]
+    if element.name != "_".join(controls):
+        return element.name
+    return "_".join(names.get(control, control) for control in controls)
+
+
+def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, str]) -> Element:
+    return replace(
+        element,
+        name=elements[element.name],
+        members=tuple(replace(member, control=names.get(member.control, member.control)) for member in element.members),
+        mirror=elements.get(element.mirror, element.mirror),
+        inner=tuple(elements.get(name, name) for name in element.inner),
+    )
