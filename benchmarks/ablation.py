@@ -61,7 +61,7 @@ class Row:
     nearest: float
     visible: float
     kept: float
-    beside: int
+    board: int
 
 
 def main() -> None:
@@ -214,13 +214,13 @@ def _same_labels(full: Variable, other: Variable) -> Variable:
     """The costs of `other` at the candidates of `full`: which are kept depends on handles, not on weights."""
     if not np.array_equal(full.points, other.points):
         raise ValueError(f"{full.name} has other candidates under other weights")
-    return replace(full, cost=other.cost, beside=other.beside)
+    return replace(full, cost=other.cost, off_face_cost=other.off_face_cost)
 
 
 def _on_face(problem: LayoutProblem) -> LayoutProblem:
     """The board at the price of any overlap: without displacement to lose everything would leave."""
     price = problem.overlap.maximum * len(problem.variables)
-    return replace(problem, variables=tuple(replace(each, beside=price) for each in problem.variables))
+    return replace(problem, variables=tuple(replace(each, off_face_cost=price) for each in problem.variables))
 
 
 def _least(cost: Floats) -> int:
@@ -246,7 +246,7 @@ def _row(inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: 
         nearest=nearest_handles(inputs.face.trajectories.base[points]) / inputs.face.handle_width,
         visible=float(inputs.face.views.visible[:, points].mean()) if len(points) else 1.0,
         kept=displacement_kept(inputs, labels),
-        beside=int((labels < 0).sum()),
+        board=int((labels < 0).sum()),
     )
 
 
@@ -279,7 +279,7 @@ def displacement_kept(inputs: ProblemInputs, labels: Indices) -> float:
 # --- output ------------------------------------------------------------------------------------------
 
 
-COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "kept", "beside")
+COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "kept", "board")
 
 
 def cells(row: Row) -> tuple[str, ...]:
@@ -293,7 +293,7 @@ def cells(row: Row) -> tuple[str, ...]:
         f"{row.nearest:.2f}",
         f"{row.visible:.1%}",
         f"{row.kept:.1%}",
-        f"{row.beside}",
+        f"{row.board}",
     )
 
 

@@ -221,7 +221,7 @@ def page() -> str:
         " `usdrigui process char.usda --preview picture.png --labels` would. To show one thing at a time, the controls"
         ' that a picture is not about are excluded (`[controls."x"] exclude = true`), and joints are left out'
         ' (`read.joints = "none"`) unless it is about them.'
-        " Blue is the character's left, red its right, yellow its middle, violet stands beside the face.\n",
+        " Blue is the character's left, red its right, yellow its middle, violet stands on the board.\n",
     ]
     for scene in SCENES:
         parts += [f"## {scene.heading}\n", f"{scene.text}\n", f"![{scene.heading}](images/elements/{scene.name}.jpg)\n"]
@@ -299,7 +299,7 @@ SCENES: tuple[Scene, ...] = (
     ),
     Scene(
         "board",
-        "4 · Global and hidden controls beside the face",
+        "4 · Global and hidden controls on the board",
         "What moves the whole head and what is hidden in all views stands on a board beside the face, under a heading."
         " On request a hidden control stands at the nearest visible place instead.",
         (

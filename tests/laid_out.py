@@ -77,8 +77,8 @@ def _element(rig, names, members, position, point, beside, adapt):
         where.path, local, len(where.points), where.topology_hash, position, np.array([0.0, 0.0, 1.0]), beside
     )
     kind = "slider" if len(names) == 1 else "patch" if len(names) == 2 else "fan"
-    family, reason = ("hidden", "inside the mouth") if beside else ("", "")
-    return Element("_".join(names), names[0].title(), kind, members, (), anchor, "left", "", family, reason, adapt)
+    category, reason = ("hidden", "inside the mouth") if beside else ("", "")
+    return Element("_".join(names), names[0].title(), kind, members, (), anchor, "left", "", category, reason, adapt)
 
 
 def validation_errors(stage):

@@ -43,7 +43,7 @@ def laid_out(rig, work=WORK):
 
 def on_face(line):
     """Elements that stand on the face."""
-    return [element for element in line.layout.elements if not element.anchor.beside]
+    return [element for element in line.layout.elements if not element.anchor.on_board]
 
 
 def point_of(line, element):

@@ -64,11 +64,11 @@ def element(rig, base, name, kind, members, opposed, mirrors, beside):
             topology_hash=rig.meshes[mesh].topology_hash,
             position=base.points[point] + shift,
             normal=np.array([0.0, 0.0, 1.0]),
-            beside=beside,
+            on_board=beside,
         ),
         side="left" if name.endswith("_L") else "right" if name.endswith("_R") else "middle",
         mirror=mirrors.get(name, ""),
-        family="crowded" if beside else "",
+        category="crowded" if beside else "",
         reason="",
     )
 

@@ -208,7 +208,7 @@ _CODES: dict[str, Code] = {
     "MESH_HIDDEN": Code(
         "warning",
         "A mesh is invisible or of a purpose that is not drawn, so that controls which move nothing else are laid out "
-        "beside the face.",
+        "on the board.",
         "Make it visible, and of purpose default or render, if it is a part of the face; else exclude the controls.",
     ),
     "MESH_OUTSIDE": Code(
@@ -632,7 +632,7 @@ _CODES: dict[str, Code] = {
     "SOLVE_INFEASIBLE": Code(
         "error",
         "No layout keeps all handles apart.",
-        "Allow places beside the face (objective.off_face_allowed), make handles smaller or prune fewer candidates.",
+        "Allow places on the board (objective.off_face_allowed), make handles smaller or prune fewer candidates.",
     ),
     "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
     "SOLVE_EXTRA": Code(

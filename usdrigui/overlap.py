@@ -75,7 +75,7 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
     chosen = np.asarray(labels, dtype=np.int64)
     count = len(problem.variables)
     cost = sum(
-        variable.beside if label < 0 else float(variable.cost[label])
+        variable.off_face_cost if label < 0 else float(variable.cost[label])
         for variable, label in zip(problem.variables, chosen, strict=True)
     )
     for a in range(count):

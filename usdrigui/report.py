@@ -19,7 +19,7 @@ from usdrigui.model import Assignment, Element, Layout, LeftOff, Rig
 FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
 Outcome = Literal["written", "unchanged", "dry run"]
-Place = Literal["face", "beside", "left off"]
+Place = Literal["face", "board", "left off"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +113,7 @@ def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping
         element_name, kept, reason = "", math.nan, reasons.pop(control.name, "")
         if control.name in carried:
             element, length = carried[control.name]
-            place = "beside" if element.anchor.beside else "face"
+            place = "board" if element.anchor.on_board else "face"
             element_name, reason = element.name, element.reason
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
@@ -192,7 +192,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "points": int(character.rig.starts[-1]),
         "meshes": len(character.rig.meshes),
         "controls": [_row(row) for row in character.rows],
-        "counts": {place: character.count(place) for place in ("face", "beside", "left off")},
+        "counts": {place: character.count(place) for place in ("face", "board", "left off")},
         "displacement_kept": character.kept,
         "elements": [_element(element, element.name not in character.added) for element in layout.elements],
         "notes": [{"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes],
@@ -239,8 +239,8 @@ def _element(element: Element, standing: bool) -> dict[str, Any]:
         "opposed": [list(pair) for pair in element.opposed],
         "side": element.side,
         "mirror": element.mirror,
-        "beside": anchor.beside,
-        "family": element.family,
+        "on_board": anchor.on_board,
+        "category": element.category,
         "mesh": anchor.mesh,
         "point": anchor.point,
         "position": anchor.position.tolist(),

@@ -246,7 +246,7 @@ class Screen:
             self._out.print(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
         self._out.print(
-            f"  on the face {character.count('face')}, on the board {character.count('beside')}, "
+            f"  on the face {character.count('face')}, on the board {character.count('board')}, "
             f"left off {character.count('left off')}; "
             f"handles on the face have {_percent(character.kept)} of the peak displacement"
             f"{f' ({_DISPLACEMENT})' if placed else ''}",
@@ -295,7 +295,7 @@ def _rows_table(rows: Sequence[ControlRow]) -> Table:
     table = _table("control", "kind", "place", "element", "twin", "displacement", "why")
     for row in rows:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
-        place = "board" if row.place == "beside" else row.place
+        place = "board" if row.place == "board" else row.place
         element = row.element if row.element != row.control else ""
         table.add_row(*map(_cell, (row.control, row.kind, place, element, row.twin, share, row.reason)))
     return table
@@ -325,7 +325,7 @@ def _changes_table(changes: Sequence[Change]) -> Table:
 def _batch_table(rows: Sequence[Row]) -> Table:
     table = _table("asset", "outcome", "face", "board", "off", "gap", "warnings", "seconds", "why")
     for row in rows:
-        counts = [str(each) if row.sound else "" for each in (row.face, row.beside, row.left_off)]
+        counts = [str(each) if row.sound else "" for each in (row.face, row.board, row.left_off)]
         gap = f"{row.gap:.1e}" if row.sound else ""
         why = f"{row.code} {row.message}".strip()
         cells = (row.asset, row.outcome, *counts, gap, str(row.warnings or ""), f"{row.seconds:.2f}", why)

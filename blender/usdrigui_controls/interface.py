@@ -34,7 +34,7 @@ class Settings(bpy.types.PropertyGroup):
     board: bpy.props.BoolProperty(
         name="Side Board",
         default=True,
-        description="Show the elements that stand beside the face",
+        description="Show the elements that stand on the board",
         update=_touch,
     )
 

@@ -88,7 +88,7 @@ class Element:
     members: tuple[Member, ...]
     areas: tuple[Area, ...]
     mesh: str
-    """Prim path of the mesh it stands on; empty beside the face."""
+    """Prim path of the mesh it stands on; empty on the board."""
     point: int
     position: Place
     normal: Place

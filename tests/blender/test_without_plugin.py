@@ -26,7 +26,7 @@ def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd
     where = {
         element.name.replace(":", "_"): (element.anchor.mesh.rpartition("/")[2], element.anchor.point)
         for element in shown_at_first(layer)
-        if not element.anchor.beside
+        if not element.anchor.on_board
     }
     found = run_inside([usd_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where)
     place = characters.to_world(source, rig)
@@ -60,7 +60,7 @@ def anchors(layer, rig, frames):
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath(rig.root)))
     found = {}
     for element in shown_at_first(layer):
-        if not element.anchor.beside:
+        if not element.anchor.on_board:
             points = stage.GetPrimAtPath(element.anchor.mesh).GetAttribute("points")
             found[element.name.replace(":", "_")] = root_points(stage, rig, element, points, frames)
     return found

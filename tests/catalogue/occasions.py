@@ -382,7 +382,8 @@ def _infeasible(folder: Path, _: Any) -> Found:
 
     problem = _problem(folder)
     crowded = tuple(
-        replace(each, beside=np.inf, handles=each.handles * 0, samples=each.samples * 0) for each in problem.variables
+        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
+        for each in problem.variables
     )
     return refused(lambda: solve(replace(problem, variables=crowded), SolveSettings()))
 

@@ -32,11 +32,11 @@ def test_every_visible_control_covers_something(tmp_path, capsys):
 
 def test_what_the_configuration_sends_beside_is_said(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda")
-    character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "beside"\n')
+    character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "board"\n')
     assert main(["inspect", str(character), "--json"]) == 0
     (only,) = json.loads(capsys.readouterr().out)["characters"]
     flags = {row["control"]: row["flags"] for row in only["controls"]}
-    assert "beside by request" in flags["chin"]
+    assert "on the board by request" in flags["chin"]
     assert "global" not in flags["chin"]
 
 

@@ -18,7 +18,7 @@ LEVELS = """
 weights = { smile_L = 1.0, smile_R = 1.0, pucker = 0.5 }
 
 [candidates]
-beside_composite = false
+board_composite = false
 
 [groups.groups]
 lower = ["chin", "jaw:open"]

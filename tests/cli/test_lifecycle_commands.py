@@ -28,12 +28,12 @@ def run(capsys, *arguments, expected=0):
 
 def anchors(layer):
     (layout,) = read_layout(layer)
-    return {element.name: (element.anchor.point, element.anchor.beside) for element in layout.elements}
+    return {element.name: (element.anchor.point, element.anchor.on_board) for element in layout.elements}
 
 
 def on_face(layer):
     (layout,) = read_layout(layer)
-    return [element for element in layout.elements if not element.anchor.beside and not element.mirror]
+    return [element for element in layout.elements if not element.anchor.on_board and not element.mirror]
 
 
 def lose_control(asset, token):

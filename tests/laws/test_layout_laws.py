@@ -23,7 +23,7 @@ def anchors(line):
     return {
         frozenset(member.control for member in element.members): element.anchor.point
         for element in line.layout.elements
-        if not element.anchor.beside
+        if not element.anchor.on_board
     }
 
 
@@ -122,7 +122,7 @@ def test_displacement_alone_takes_every_peak():
     }
     members = [member for element in line.layout.elements for member in element.members]
     assert {member.control for member in members} == set(shapes)
-    assert not any(element.anchor.beside for element in line.layout.elements)
+    assert not any(element.anchor.on_board for element in line.layout.elements)
     for member in members:
         assert member.arc_length == pytest.approx(peaks[member.control], rel=1e-6)
 

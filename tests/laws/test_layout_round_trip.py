@@ -64,20 +64,20 @@ def changed(draw, element):
         replace(each, track=each.track + draw(VECTORS), arc_length=draw(st.floats(0, 9)), gain=draw(st.floats(1, 9)))
         for each in element.members
     )
-    label, reason, family = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
+    label, reason, category = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
     return replace(
         element,
         members=members,
         label=label,
         reason=reason,
-        family=family,
+        category=category,
         side=draw(st.sampled_from(["left", "right", "middle", "none"])),
         kind=draw(st.sampled_from(["slider", "patch", "fan"])),
         adapt=draw(st.sampled_from(["deform", "static"])),
         pinned=draw(st.sampled_from([(), ("anchor",), ("place", "grouping")])),
         pinned_position=draw(st.sampled_from([(0.0, 0.0, 0.0), (1.5, -2.25, 0.125)])),
         opposed=draw(st.sampled_from([(), ((0, len(members) - 1),)])) if len(members) > 1 else (),
-        anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), beside=draw(st.booleans())),
+        anchor=replace(element.anchor, position=draw(VECTORS), normal=draw(VECTORS), on_board=draw(st.booleans())),
     )
 
 

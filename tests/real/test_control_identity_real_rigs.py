@@ -84,7 +84,7 @@ def test_two_makers_with_words_of_their_own():
 def test_a_layout_knows_its_controls_by_their_motion(name):
     rig = read(name)
     _, _, layout = lay_out(rig)
-    on_face = {m.control for e in layout.elements if not e.anchor.beside for m in e.members}
+    on_face = {m.control for e in layout.elements if not e.anchor.on_board for m in e.members}
     copy, names = renamed(rig, numbers())
     found = match_layout(layout, *with_motions(reordered(copy, 4)))
     share, wrong = judged(found, {name: names[name] for name in on_face})

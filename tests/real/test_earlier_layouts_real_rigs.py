@@ -14,7 +14,7 @@ pytestmark = pytest.mark.real
 
 
 def anchors(layout):
-    return {e.name: (e.anchor.mesh, e.anchor.point, e.anchor.beside) for e in layout.elements}
+    return {e.name: (e.anchor.mesh, e.anchor.point, e.anchor.on_board) for e in layout.elements}
 
 
 @pytest.mark.parametrize("name", ["godette.usdc", "mh_expr34.usdc", "openusd_blendshapes.usda"])
@@ -28,8 +28,8 @@ def test_fixed_anchors_are_kept_exactly_and_the_rest_is_optimal_given_them(name)
     for element in half.elements:
         now = by_control[element.members[0].control]
         assert {m.control for m in now.members} == {m.control for m in element.members}
-        assert now.anchor.beside == element.anchor.beside
-        if not element.anchor.beside:
+        assert now.anchor.on_board == element.anchor.on_board
+        if not element.anchor.on_board:
             assert (now.anchor.mesh, now.anchor.point) == (element.anchor.mesh, element.anchor.point)
     assert found.status == "optimal"
     assert found.gap <= 1e-4
@@ -70,10 +70,10 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     for element in theirs.elements:
         for member in element.members:
             anchor = now[member.control]
-            if element.anchor.beside:
-                apart.append(0.0 if anchor.beside else np.inf)
+            if element.anchor.on_board:
+                apart.append(0.0 if anchor.on_board else np.inf)
             else:
                 place = reshaped(element.anchor.position[None], box)[0]
                 off = np.linalg.norm(anchor.position - place) / context.face.handle_width
-                apart.append(np.inf if anchor.beside else off)
+                apart.append(np.inf if anchor.on_board else off)
     assert np.mean(np.array(apart) <= 2.0) >= 0.9

@@ -78,8 +78,8 @@ def test_nine_in_ten_of_the_mapped_controls_stand_within_two_handle_widths():
     for element in theirs.elements:
         for name in (member.control for member in element.members if member.control in NAMES):
             anchor = now[NAMES[name]]
-            if element.anchor.beside or anchor.beside:
-                off[name] = 0.0 if element.anchor.beside == anchor.beside else np.inf
+            if element.anchor.on_board or anchor.on_board:
+                off[name] = 0.0 if element.anchor.on_board == anchor.on_board else np.inf
                 continue
             place = place_at(face, by_hand(element.anchor.position[None, :2])[0])
             spots = allowed[NAMES[name]]

@@ -37,7 +37,7 @@ def test_pairs_mirror_where_the_mesh_does(name):
     pairs = [(e, elements[e.mirror]) for e in on_face(line) if e.mirror]
     assert len(pairs) >= 2
     for one, other in pairs:
-        assert not other.anchor.beside
+        assert not other.anchor.on_board
         assert other.mirror == one.name
         apart = float((one.anchor.position - symmetry.origin) @ symmetry.normal)
         image = one.anchor.position - 2.0 * apart * symmetry.normal
@@ -73,13 +73,13 @@ def test_two_heads_of_one_convention_are_laid_out_with_the_same_elements():
     elements = [homes(line_of(name)) for name in ("ict_face57", "facecap_blender")]
     shared = sorted(set.intersection(*map(set, elements)))
     assert len(shared) > 40
-    made = [{name: (each[name].anchor.beside, each[name].controls) for name in shared} for each in elements]
+    made = [{name: (each[name].anchor.on_board, each[name].controls) for name in shared} for each in elements]
     assert made[0] == made[1]
 
 
 def test_shapes_that_hide_parts_stand_beside_the_face():
     found = homes(line_of("godette"))
-    beside = {name for name, element in found.items() if element.family == "global"}
+    beside = {name for name, element in found.items() if element.category == "global"}
     assert beside == {"HideHairBalls", "HdieEarRings", "HideBlush"}
 
 
@@ -99,18 +99,18 @@ def test_eyes_share_joysticks_and_opposites_share_sliders():
 
 def test_tongue_and_pupils_are_hidden():
     vitruvian = homes(line_of("vitruvian"))
-    assert {name for name, element in vitruvian.items() if element.family == "hidden"} == {
+    assert {name for name, element in vitruvian.items() if element.category == "hidden"} == {
         name for name in vitruvian if name.startswith(("Tongue", "Pupil"))
     }
 
 
 def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
     vitruvian = homes(line_of("vitruvian"))
-    composite = {name for name, element in vitruvian.items() if element.family in ("composite", "viseme", "emotion")}
+    composite = {name for name, element in vitruvian.items() if element.category in ("composite", "viseme", "emotion")}
     assert {"Happy", "Sad", "Scared", "Revulsion", "Disgusted", "er_05", "w_uw_07"} <= composite
     assert not {"Jaw_Out", "Eyes_Closed_Left", "Frown_Left", "Lips_Dn_In", "Eyebrows_Raised_Left"} & composite
     for other in ("godette", "mh_expr34", "mh_poseunits", "ict_face57"):
-        assert not any(element.family == "composite" for element in line_of(other).layout.elements), other
+        assert not any(element.category == "composite" for element in line_of(other).layout.elements), other
 
 
 @pytest.mark.parametrize(

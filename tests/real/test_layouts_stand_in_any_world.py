@@ -83,9 +83,9 @@ def with_whole_head(name):
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
 def test_whole_head_and_hide_shapes_stand_beside_the_face(name):
     found = homes(with_whole_head(name))
-    own = {control for control, element in homes(line_of(name)).items() if element.family == "global"}
-    assert {control for control, element in found.items() if element.family == "global"} == WHOLE | own
-    assert all(found[control].anchor.beside and found[control].reason for control in WHOLE)
+    own = {control for control, element in homes(line_of(name)).items() if element.category == "global"}
+    assert {control for control, element in found.items() if element.category == "global"} == WHOLE | own
+    assert all(found[control].anchor.on_board and found[control].reason for control in WHOLE)
 
 
 @pytest.mark.parametrize("name", ["godette", "mh_expr34", "ict_face57"])
@@ -94,7 +94,7 @@ def test_their_board_stands_clear_of_the_head(name):
     line = with_whole_head(name)
     context, width = line.face, line.layout.handle_width
     across = np.cross(context.rig.up, FRONTS[name])
-    beside = [element for element in line.layout.elements if element.anchor.beside]
+    beside = [element for element in line.layout.elements if element.anchor.on_board]
     spots = np.array([element.anchor.position for element in beside])
     apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.diag(np.full(len(spots), np.inf))
     assert apart.min() >= width

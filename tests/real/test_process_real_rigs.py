@@ -53,7 +53,7 @@ def test_the_bound_holds_and_handles_are_apart(run):
     for character in document["characters"]:
         solution = character["solution"]
         assert solution["bound"] <= solution["cost"] + 1e-9
-        spots = np.array([element["position"] for element in character["elements"] if not element["beside"]])
+        spots = np.array([element["position"] for element in character["elements"] if not element["on_board"]])
         apart = np.linalg.norm(spots[:, None] - spots[None], axis=2) + np.eye(len(spots)) * 1e30
         assert apart.min() >= character["handle_width"] * (1.0 - 1e-6)
 
@@ -80,7 +80,7 @@ def test_baked_handles_are_centred_on_their_anchors(run):
                 - points[element.anchor.mesh][element.anchor.point]
             )
             for element, prim in zip(layout.elements, scope.GetChildren(), strict=True)
-            if not element.anchor.beside
+            if not element.anchor.on_board
         ]
         assert misses
         assert max(misses) < 1e-5 * diagonal

@@ -254,7 +254,7 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
     assert [each.name for each in found.elements] == [each.name for each in layout.elements]
     for mine, theirs in zip(found.elements, layout.elements, strict=True):
         assert mine.axes == theirs.axes
-        assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.beside)
+        assert (mine.point, bool(mine.mesh)) == (theirs.anchor.point, not theirs.anchor.on_board)
         for one, other in zip(mine.members, theirs.members, strict=True):
             assert one.control == other.control
             assert one.values == pytest.approx(other.values)

@@ -364,7 +364,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     assert (member.control, member.gain) == ("smile", 1.0)
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
-    assert (element.anchor.mesh, element.anchor.point, element.anchor.beside) == ("/Char/face", 7, False)
+    assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)
     stage = Usd.Stage.Open(hand_made())
     assert base_controls(next(layout_scopes(stage))) == ()
 

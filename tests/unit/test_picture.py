@@ -21,7 +21,7 @@ from usdrigui.view import sheet as view_sheet
 from usdrigui.view.picture import contact_sheet, render
 
 SMALL = (640, 400)
-BLUE, RED, VIOLET = (overlay.SIDES[side] for side in ("left", "right", "beside"))
+BLUE, RED, VIOLET = (overlay.SIDES[side] for side in ("left", "right", "board"))
 
 
 def sided(rig, **given):
@@ -82,10 +82,10 @@ def test_a_view_of_one_side_shows_that_side(rig, layout):
 
 
 def aside(layout, place):
-    """The layout with its elements beside the face moved to a place, their tracks three units long."""
+    """The layout with its elements on the board moved to a place, their tracks three units long."""
     moved = []
     for each in layout.elements:
-        if each.anchor.beside:
+        if each.anchor.on_board:
             line = np.array(place) + np.linspace(0.0, 0.4, len(each.members[0].values))[:, None] * [1.0, 0.0, 0.0]
             members = (replace(each.members[0], track=line),)
             each = replace(each, anchor=replace(each.anchor, position=np.array(place)), members=members)
@@ -378,7 +378,7 @@ def marked(element, box, outlines=()):
 
 
 def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
-    one = replace(layout.elements[0], family="global")
+    one = replace(layout.elements[0], category="global")
     large = np.array([[0.0, 60.0, 0.0], [20.0, 140.0, 0.0]])
     tops = []
     for outlines in ((), (large,)):

@@ -69,7 +69,7 @@ def test_the_schema_for_editors_holds_every_setting_with_its_bounds():
         assert found["description"].startswith(about.doc)
         assert about.bounds is None or (found["minimum"], found["maximum"]) == about.bounds
     controls = schema["properties"]["controls"]["additionalProperties"]["properties"]
-    assert controls["place"]["enum"] == ["", "face", "beside", "proxy"]
+    assert controls["place"]["enum"] == ["", "face", "board", "proxy"]
     assert json.loads(json.dumps(schema)) == schema
 
 

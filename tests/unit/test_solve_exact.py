@@ -221,7 +221,8 @@ def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> No
 def test_infeasible_names_the_variables() -> None:
     problem = crowd(3, variables=3, candidates=1)
     forced = tuple(
-        replace(each, beside=np.inf, handles=each.handles * 0, samples=each.samples * 0) for each in problem.variables
+        replace(each, off_face_cost=np.inf, handles=each.handles * 0, samples=each.samples * 0)
+        for each in problem.variables
     )
     with pytest.raises(RigUIError, match=r"SOLVE_INFEASIBLE.*v0, v1, v2"):
         solve(replace(problem, variables=forced), HIGHS)
@@ -245,7 +246,7 @@ def test_no_candidate_and_no_place_beside_is_refused() -> None:
         cost=np.empty(0),
         samples=np.empty((0, 1, 5, 3)),
         handles=np.empty((0, 1, 3)),
-        beside=np.inf,
+        off_face_cost=np.inf,
     )
     with pytest.raises(RigUIError, match="v0"):
         solve(replace(problem, variables=(empty, problem.variables[1])), HIGHS)
@@ -260,7 +261,7 @@ def test_a_best_cost_of_nothing_is_proved() -> None:
     problem = crowd(1, variables=4, candidates=12)
     cost = solve(problem, HIGHS).cost
     first = problem.variables[0]
-    shifted = replace(first, cost=first.cost - cost, beside=first.beside - cost)
+    shifted = replace(first, cost=first.cost - cost, off_face_cost=first.off_face_cost - cost)
     found = solve(replace(problem, variables=(shifted, *problem.variables[1:])), HIGHS)
     assert found.status == "optimal"
     assert abs(found.cost) < 1e-3

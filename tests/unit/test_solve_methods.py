@@ -113,7 +113,9 @@ def test_toulbar2_agrees_where_costs_are_huge(seed: int) -> None:
     problem, factor = crowd(seed, variables=3, candidates=8), 1e10
     huge = replace(
         problem,
-        variables=tuple(replace(v, cost=v.cost * factor, beside=v.beside * factor) for v in problem.variables),
+        variables=tuple(
+            replace(v, cost=v.cost * factor, off_face_cost=v.off_face_cost * factor) for v in problem.variables
+        ),
         overlap=replace(problem.overlap, weight=problem.overlap.weight * factor),
     )
     ours, theirs = (solve(huge, SolveSettings(method=each)) for each in ("enumerate", "toulbar2"))

@@ -34,7 +34,7 @@ def choices(rig):
     """Everything about a layout that is no number."""
     line = chain.lay_out(rig)
     return [
-        (each.name, each.kind, each.anchor.point, each.anchor.beside, each.mirror, each.axes, each.reason)
+        (each.name, each.kind, each.anchor.point, each.anchor.on_board, each.mirror, each.axes, each.reason)
         for each in line.layout.elements
     ]
 

@@ -142,7 +142,7 @@ def _flat(rig: Rig, layout: Layout, labels: bool) -> tuple[tuple[Floats, ...], l
 
 def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
     """Corners (2,) of the part of the character that is shown: the head, or whatever holds the elements."""
-    face = [spot for spot in spots if not spot.element.anchor.beside] or spots
+    face = [spot for spot in spots if not spot.element.anchor.on_board] or spots
     around = np.concatenate([*(np.vstack([spot.handle, *spot.tracks]) for spot in face), skin[: 0 if face else 1]])
     low, high = around.min(axis=0), around.max(axis=0)
     tall, middle = max(float(high[1] - low[1]), 8.0 * _HANDLE), 0.5 * float(low[0] + high[0])
@@ -160,7 +160,7 @@ def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
 
 def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
     """The spots with names on the face in columns left and right of the region."""
-    face = [index for index, spot in enumerate(spots) if not spot.element.anchor.beside]
+    face = [index for index, spot in enumerate(spots) if not spot.element.anchor.on_board]
     columns = lettering.sides([float(spots[i].handle[0]) for i in face], [spots[i].element.name for i in face])
     named = list(spots)
     for column, edge in zip(columns, (low[0] - _GAP, high[0] + _GAP), strict=True):
@@ -173,7 +173,7 @@ def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
 
 def _with_board(spots: list[Spot], loops: tuple[Floats, ...], low: Floats, high: Floats) -> list[Spot]:
     """The spots with the board next to the silhouette and names there, at a height where the character is."""
-    board = [_drawn(spot) for spot in spots if spot.element.anchor.beside]
+    board = [_drawn(spot) for spot in spots if spot.element.anchor.on_board]
     if not board:
         return spots
     top_left, end = np.concatenate(board).min(axis=0), np.concatenate(board).max(axis=0)
@@ -181,18 +181,18 @@ def _with_board(spots: list[Spot], loops: tuple[Floats, ...], low: Floats, high:
     bottom = float(outline[:, 1].max()) if len(outline) else float(high[1])
     down = max(min(0.0, bottom - float(end[1])), float(low[1] - top_left[1]))
     level = outline[(outline[:, 1] >= top_left[1] + down - _GAP) & (outline[:, 1] <= end[1] + down + _GAP), 0]
-    face = [_drawn(spot)[:, 0].max() for spot in spots if not spot.element.anchor.beside]
+    face = [_drawn(spot)[:, 0].max() for spot in spots if not spot.element.anchor.on_board]
     shift = np.array([max(float(level.max(initial=-np.inf)), *face, -np.inf) + _GAP - top_left[0], down])
     if not np.isfinite(shift).all():
         return spots
-    return [spot.moved(shift) if spot.element.anchor.beside else spot for spot in spots]
+    return [spot.moved(shift) if spot.element.anchor.on_board else spot for spot in spots]
 
 
 def _drawn(spot: Spot) -> Floats:
     """(k, 2) points around everything drawn of an element."""
     points = [np.vstack([spot.handle - 0.5 * _HANDLE, spot.handle + 0.5 * _HANDLE, *spot.tracks])]
     wide = np.array([_LETTER * len(spot.element.label), 0.0])
-    if spot.element.anchor.beside:
+    if spot.element.anchor.on_board:
         place = _label_place(spot)
         points.append(np.vstack([place - [0.0, _LETTER], place + wide]))
     if spot.lead is not None:
@@ -202,7 +202,7 @@ def _drawn(spot: Spot) -> Floats:
 
 
 def _label_place(spot: Spot) -> Floats:
-    """(2,) where the name of an element beside the face begins: above all of it."""
+    """(2,) where the name of an element on the board begins: above all of it."""
     around = np.vstack([spot.handle - 0.5 * _HANDLE, *spot.tracks])
     return np.asarray(around.min(axis=0) - [0.0, 6.0])
 
@@ -226,7 +226,7 @@ def _group(spot: Spot) -> list[str]:
         "data-side": element.side,
         "data-mirror": element.mirror,
         "data-anchor": f"{anchor.mesh}#{anchor.point}",
-        "data-beside": str(anchor.beside).lower(),
+        "data-board": str(anchor.on_board).lower(),
     }
     attributes = " ".join(f'{name}="{markup(value)}"' for name, value in facts.items())
     lines = [f"<g {attributes}>"]
@@ -243,7 +243,7 @@ def _group(spot: Spot) -> list[str]:
         lines.append(
             f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14" text-anchor="{side}">{markup(element.label)}</text>'
         )
-    if anchor.beside:
+    if anchor.on_board:
         x, y = _label_place(spot)
         lines.append(f'<text x="{x:.2f}" y="{y:.2f}" font-size="14">{markup(element.label)}</text>')
     return [*lines, "</g>"]

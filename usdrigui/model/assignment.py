@@ -19,7 +19,7 @@ class Assignment(Record):
     """A solution of a `LayoutProblem` with its proof."""
 
     labels: Indices
-    """(variables,) chosen candidate of each variable; -1 is beside the face."""
+    """(variables,) chosen candidate of each variable; -1 is on the board."""
     cost: float
     bound: float
     """Lower bound on the cost of every solution of the problem as given; -inf if none is known."""

@@ -63,11 +63,11 @@ class Element(Record):
     side: Side
     mirror: str
     """Name of the element on the other side, or empty."""
-    family: str
-    """For elements beside the face: the heading under which it stands (``global``, ``hidden``,
+    category: str
+    """For elements on the board: the heading under which it stands (``global``, ``hidden``,
     ``composite``, ``requested``, ``crowded``); else empty."""
     reason: str
-    """Why it stands beside the face or shares an element; else empty."""
+    """Why it stands on the board or shares an element; else empty."""
     adapt: Literal["deform", "static"] = "deform"
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
@@ -121,5 +121,5 @@ class Anchor(Record):
     """(3,) at the base pose.  Beside the face: the place of the element itself."""
     normal: Floats
     """(3,) unit; the direction in which the element faces."""
-    beside: bool
-    """True when the element stands beside the face and takes from the point its joint influences only."""
+    on_board: bool
+    """True when the element stands on the board and takes from the point its joint influences only."""

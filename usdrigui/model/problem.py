@@ -16,7 +16,7 @@ class LayoutProblem(Record):
 
     cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair cost
     of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or +inf if any
-    two handles are nearer than `separation`; a variable beside the face has no pair costs, and neither have
+    two handles are nearer than `separation`; a variable on the board has no pair costs, and neither have
     two variables that are never visible together.  `extra`
     adds explicit non-negative pair costs on top.  Nothing else is part of the problem.
     """
@@ -39,7 +39,7 @@ class LayoutProblem(Record):
 
 @dataclass(frozen=True, eq=False)
 class Variable(Record):
-    """One element to place: its candidates are the labels 0..R-1; label -1 is *beside the face*.
+    """One element to place: its candidates are the labels 0..R-1; label -1 is the board.
 
     An element stands for itself and for its images under the symmetry (paper section 3.3, symmetric
     elements): `samples` and `handles` hold one entry per copy.
@@ -54,7 +54,7 @@ class Variable(Record):
     """(R, copies, u, 3) points along the drawn element, for overlaps."""
     handles: Floats
     """(R, copies, 3) where the handle rests."""
-    beside: float
+    off_face_cost: float
     """Linear cost of label -1; +inf when the element must stay on the face."""
     displacement: Floats
     """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective: part of `cost`

@@ -64,7 +64,7 @@ def _facts(inputs: ProblemInputs) -> CharacterFacts:
         chosen, motion = sets.get(index), motions.get(index)
         flags = list(remarks.get(control.name, ()))
         if chosen is not None and chosen.category:
-            flags.append("beside by request" if chosen.category == "requested" else chosen.category)
+            flags.append("on the board by request" if chosen.category == "requested" else chosen.category)
         rows.append(
             ControlFacts(
                 control=control.name,

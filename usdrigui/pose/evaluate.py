@@ -3,7 +3,7 @@
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
 its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or where
 `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that carries the
-face) and its handle slides along the tracks.  What stands beside the face is one board and stays in one
+face) and its handle slides along the tracks.  What stands on the board is one board and stays in one
 piece: no control of any element there moves it.  These are the rules of the written layer, where tracks and
 handles are gprims that UsdSkel deforms; better than a gprim can, tracks here also follow other controls
 of the joints that their own control turns.  numpy only.
@@ -68,7 +68,7 @@ class Poser(Record):
     """`anchors` all on one joint, for static elements."""
     still_base: Posed
     board: Indices
-    """Controls of the elements beside the face that turn or move joints, as indices into `Rig.controls`."""
+    """Controls of the elements on the board that turn or move joints, as indices into `Rig.controls`."""
 
 
 def prepare(rig: Rig, layout: Layout) -> Poser:
@@ -85,7 +85,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         raise refuse("LAYOUT_STALE", layout.root, "the base pose has another number of controls than the character")
     base, still, still_base = posed(anchors, layout.base_values), anchors, None
     if any(element.adapt == "static" for element in layout.elements):
-        still = on_one_joint(anchors, rows[[not element.anchor.beside for element in layout.elements]])
+        still = on_one_joint(anchors, rows[[not element.anchor.on_board for element in layout.elements]])
         still_base = posed(still, layout.base_values)
     return Poser(rig, layout, anchors, rows, owned, base, still, still_base or base, _board(rig, layout, owned))
 
@@ -138,7 +138,7 @@ def _element(
     element, row = poser.layout.elements[index], int(poser.rows[index])
     static = element.adapt == "static"
     skin, before, at = (poser.still, poser.still_base, still) if static else (poser.anchors, poser.base, whole)
-    others = board[static] if element.anchor.beside else _others(poser, skin, index, at, values)
+    others = board[static] if element.anchor.on_board else _others(poser, skin, index, at, values)
     base = before.points[row]
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
     if not _detached(element):
@@ -205,7 +205,7 @@ def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Flo
 
 
 def _detached(element: Element) -> bool:
-    return element.anchor.beside or element.adapt == "static"
+    return element.anchor.on_board or element.adapt == "static"
 
 
 def _map(anchors: Rig, at: Posed, row: int) -> Floats:
@@ -239,8 +239,8 @@ def _anchor_point(rig: Rig, element: Element) -> int:
 
 
 def _board(rig: Rig, layout: Layout, owned: Sequence[Indices]) -> Indices:
-    """Controls of the elements beside the face that drive joints."""
-    beside = [own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.beside]
+    """Controls of the elements on the board that drive joints."""
+    beside = [own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.on_board]
     controls = sorted({control for own in beside for control in own.tolist()})
     return np.array([each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64)
 

@@ -17,6 +17,9 @@ from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import from_environment
 from usdrigui.settings.table import current_name
 
+_EARLIER_VALUES = {"beside": "board"}
+"""What values were called in configurations of before (`place`)."""
+
 
 def load(
     *sources: Mapping[str, Any], preset: str = "default", environment: Mapping[str, str] | None = None
@@ -62,6 +65,7 @@ def _converted(current: Any, hint: Any, value: Any, path: str) -> Any:
             raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
         return tuple(_converted(None, arguments[0], item, f"{path}[{i}]") for i, item in enumerate(value))
     if origin is Literal:
+        value = _EARLIER_VALUES.get(value, value) if isinstance(value, str) else value
         if value not in arguments:
             raise refuse("CONFIG_VALUE", path, f"expected one of {', '.join(map(repr, arguments))}, got {value!r}")
         return value

@@ -22,7 +22,7 @@ class ControlSettings:
     default: float | None = setting(None, "Value at rest; none takes it from the asset.", unit="its own")
     twin: str = setting("", "Name of the mirror control; ``none`` unpairs; ``self`` says symmetric about the plane.")
     orbit: tuple[str, ...] = setting((), "Names of the controls of an n-fold symmetry, this one first.", level="expert")
-    place: Literal["", "face", "beside", "proxy"] = setting(
+    place: Literal["", "face", "board", "proxy"] = setting(
         "", "Where to lay it out; empty leaves the choice to the optimiser. ``proxy`` is the nearest visible point."
     )
     near: str = setting("", "Prim path, ``joint:NAME`` or ``MESH.point[i]`` near which to stay (locality).")
@@ -263,11 +263,18 @@ class CandidateSettings:
         bounds=(0.0, 1.0),
         level="expert",
     )
-    beside_global: bool = setting(True, "Send controls that move the face as a whole to the board.", level="expert")
-    beside_hidden: bool = setting(
-        True, "Send controls that only affect geometry hidden in all views to the board.", level="expert"
+    board_global: bool = setting(
+        True, "Send controls that move the face as a whole to the board.", level="expert", was="beside_global"
     )
-    beside_composite: bool = setting(True, "Send controls that repeat what others do to the board.", level="expert")
+    board_hidden: bool = setting(
+        True,
+        "Send controls that only affect geometry hidden in all views to the board.",
+        level="expert",
+        was="beside_hidden",
+    )
+    board_composite: bool = setting(
+        True, "Send controls that repeat what others do to the board.", level="expert", was="beside_composite"
+    )
     near_radius: float = setting(
         0.15, "Default radius of locality.", unit="face sizes", bounds=(1e-06, 1000000.0), level="expert"
     )

@@ -14,8 +14,8 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
             "candidates": {
                 "peak_share": 0.0,
                 "occlusion_weight": 0.0,
-                "beside_hidden": False,
-                "beside_composite": False,
+                "board_hidden": False,
+                "board_composite": False,
             },
             "symmetry": {"double_middle": "never"},
             "groups": {"opposed": False, "patches": True},

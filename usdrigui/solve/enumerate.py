@@ -18,7 +18,7 @@ MOST = 4_000_000
 def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     """The best of all layouts.  Raises SOLVE_TOO_LARGE or SOLVE_INFEASIBLE."""
     labels = [
-        np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.beside) else []).astype(np.int64)
+        np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []).astype(np.int64)
         for each in problem.variables
     ]
     layouts = math.prod(len(each) for each in labels)
@@ -26,7 +26,7 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
         raise refuse("SOLVE_TOO_LARGE", "solve.method", f"{layouts} layouts to enumerate; at most {MOST}")
     total = np.zeros([1] * len(labels))
     for at, (each, mine) in enumerate(zip(problem.variables, labels, strict=True)):
-        own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.beside)
+        own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.off_face_cost)
         total = total + _along(own, len(labels), at)
     for a in range(len(labels)):
         for b in range(a + 1, len(labels)):
@@ -36,7 +36,7 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     best = np.unravel_index(int(total.argmin()), total.shape)
     cost = float(total.min())
     budget.note("enumeration", layouts=layouts)
-    least = sum(float(_finite_least(each.cost, each.beside)) for each in problem.variables)
+    least = sum(float(_finite_least(each.cost, each.off_face_cost)) for each in problem.variables)
     chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
     return Assignment(
         chosen, cost, cost, "optimal", max(0.0, cost - least), "enumerate", "enumerate", tuple(budget.steps)

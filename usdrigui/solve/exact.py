@@ -33,7 +33,7 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     labels = all_labels(problem)
     empty = [each.name for each, best in zip(problem.variables, labels.best, strict=True) if not np.isfinite(best)]
     if empty:
-        raise refuse("SOLVE_INFEASIBLE", "solve", f"no candidate and no place beside the face for {', '.join(empty)}")
+        raise refuse("SOLVE_INFEASIBLE", "solve", f"no candidate and no place on the board for {', '.join(empty)}")
     if not problem.variables:
         budget.found("local search", cost=0.0, bound=0.0)
         return assignment(problem, labels, labels.label, budget, "bounds")

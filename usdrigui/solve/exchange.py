@@ -40,7 +40,7 @@ def save_problem(path: Path, problem: LayoutProblem) -> None:
         "overlap": np.array([getattr(problem.overlap, name) for name in _OVERLAP]),
         "separation": np.array(problem.separation),
         "unit_cost": np.array(problem.unit_cost),
-        "beside": np.array([each.beside for each in problem.variables], dtype=np.float64),
+        "off_face_cost": np.array([each.off_face_cost for each in problem.variables], dtype=np.float64),
         "extra": np.array([(each.first, each.second) for each in problem.extra], dtype=np.int64).reshape(-1, 2),
     }
     for at, variable in enumerate(problem.variables):
@@ -75,11 +75,11 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
     variables = tuple(
         Variable(
             name=str(name),
-            beside=float(beside),
+            off_face_cost=float(cost),
             states=frozenset(arrays[f"states_{at}"].tolist()),
             **{key: arrays[f"{key}_{at}"] for key in _PER_VARIABLE},
         )
-        for at, (name, beside) in enumerate(zip(arrays["names"], arrays["beside"], strict=True))
+        for at, (name, cost) in enumerate(zip(arrays["names"], arrays["off_face_cost"], strict=True))
     )
     extra = tuple(
         ExtraPairs(
@@ -97,7 +97,7 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
 
 
 def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...]) -> None:
-    """Raises ValueError when explicit costs speak of no two variables, of no candidates (beside the face has no
+    """Raises ValueError when explicit costs speak of no two variables, of no candidates (the board has no
     pair costs), are negative, or speak of the same pair twice."""
     for each in extra:
         if not 0 <= each.first < each.second < len(variables):

@@ -93,7 +93,7 @@ class Bodies(Record):
 
 @dataclass(frozen=True, eq=False)
 class Pool(Record):
-    """Labels or blocks of all variables, sorted by variable; those beside the face have no body."""
+    """Labels or blocks of all variables, sorted by variable; those on the board have no body."""
 
     count: int
     """Number of variables."""
@@ -113,7 +113,7 @@ class Labels(Record):
 
     pool: Pool
     label: Indices
-    """(n,) index into the variable's candidates, or -1 for beside the face."""
+    """(n,) index into the variable's candidates, or -1 for on the board."""
     best: Floats
     """(count,) least linear cost of each variable."""
 
@@ -139,19 +139,19 @@ class Blocks(Record):
 
 
 def all_labels(problem: LayoutProblem) -> Labels:
-    """Every label of the problem that *beside the face* does not dominate.
+    """Every label of the problem that the board does not dominate.
 
     A candidate that costs more than leaving the face can always be replaced by that, whose pair costs are
     zero, so it is in no best solution.
     """
     variable, label, cost, best = [], [], [], []
     for index, each in enumerate(problem.variables):
-        kept = np.flatnonzero(each.cost < each.beside)  # at equal cost, beside the face is no worse
-        if np.isfinite(each.beside):
+        kept = np.flatnonzero(each.cost < each.off_face_cost)  # at equal cost, the board is no worse
+        if np.isfinite(each.off_face_cost):
             kept = np.append(kept, -1)
         variable.append(np.full(len(kept), index))
         label.append(kept)
-        own = np.where(kept >= 0, each.cost[kept] if len(each.cost) else 0.0, each.beside)
+        own = np.where(kept >= 0, each.cost[kept] if len(each.cost) else 0.0, each.off_face_cost)
         cost.append(own)
         best.append(own.min(initial=np.inf))
     none = np.empty(0, dtype=np.int64)
@@ -227,7 +227,7 @@ def in_play(labels: Labels, cost: float) -> Indices:
 
 
 def whole(labels: Labels) -> Blocks:
-    """One block per variable, with *beside the face* as a block of its own."""
+    """One block per variable, with the board as a block of its own."""
     pool = labels.pool
     beside = labels.label < 0
     first = np.ones(len(beside), dtype=bool)

@@ -110,7 +110,7 @@ class Neighbours:
                 cost[low + at[same]] += extra.costs[hit][same]
 
     def _face_end(self, variable: int) -> int:
-        """One past the variable's last label on the face; beside the face comes last."""
+        """One past the variable's last label on the face; the board comes last."""
         end = int(self._labels.pool.start[variable + 1])
         low = int(self._labels.pool.start[variable])
         return end - 1 if end > low and self._labels.label[end - 1] < 0 else end

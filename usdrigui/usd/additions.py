@@ -109,7 +109,7 @@ def _author_new_shapes(layer: Sdf.Layer, addition: Addition, carriage: Carriage,
     """Let what is drawn of a standing element follow the shapes that its layer does not know."""
     prims = [prim for prim in addition.prims if prim.element == element.name]
     known = {token for prim in prims if prim.role == "handle" for token in prim.shapes}
-    if element.anchor.beside or not any(
+    if element.anchor.on_board or not any(
         addition.rig.channels[shape.channel].token not in known for shape in carriage.grip(element).shapes
     ):
         return

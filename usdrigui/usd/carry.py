@@ -98,7 +98,7 @@ class Grip(Record):
     turning: bool
     """True when controls that `track` ignores move joints that the anchor hangs on."""
     deforms: bool
-    """False for elements beside the character and static ones: the anchor's shapes do not act on them."""
+    """False for elements on the board and static ones: the anchor's shapes do not act on them."""
 
 
 class Carriage:
@@ -112,10 +112,10 @@ class Carriage:
         self._meshes = {mesh.path: mesh for mesh in rig.meshes}
         self._size = _size(rig)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
-        on_face = [self._anchored(each) for each in layout.elements if not each.anchor.beside]
+        on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         self._rigid = _rigid_carrier(rig, on_face)
         self._shapes = _shapes_of(rig, on_face, self._size)
-        beside = [member.control for each in layout.elements if each.anchor.beside for member in each.members]
+        beside = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
         self._board = _own_joints([self.control(name) for name in beside], self._size)
 
     def control(self, name: str) -> Control:
@@ -132,13 +132,13 @@ class Carriage:
         """What carries one element."""
         mesh, point = self._anchored(element)
         controls = [self.control(member.control) for member in element.members]
-        deforms = not element.anchor.beside and element.adapt == "deform"
+        deforms = not element.anchor.on_board and element.adapt == "deform"
         skeleton = _skeleton_of(self.rig, mesh)
         influences = _influences(mesh, point)
         if element.adapt == "static" and self._rigid >= 0:
             influences = np.array([self._rigid]), np.ones(1)
         # The board stays in one piece: what one of its elements turns moves none of them.
-        own = _own_joints(controls, self._size) | (self._board if element.anchor.beside else set())
+        own = _own_joints(controls, self._size) | (self._board if element.anchor.on_board else set())
         fixed = _without(self.rig, influences, own)
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)

@@ -1,4 +1,4 @@
-"""Meshes that controls move and nobody sees: what their controls are laid out beside the face for."""
+"""Meshes that controls move and nobody sees: what their controls are laid out on the board for."""
 
 from __future__ import annotations
 

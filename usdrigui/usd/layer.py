@@ -270,7 +270,7 @@ def _author_element_api(
             "reversed": list(element.reversed),
             "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
             "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
-            "family": element.family,
+            "family": element.category,
             "pinned": element.pinned,
             "pinnedPosition": element.pinned_position,
             "reason": element.reason,
@@ -284,7 +284,7 @@ def _author_anchor_api(xform: Sdf.PrimSpec, element: Element) -> None:
         xform,
         schema.ANCHOR,
         {
-            "carrier" if anchor.beside else "prim": [anchor.mesh],
+            "carrier" if anchor.on_board else "prim": [anchor.mesh],
             "pointIndex": anchor.point,
             "pointCount": anchor.point_count,
             "topologyHash": anchor.topology_hash,

@@ -217,7 +217,7 @@ def _element(prim: Usd.Prim) -> Element:
         side=get("side"),
         reversed=_positions(prim, get("reversed"), len(instances)),
         mirror=_element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
-        family=str(get("family")),
+        category=str(get("family")),
         reason=str(get("reason")),
         inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
         pinned=_decisions(prim, get("pinned")),
@@ -299,7 +299,7 @@ def _anchor(prim: Usd.Prim) -> Anchor:
         topology_hash=str(get("topologyHash")),
         position=_floats(get("position")),
         normal=_floats(get("normal")),
-        beside=not on_face,
+        on_board=not on_face,
     )
 
 

@@ -72,8 +72,8 @@ def widest(names: Sequence[str]) -> float:
     return max((font(_LARGEST).getlength(legible(name)) for name in names), default=0.0)
 
 
-def name_beside(picture: Image.Image, shown: Named) -> None:
-    """Write the name of each element beside the face to its right, and the heading of each family above it.
+def name_on_board(picture: Image.Image, shown: Named) -> None:
+    """Write the name of each element on the board to its right, and the heading of each family above it.
 
     Names are set as large as the rows allow and cut in the middle where the next element is too near.
     """
@@ -203,8 +203,8 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
     for column in _columns(shown, boxes, rows, pitch):
         family, above = "", -np.inf
         for index in sorted(column, key=lambda each: float(rows[each])):
-            if shown[index][0].family not in ("", family):
-                family = shown[index][0].family
+            if shown[index][0].category not in ("", family):
+                family = shown[index][0].category
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
                 place = (float(boxes[column, 0].min()) - 4.0, top - min(line, max(0.5 * pitch + 4.0, _CLEAR)))

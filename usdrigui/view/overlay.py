@@ -25,7 +25,7 @@ SIDES: dict[str, Colour] = {
     "right": (208, 49, 40),
     "middle": (226, 160, 8),
     "none": (226, 160, 8),
-    "beside": (112, 84, 178),
+    "board": (112, 84, 178),
 }
 """Colours by side, as studios use them; the character's own left and right."""
 FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "joystick": "joystick", "fan": "fan"}
@@ -62,7 +62,7 @@ class Mark(Record):
 
 def colour_of(element: Element) -> Colour:
     """The colour in which an element is drawn."""
-    return SIDES["beside" if element.anchor.beside else element.side]
+    return SIDES["board" if element.anchor.on_board else element.side]
 
 
 def form_of(element: Element) -> str:

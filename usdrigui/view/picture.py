@@ -64,7 +64,7 @@ def render(
 
     ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
     default the view that the layout was made for, and of front and three-quarter views the nearest two that
-    show what it sees.  Elements beside the face are drawn and named in the layout's own view only; ``labels``
+    show what it sees.  Elements on the board are drawn and named in the layout's own view only; ``labels``
     names those on the face there as well.  Raises RigUIError
     CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
     belong to the rig, POSE_VALUE for a pose that is not one.
@@ -174,8 +174,8 @@ class _Framed:
     low: Floats
     """(2,) lower left corner of the frame along the rows' right and up, scene units."""
     high: Floats
-    beside: bool
-    """Whether the elements beside the face are shown."""
+    board: bool
+    """Whether the elements on the board are shown."""
     columns: tuple[float, float]
     """Pixels kept free on the left and on the right for names."""
     headroom: float
@@ -207,27 +207,27 @@ def _framed(
 
     ``rows`` are those of the camera.  In the layout's ``own`` view the board, if there is one, is in it too.
     """
-    beside = own and any(element.anchor.beside for element in layout.elements)
+    board = own and any(element.anchor.on_board for element in layout.elements)
     low, high = bare = _extent(layout, posed, rows, False)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
     low, high = middle - half, middle + half
     columns, headroom = (0.0, 0.0), 0.0
-    if beside:
+    if board:
         more = _extent(layout, posed, rows, True)
         pad = 1.5 * layout.handle_width
         low, high = _with_head(low, high, skin @ rows[:2].T, float(more[0][0]))
         headroom = _HEADROOM if more[1][1] + pad > high[1] else 0.0
         low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
-        columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.beside]) + 6.0)
+        columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0)
     else:
         low, high = _around_head(low, high, bare, skin @ rows[:2].T)
     if labels:
-        names = [each.label for each in layout.elements if not each.anchor.beside]
+        names = [each.label for each in layout.elements if not each.anchor.on_board]
         wide = min(lettering.widest(names), lettering.CALLED) + 16.0
         columns = (columns[0] + wide, columns[1] + wide)
-    return _Framed(caption, rows, low, high, beside, columns, headroom, labels)
+    return _Framed(caption, rows, low, high, board, columns, headroom, labels)
 
 
 def _around_head(low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats) -> tuple[Floats, Floats]:
@@ -265,13 +265,13 @@ def _with_head(low: Floats, high: Floats, across: Floats, board: float) -> tuple
     return np.array([min(side, low[0]), low[1]]), np.array([high[0], max(crown, high[1])])
 
 
-def _extent(layout: Layout, posed: PosedLayout, rows: Floats, beside: bool) -> tuple[Floats, Floats]:
+def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tuple[Floats, Floats]:
     """Corners (2,) of the box around the tracks on the face, or beside it, in the view's plane."""
     lines = [
         track
         for element, at in zip(layout.elements, posed.elements, strict=True)
-        if element.anchor.beside == beside
-        for track in (*at.tracks, *([at.glyph] if beside and len(at.glyph) else []))
+        if element.anchor.on_board == board
+        for track in (*at.tracks, *([at.glyph] if board and len(at.glyph) else []))
     ]
     points = np.concatenate(lines) if lines else posed.points[np.isfinite(posed.points).all(axis=1)]
     across = points @ rows[:2].T
@@ -312,15 +312,15 @@ def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, ca
     shown = [
         (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width))
         for element, at in zip(layout.elements, posed.elements, strict=True)
-        if panel.beside or not element.anchor.beside
+        if panel.board or not element.anchor.on_board
     ]
     if panel.labels:
         picture = lettering.call_out(
-            picture, [(element, drawn) for element, drawn in shown if not element.anchor.beside]
+            picture, [(element, drawn) for element, drawn in shown if not element.anchor.on_board]
         )
     picture = overlay.draw(picture, [drawn for _, drawn in shown], layout, camera)
-    beside = [(element, drawn) for element, drawn in shown if element.anchor.beside]
-    lettering.name_beside(picture, beside)
+    board = [(element, drawn) for element, drawn in shown if element.anchor.on_board]
+    lettering.name_on_board(picture, board)
     return picture
 
 
@@ -341,10 +341,10 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
 
 def _numbers(rig: Rig, layout: Layout, width: float) -> str:
     """What the layout holds, as far as it goes into a line of so many pixels."""
-    on_face = sum(not element.anchor.beside for element in layout.elements)
-    beside = len(layout.elements) - on_face
+    on_face = sum(not element.anchor.on_board for element in layout.elements)
+    board = len(layout.elements) - on_face
     parts = [f"{len(rig.controls)} controls", f"{on_face} elements on the face"]
-    parts += [f"{beside} beside it"] if beside else []
+    parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(layout.bound) and np.isfinite(layout.cost):
         gap = max(0.0, layout.cost - layout.bound) / max(abs(layout.cost), 1e-12)
@@ -379,8 +379,8 @@ def _legend(page: Image.Image, layout: Layout) -> None:
 
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, overlay.Colour, str, bool]]:
-    used = {"beside" if each.anchor.beside else "middle" if each.side == "none" else each.side for each in elements}
-    names = {"left": "character's left", "right": "character's right", "middle": "middle", "beside": "beside the face"}
+    used = {"board" if each.anchor.on_board else "middle" if each.side == "none" else each.side for each in elements}
+    names = {"left": "character's left", "right": "character's right", "middle": "middle", "board": "board"}
     entries = [("slider", overlay.SIDES[side], text, False) for side, text in names.items() if side in used]
     forms = {overlay.form_of(each) for each in elements}
     grey = (128, 134, 142)

@@ -1,6 +1,6 @@
 // An orbiting camera around the face, in the frame given by the rig's up and the layout's view.
 
-const FIELD = (14 * Math.PI) / 180; // a long lens: what stands beside the face does not turn it away
+const FIELD = (14 * Math.PI) / 180; // a long lens: what stands on the board does not turn it away
 const STEEPEST = (88 * Math.PI) / 180;
 
 export class OrbitCamera {

@@ -30,12 +30,12 @@ export class ControlList {
     this.updateMarks(false);
   }
 
-  /** Rows in the rig's order; those that stand beside the face and those without an element come after. */
+  /** Rows in the rig's order; those that stand on the board and those without an element come after. */
   sections() {
     const names = new Map();
     this.rows.forEach((row, index) => {
       const element = this.session.elements.byControl.get(index);
-      const name = !element ? 'Not in the layout' : element.beside ? familyName(element.family) : '';
+      const name = !element ? 'Not in the layout' : element.onBoard ? familyName(element.category) : '';
       if (!names.has(name)) names.set(name, []);
       names.get(name).push(row.node);
     });

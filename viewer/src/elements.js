@@ -1,7 +1,7 @@
 // Where every element's tracks and handle are at the current pose; mirrors usdrigui/pose/evaluate.py.
 //
 // Tracks follow the skin under all controls but the element's own, the handle under all.  Beside the face,
-// or where an element is static, it follows the joints of its anchor alone; what stands beside the face
+// or where an element is static, it follows the joints of its anchor alone; what stands on the board
 // stays in one piece, moved by no control of any element there.
 
 import * as matrix from './matrix.js';
@@ -40,7 +40,7 @@ export class Elements {
   follow(values, still = false) {
     this.deformer.drive(values);
     this.board = this.boardControls();
-    for (const element of this.list) this.followOne(element, values, still || element.static || element.beside);
+    for (const element of this.list) this.followOne(element, values, still || element.static || element.onBoard);
   }
 
   followOne(element, values, detached) {
@@ -82,16 +82,16 @@ export class Elements {
     );
   }
 
-  /** Controls of the elements beside the face that turn or move joints. */
+  /** Controls of the elements on the board that turn or move joints. */
   boardControls() {
-    const owned = this.list.filter((element) => element.beside).flatMap((element) => element.members);
+    const owned = this.list.filter((element) => element.onBoard).flatMap((element) => element.members);
     const turning = owned.filter(({ control }) => this.deformer.controls[control].drive.joints.length);
     return [...new Set(turning.map(({ control }) => control))];
   }
 
   /** Run `use` with the element's own controls at rest, beside the face all of the board's, and others as driven. */
   withoutOwn(element, values, use) {
-    const own = element.beside ? this.board : element.members.map(({ control }) => control);
+    const own = element.onBoard ? this.board : element.members.map(({ control }) => control);
     const nested = own.reduce((inner, control) => {
       if (values[control] === this.rest[control]) return inner;
       return () => this.deformer.withControl(control, values[control], this.rest[control], inner);
@@ -101,7 +101,7 @@ export class Elements {
 
   /** Anchor an element at another point of the character; `values` is the present pose. */
   reanchor(element, mesh, point, widths) {
-    Object.assign(element, { mesh, point, beside: false, family: '' });
+    Object.assign(element, { mesh, point, onBoard: false, category: '' });
     element.tracer = this.deformer.tracer(mesh, point);
     this.deformer.setBase(null, null);
     this.deformer.drive(this.rest);
@@ -114,20 +114,20 @@ export class Elements {
     this.prepare(element);
   }
 
-  /** Put an element beside the face, its tracks moved as they are by `offset`. */
+  /** Put an element on the board, its tracks moved as they are by `offset`. */
   putBeside(element, offset) {
     const shifted = (point) => point.map((value, axis) => value + offset[axis]);
     element.position = shifted(element.position);
     for (const member of element.members) member.track = member.track.map(shifted);
-    element.beside = true;
+    element.onBoard = true;
     this.prepare(element);
   }
 
   /** What rearranging changes in an element, to be given back by `restore`. */
   placement(element) {
-    const { mesh, point, beside, family, position } = element;
+    const { mesh, point, onBoard, category, position } = element;
     const members = element.members.map(({ track, gain }) => ({ track, gain }));
-    return { mesh, point, beside, family, position, members };
+    return { mesh, point, onBoard, category, position, members };
   }
 
   restore(element, { members, ...place }) {

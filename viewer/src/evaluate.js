@@ -42,7 +42,7 @@ export function trialsFor(participant, session) {
 /** Values with `count` laid-out controls away from rest; opposed controls are never used together. */
 function randomPose(session, count, random) {
   const values = Float64Array.from(session.rest);
-  const elements = session.elements.list.filter((element) => !element.beside);
+  const elements = session.elements.list.filter((element) => !element.onBoard);
   const pool = [...(elements.length >= count ? elements : session.elements.list)];
   for (let i = 0; i < count && pool.length; i++) {
     const [element] = pool.splice(Math.floor(random() * pool.length), 1);

@@ -80,7 +80,7 @@ export class Inspector {
   }
 
   elementCard(element) {
-    const side = [sideName(element.side), element.beside ? familyName(element.family) : ''].filter(Boolean).join(' · ');
+    const side = [sideName(element.side), element.onBoard ? familyName(element.category) : ''].filter(Boolean).join(' · ');
     return make(
       'div',
       { class: 'card', style: { borderLeftColor: COLOURS[element.side] } },

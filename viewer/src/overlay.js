@@ -53,7 +53,7 @@ export class Overlay {
   facesAway(element, { towards }) {
     const { occlusion } = this.session.options;
     const facing = element.normal.reduce((sum, value, axis) => sum + value * towards[axis], 0);
-    return occlusion !== 'overlay' && !element.beside && facing < -0.2;
+    return occlusion !== 'overlay' && !element.onBoard && facing < -0.2;
   }
 
   arranged(element, project, hides, width, before) {
@@ -86,11 +86,11 @@ export class Overlay {
   families(drawn) {
     const groups = new Map();
     for (const { element, handle, tracks } of drawn) {
-      if (!element.beside || !element.family) continue;
+      if (!element.onBoard || !element.category) continue;
       const corners = [handle, ...tracks.flatMap((track) => track.map(({ at }) => at))];
       const left = Math.min(...corners.map(([x]) => x));
       const top = Math.min(...corners.map(([, y]) => y));
-      if (!groups.has(element.family)) groups.set(element.family, { left, top });
+      if (!groups.has(element.category)) groups.set(element.category, { left, top });
     }
     return groups;
   }
@@ -282,10 +282,10 @@ export class Overlay {
     pen.font = '600 11px system-ui, sans-serif';
     pen.textAlign = 'left';
     pen.fillStyle = '#9aa0a8';
-    const rows = this.drawn.filter(({ element }) => element.beside);
+    const rows = this.drawn.filter(({ element }) => element.onBoard);
     for (const [family, { left, top }] of this.names) {
       // Seen from afar there is no room between the rows of the board for its headings.
-      const taken = rows.some(({ element, handle }) => element.family !== family && Math.abs(handle[1] - top + 20) < 12);
+      const taken = rows.some(({ element, handle }) => element.category !== family && Math.abs(handle[1] - top + 20) < 12);
       if (taken) continue;
       pen.globalAlpha = 0.9 * this.session.options.opacity;
       pen.fillText(familyName(family).toUpperCase(), left - 6, top - 16);
@@ -293,16 +293,16 @@ export class Overlay {
     pen.globalAlpha = 1;
   }
 
-  /** Pixels across that the name of an element beside the face takes. */
+  /** Pixels across that the name of an element on the board takes. */
   labelWidth(text) {
     this.pen.font = BESIDE_FONT;
     return this.pen.measureText(text).width;
   }
 
-  /** Names of the elements beside the face, whose place does not tell what they do. */
+  /** Names of the elements on the board, whose place does not tell what they do. */
   drawBesideLabels() {
     const { pen, session } = this;
-    const rows = this.drawn.filter(({ element, handle }) => element.beside && handle[2] > 0);
+    const rows = this.drawn.filter(({ element, handle }) => element.onBoard && handle[2] > 0);
     pen.font = BESIDE_FONT;
     pen.textAlign = 'left';
     const extents = rows.map(({ handle, tracks }) => {
@@ -332,7 +332,7 @@ export class Overlay {
     pen.textAlign = 'left';
     for (const { element, handle, width, hidden } of [...order].reverse()) {
       const strength = this.strength(element, hidden);
-      if (strength < 0.3 || element.beside) continue;
+      if (strength < 0.3 || element.onBoard) continue;
       const text = element.label;
       const box = [handle[0] + width / 2 + 5, handle[1] - 7, pen.measureText(text).width + 8, 14];
       if (taken.some((other) => overlapping(box, other))) continue;
@@ -438,7 +438,7 @@ const FAMILIES = {
   crowded: 'No room on the face',
 };
 
-/** The heading of a family of elements beside the face. */
+/** The heading of a family of elements on the board. */
 export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
 
 /** A handle behind a fold of the skin whose track can be seen is still within reach. */

@@ -68,7 +68,7 @@ export class Rearranging {
     const offset = minus(camera.unproject(to.column, to.x, to.y, from[2]), start);
     this.change(`Move ${element.label} beside the face`, [element], () => {
       this.session.elements.putBeside(element, offset);
-      this.moved.set(element.index, { place: 'beside' });
+      this.moved.set(element.index, { place: 'board' });
     });
   }
 

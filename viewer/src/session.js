@@ -453,7 +453,7 @@ export class Session {
 
   /** Whether a control moves the whole face, or repeats what others do together. */
   isWide(index) {
-    return WIDE.has(this.elements.byControl.get(index)?.family) || this.influence.isWide(index);
+    return WIDE.has(this.elements.byControl.get(index)?.category) || this.influence.isWide(index);
   }
 
   /** Whether a control without a twin moves the face to one side, which alone is not symmetric. */

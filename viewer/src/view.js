@@ -9,7 +9,7 @@ import { Stage } from './stage.js';
 import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
-const MOST_LABEL = 150; // pixels kept at most for the names of elements beside the face
+const MOST_LABEL = 150; // pixels kept at most for the names of elements on the board
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
@@ -111,7 +111,7 @@ export class View {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
     const shown = this.shownElements();
-    const room = this.controlsColumn ? this.labelRoom(shown.filter((element) => element.beside)) : 0;
+    const room = this.controlsColumn ? this.labelRoom(shown.filter((element) => element.onBoard)) : 0;
     this.camera.frame(this.framed(shown), column.width, column.height, room);
     this.changed('camera');
   }
@@ -122,8 +122,8 @@ export class View {
 
   /** Points to be in the picture. */
   framed(shown) {
-    const on = shown.filter((element) => !element.beside).flatMap((element) => element.tracks.flat());
-    const beside = shown.filter((element) => element.beside).flatMap((element) => element.tracks.flat());
+    const on = shown.filter((element) => !element.onBoard).flatMap((element) => element.tracks.flat());
+    const beside = shown.filter((element) => element.onBoard).flatMap((element) => element.tracks.flat());
     const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
     if (!on.length) return beside.length ? [...beside, ...skin] : skin;
     if (this.columns.length > 1) on.push(...this.surroundings(on, skin, 0.5, 0.5));
@@ -158,7 +158,7 @@ export class View {
   /** Look more closely, from the same side: at the selected elements, else at those on the face. */
   frameClosely() {
     const { session } = this;
-    const onFace = this.shownElements().filter((element) => !element.beside);
+    const onFace = this.shownElements().filter((element) => !element.onBoard);
     const chosen = session.selection.size ? session.selectedElements : onFace;
     const column = this.columns[0];
     const points = chosen.flatMap((element) => element.tracks.flat());

@@ -28,7 +28,7 @@ test('a pull leaves joints of the whole head, and what the layout calls global o
     options: { symmetric: false },
     locks: new Set(),
     influence: moved,
-    elements: { byControl: new Map([[3, { family: 'composite' }], [4, { family: 'hidden' }]]) },
+    elements: { byControl: new Map([[3, { category: 'composite' }], [4, { category: 'hidden' }]]) },
   });
   assert.deepEqual(session.groups(false), [[1], [2], [4]]);
   assert.deepEqual(session.groups(true), [[0], [1], [2], [3], [4]]);

@@ -46,7 +46,7 @@ class Row:
     message: str = ""
     controls: int = 0
     face: int = 0
-    beside: int = 0
+    board: int = 0
     left_off: int = 0
     gap: float = 0.0
     """Largest relative gap of its characters."""
@@ -167,13 +167,13 @@ def _report(text: str) -> dict[str, Any] | None:
 def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
     counts = [each["counts"] for each in document["characters"]]
     gaps = [each["solution"]["gap"] for each in document["characters"]]
-    face, beside, left_off = (sum(each[place] for each in counts) for place in ("face", "beside", "left off"))
+    face, board, left_off = (sum(each[place] for each in counts) for place in ("face", "board", "left off"))
     folder = Path(row.asset).parent
     return replace(
         row,
-        controls=face + beside + left_off,
+        controls=face + board + left_off,
         face=face,
-        beside=beside,
+        board=board,
         left_off=left_off,
         gap=max((each for each in gaps if each is not None), default=0.0),
         warnings=sum(each["severity"] == "warning" for each in document["issues"]),

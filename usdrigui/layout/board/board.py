@@ -80,7 +80,7 @@ def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adap
 def _existing(requests: Requests) -> list[Element]:
     """The elements of a board that exists already."""
     elements = requests.existing.elements if requests.existing is not None else ()
-    return [element for element in elements if element.anchor.beside]
+    return [element for element in elements if element.anchor.on_board]
 
 
 def _right_end(element: Element, frame: Floats, width: float) -> float:
@@ -179,7 +179,7 @@ def _element(drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], 
         anchor=anchor,
         side=side,
         mirror=names[1 - own] if len(row) == 2 else "",
-        family=entry.category,
+        category=entry.category,
         reason=entry.reason,
         adapt=drawing.adapt,
         glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),

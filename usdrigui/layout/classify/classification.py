@@ -92,17 +92,17 @@ def _category(
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
-    if settings.beside_global:
+    if settings.board_global:
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
         if evidence.coverage_of_smaller > settings.global_coverage or evidence.moves_everything:
             return "global", "moves the face as a whole"
-    if settings.beside_hidden and evidence.visible_share < settings.hidden_share:
+    if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
     # A control that stands on the face already is not sent away because another one was added.
-    if settings.beside_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
+    if settings.board_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
         return evidence.composite.category, ""
-    if override.place == "beside":
+    if override.place == "board":
         return "requested", "placed on the board by the configuration"
     return "", ""
 

@@ -144,7 +144,7 @@ def _on_face(
                 anchor=anchor,
                 side=side,
                 mirror=mirror,
-                family="",
+                category="",
                 reason=group.reason,
                 adapt=overrides[0].adapt or settings.output.adapt,
                 glyph=fitted_glyph(face, overrides, anchor, members, bool(mirror) and side == "right"),

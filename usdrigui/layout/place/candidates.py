@@ -104,7 +104,7 @@ def _with_prior(motion: Motion, requests: Requests, points: Indices, sources: In
     """The places with the one of the earlier layout: pruning must not drive an element away from it."""
     place = requests.prior.places.get(motion.control)
     own = np.array_equal(points, sources)
-    if place is None or place.beside or not own or place.point not in motion.points or place.point in points:
+    if place is None or place.on_board or not own or place.point not in motion.points or place.point in points:
         return points, sources
     points = np.sort(np.append(points, place.point))
     return points, points

@@ -85,7 +85,7 @@ def existing_variables(
     of a flat layout.
     """
     elements = existing.elements if existing is not None else ()
-    return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.beside)
+    return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.on_board)
 
 
 def costs_beside_existing(

@@ -238,7 +238,7 @@ def _held(layout: Layout) -> dict[str, _Held]:
     """By control, the first level first; tracks on the board are drawn and say nothing."""
     found: dict[str, _Held] = {}
     for element in outer_first(layout.elements):
-        for member in element.members if not element.anchor.beside else ():
+        for member in element.members if not element.anchor.on_board else ():
             found.setdefault(member.control, _Held(element, _displacement(member), member.track))
     return found
 

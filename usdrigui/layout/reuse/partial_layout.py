@@ -46,8 +46,8 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] 
             if override.anchor or override.place:
                 continue
             placed.add(name)
-            beside = element.anchor.beside
-            controls[name] = replace(override, place="beside") if beside else _anchored(override, element, rig)
+            beside = element.anchor.on_board
+            controls[name] = replace(override, place="board") if beside else _anchored(override, element, rig)
     return replace(settings, controls=controls)
 
 
@@ -95,8 +95,8 @@ def has_own_place(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests
     mine, other = prior.places.get(control), prior.places.get(twin)
     if mine is None or other is None or prior.cutoff_distance > 0.0:
         return False
-    if mine.beside or other.beside:
-        return mine.beside != other.beside
+    if mine.on_board or other.on_board:
+        return mine.on_board != other.on_board
     apart = np.linalg.norm(reflected(mine.position[None], symmetry)[0] - other.position)
     return bool(apart > _SAME * width)
 
@@ -117,7 +117,7 @@ def _anchored(override: ControlSettings, element: Element, rig: Rig) -> ControlS
 
 def _anchored_again(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
     """The override with the anchor of the slider that the control has of its own under a coarse element."""
-    if override.inner_anchor or element.anchor.beside:
+    if override.inner_anchor or element.anchor.on_board:
         return override
     return replace(override, inner_anchor=_anchored(override, element, rig).anchor)
 

@@ -36,7 +36,7 @@ class Place(Record):
     """The same point of today's rig, or -1 where the mesh has other points by now."""
     position: Floats
     """(3,) in root space."""
-    beside: bool
+    on_board: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +55,7 @@ class PriorLayout(Record):
 
     def stood_on_face(self, controls: Sequence[int]) -> bool:
         """Whether any of these controls had its place on the face."""
-        return any(control in self.places and not self.places[control].beside for control in controls)
+        return any(control in self.places and not self.places[control].on_board for control in controls)
 
 
 NO_PRIOR = PriorLayout()
@@ -116,7 +116,7 @@ def leaving_penalties(
 
 def _penalty_share(prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float) -> Floats:
     """(R,) share of the penalty, from 0 at the earlier place to 1."""
-    if place.beside or not len(anchors):
+    if place.on_board or not len(anchors):
         return np.ones(len(anchors))
     if prior.cutoff_distance > 0.0:
         apart = np.linalg.norm(base[anchors] - place.position, axis=1)
@@ -137,7 +137,7 @@ def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place
     axis_places: dict[int, Place] = {}
     inner = inner_names(layout.elements)
     for element in outer_first(layout.elements):
-        place = Place(same_point(element, meshes), element.anchor.position, element.anchor.beside)
+        place = Place(same_point(element, meshes), element.anchor.position, element.anchor.on_board)
         for control in (index[member.control] for member in element.members if member.control in index):
             if control not in places:
                 places[control] = place

@@ -74,7 +74,7 @@ def of_another(
     for element, position in by_level:
         for member in element.members:
             if member.control in index and index[member.control] not in found:
-                found[index[member.control]] = Place(-1, position, element.anchor.beside)
+                found[index[member.control]] = Place(-1, position, element.anchor.on_board)
     return PriorLayout(kept_groups(renamed, ours[0]), found, penalty=penalty, cutoff_distance=CUTOFF_DISTANCE)
 
 

@@ -16,7 +16,7 @@ from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import outer_first
 from usdrigui.model import Element, Layout
 
-ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "beside", "regrouped"]
+ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
 
 _STILL = 1e-3
 """Handles nearer to where they were than this many handle widths have not moved."""
@@ -35,7 +35,7 @@ class Change:
     """How far its handle is from where it was, in handle widths of the earlier layout; nan unless it was on
     the face before and is now."""
     before: str
-    """``MESH_PATH#POINT``, ``beside`` or empty."""
+    """``MESH_PATH#POINT``, ``board`` or empty."""
     after: str
     why: tuple[str, ...]
     """Clauses, without full stops; empty when the layouts do not tell."""
@@ -98,7 +98,7 @@ def difference(
         *(_renamed(then, after, old[key], new[key], was, improvements) for key in sorted(old.keys() & new.keys())),
     ]
     found = [change for change in changes if change is not None]
-    kinds: tuple[ChangeKind, ...] = ("added", "removed", "renamed", "regrouped", "to the face", "beside", "moved")
+    kinds: tuple[ChangeKind, ...] = ("added", "removed", "renamed", "regrouped", "to the face", "board", "moved")
     found.sort(key=lambda change: kinds.index(change.kind))
     return Difference(after.root, tuple(found), len(old.keys() & new.keys()))
 
@@ -159,9 +159,9 @@ def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> 
     # A partner that is gone or new is not a regrouping of those who stay.
     if old.partners & now != new.partners & then:
         return "regrouped"
-    if old.element.anchor.beside != new.element.anchor.beside:
-        return "beside" if new.element.anchor.beside else "to the face"
-    if new.element.anchor.beside:
+    if old.element.anchor.on_board != new.element.anchor.on_board:
+        return "board" if new.element.anchor.on_board else "to the face"
+    if new.element.anchor.on_board:
         return None
     if _same_mesh(old, new):
         return None if old.element.anchor.point == new.element.anchor.point else "moved"
@@ -175,7 +175,7 @@ def _same_mesh(old: _Membership, new: _Membership) -> bool:
 
 def _distance(before: Layout, old: _Membership, new: _Membership) -> float:
     one, other = old.element.anchor, new.element.anchor
-    if one.beside or other.beside:
+    if one.on_board or other.on_board:
         return float(np.nan)
     apart = float(np.linalg.norm(one.position - other.position))
     return apart / before.handle_width if before.handle_width > 0.0 else apart
@@ -190,11 +190,11 @@ def _reasons(
         yield f"shares its element with {', '.join(joined)}"
     if left:
         yield f"no longer shares its element with {', '.join(left)}"
-    if not one.beside and one.mesh == other.mesh and one.topology_hash != other.topology_hash:
+    if not one.on_board and one.mesh == other.mesh and one.topology_hash != other.topology_hash:
         yield f"{one.mesh} has other points or faces: {one.point_count} points then, {other.point_count} now"
-    if kind in ("moved", "beside", "regrouped") and not one.beside:
+    if kind in ("moved", "board", "regrouped") and not one.on_board:
         yield from _crowd(after, old, new)
-    if kind == "beside" and new.element.reason:
+    if kind == "board" and new.element.reason:
         yield new.element.reason
     if new.element.name in improvements:
         yield f"gains {improvements[new.element.name]:.2f}"
@@ -203,7 +203,7 @@ def _reasons(
 def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
     """Whose handle is now nearer to the old place than two handles may be."""
     for element in after.elements:
-        if element is new.element or element.anchor.beside or old.partners & element.controls:
+        if element is new.element or element.anchor.on_board or old.partners & element.controls:
             continue
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
         if apart < after.handle_width * (1.0 - _STILL):
@@ -212,4 +212,4 @@ def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
 
 def _where(held: _Membership) -> str:
     anchor = held.element.anchor
-    return "beside" if anchor.beside else f"{anchor.mesh}#{anchor.point}"
+    return "board" if anchor.on_board else f"{anchor.mesh}#{anchor.point}"

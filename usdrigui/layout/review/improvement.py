@@ -26,7 +26,7 @@ def improvements(face: Face, requests: Requests, placement: PlacementProblem, la
         if leave <= 0.0 or earlier < 0 or label == earlier or np.ptp(stay) == 0.0:
             continue
         plain: Floats = cost_given_others(problem, labels, index) - stay
-        now = problem.variables[index].beside - leave if label < 0 else plain[label]
+        now = problem.variables[index].off_face_cost - leave if label < 0 else plain[label]
         if np.isfinite(plain[earlier]):
             improvement = float(plain[earlier] - now)
             found |= dict.fromkeys(names_of_copies(face.rig, group, choice), improvement)

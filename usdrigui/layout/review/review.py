@@ -119,7 +119,7 @@ def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadS
             yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces: {change}")
         elif not 0 <= anchor.point < len(mesh.points):
             yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-        elif comparable and not anchor.beside and _off(rig, trajectories, element) > _MOVED:
+        elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
             off = f"{_off(rig, trajectories, element):.1%} of the face"
             yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
         for member in element.members:
@@ -148,7 +148,7 @@ def _unplaced(face: Face, layout: Layout, requests: Requests) -> Iterator[Issue]
 
 
 def _crowded(layout: Layout, least: float) -> Iterator[Issue]:
-    placed = [element for element in layout.elements if not element.anchor.beside]
+    placed = [element for element in layout.elements if not element.anchor.on_board]
     if len(placed) < 2:
         return
     seen = states(layout.elements)
@@ -179,7 +179,7 @@ def _sound(face: Face, layout: Layout) -> tuple[Element, ...]:
     return tuple(
         element
         for element in layout.elements
-        if not element.anchor.beside
+        if not element.anchor.on_board
         and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
         and all(member.control in moving for member in element.members)
     )

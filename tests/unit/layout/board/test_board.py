@@ -16,8 +16,8 @@ SHAPES = makers.face_shapes(POINTS)
 def test_the_board_is_tidy_and_outside_the_silhouette():
     more = {f"copy{i}": 0.3 * each for i, each in enumerate(list(SHAPES.values())[:8])}
     line = chain.lay_out(makers.face_with(whole=np.full_like(POINTS, 0.2), **more))
-    board = [element for element in line.layout.elements if element.anchor.beside]
-    assert {element.family for element in board} == {"global", "composite"}
+    board = [element for element in line.layout.elements if element.anchor.on_board]
+    assert {element.category for element in board} == {"global", "composite"}
     spots = np.array([element.anchor.position for element in board])
     width = line.layout.handle_width
     tracks = np.concatenate([m.track for e in board for m in e.members])
@@ -39,9 +39,9 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
 def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own():
     line = chain.lay_out(
         makers.face_with(whole=np.full_like(POINTS, 0.2)),
-        chain.settings(controls={"chin": {"place": "beside"}, "whole": {"place": "beside"}}),
+        chain.settings(controls={"chin": {"place": "board"}, "whole": {"place": "board"}}),
     )
-    families = {name: element.family for name, element in chain.by_name(line).items() if element.anchor.beside}
+    families = {name: element.category for name, element in chain.by_name(line).items() if element.anchor.on_board}
     assert families == {"chin": "requested", "whole": "global"}
     assert "configuration" in chain.by_name(line)["chin"].reason
     heights = {name: chain.by_name(line)[name].anchor.position[1] for name in families}
@@ -54,14 +54,14 @@ def test_a_crowded_face_sends_the_least_telling_controls_to_the_board():
         f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)
     }
     rig = makers.rig(POINTS, QUADS, {**SHAPES, **crowd})
-    line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"beside_composite": False}))
-    board = [element for element in line.layout.elements if element.anchor.beside]
+    line = chain.lay_out(rig, chain.settings(groups={"opposed": False}, candidates={"board_composite": False}))
+    board = [element for element in line.layout.elements if element.anchor.on_board]
     assert board
-    assert {element.family for element in board} == {"crowded"}
+    assert {element.category for element in board} == {"crowded"}
     assert all(element.reason for element in board)
     peaks = {rig.controls[m.control].name: m.arc_length.max() for m in line.face.trajectories.motions}
     left = [peaks[m.control] for e in board for m in e.members]
-    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.beside for m in e.members]
+    stayed = [peaks[m.control] for e in line.layout.elements if not e.anchor.on_board for m in e.members]
     assert np.mean(left) < np.mean(stayed)
     assert all(member.control.startswith("c") for element in board for member in element.members)
 

@@ -24,7 +24,7 @@ def test_whole_head_controls_are_global(whole):
     assert found("whole").category == "global"
     assert "whole" in found("whole").off_face_reason
     assert not any(found(name).category == "global" for name in SHAPES)
-    assert chain.chosen(rig, candidates={"beside_global": False})("whole").category != "global"
+    assert chain.chosen(rig, candidates={"board_global": False})("whole").category != "global"
     assert chain.chosen(rig, controls={"whole": {"place": "face"}})("whole").category != "global"
 
 
@@ -42,7 +42,7 @@ def test_controls_of_hidden_things_are_hidden():
     found = chain.chosen(makers.face_with_teeth())
     assert found("teeth").category == "hidden"
     assert found("chin").category != "hidden"
-    kept = chain.chosen(makers.face_with_teeth(), candidates={"beside_hidden": False})("teeth")
+    kept = chain.chosen(makers.face_with_teeth(), candidates={"board_hidden": False})("teeth")
     assert kept.category != "hidden"
     assert (kept.points >= len(POINTS)).any()
 
@@ -75,13 +75,13 @@ def test_excluding_a_control_calls_no_other_one_global():
 
 def test_place_beside_and_exclude():
     rig = makers.face()
-    assert chain.chosen(rig, controls={"chin": {"place": "beside"}})("chin").category == "requested"
+    assert chain.chosen(rig, controls={"chin": {"place": "board"}})("chin").category == "requested"
     line = chain.with_candidates(rig, chain.settings(controls={"chin": {"exclude": True}}))
     assert [each.control for each in line.candidates.left_off] == ["chin"]
 
 
 def test_a_renamed_control_is_known_by_both_names():
     assert (
-        chain.chosen(makers.face(), controls={"old": {"rename": "chin", "place": "beside"}})("chin").category
+        chain.chosen(makers.face(), controls={"old": {"rename": "chin", "place": "board"}})("chin").category
         == "requested"
     )

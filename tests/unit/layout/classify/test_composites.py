@@ -28,7 +28,7 @@ def test_repetitions_mixtures_and_spreads_are_composites():
     assert found("both").category == "composite"
     assert found("emotion").category == "composite"
     assert not any(found(name).category == "composite" for name in SHAPES)
-    assert chain.chosen(rig, candidates={"beside_composite": False})("both").category != "composite"
+    assert chain.chosen(rig, candidates={"board_composite": False})("both").category != "composite"
     assert chain.chosen(rig, controls={"both": {"place": "face"}})("both").category != "composite"
 
 

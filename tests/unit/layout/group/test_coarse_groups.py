@@ -29,7 +29,7 @@ def with_pose(name="grin", shapes=("smile_L", "smile_R", "pucker")):
 
 def mouth(**more):
     return settings(
-        levels={"members": {"grin": ["smile_L", "smile_R", "pucker"]}}, candidates={"beside_composite": False}, **more
+        levels={"members": {"grin": ["smile_L", "smile_R", "pucker"]}}, candidates={"board_composite": False}, **more
     )
 
 
@@ -57,15 +57,15 @@ def test_what_is_said_of_one_side_holds_for_the_other():
 
 
 def test_poses_are_coarse_when_asked_for():
-    line = lay_out(with_pose(), settings(levels={"poses": True}, candidates={"beside_composite": False}))
+    line = lay_out(with_pose(), settings(levels={"poses": True}, candidates={"board_composite": False}))
     assert by_name(line)["grin"].inner == ("pucker", "smile_L", "smile_R")
 
 
 def test_members_stand_where_they_would_alone_as_the_coarse_one_is_hidden_then():
     """The pose moves the mouth as its members do; seen together they have to make room for each other."""
-    together = lay_out(with_pose(shapes=("pucker",)), settings(candidates={"beside_composite": False}))
+    together = lay_out(with_pose(shapes=("pucker",)), settings(candidates={"board_composite": False}))
     levels = {"members": {"grin": ["pucker"]}}
-    apart = lay_out(with_pose(shapes=("pucker",)), settings(levels=levels, candidates={"beside_composite": False}))
+    apart = lay_out(with_pose(shapes=("pucker",)), settings(levels=levels, candidates={"board_composite": False}))
     alone = lay_out(FACE)
     assert by_name(apart)["pucker"].anchor.point == by_name(alone)["pucker"].anchor.point
     assert by_name(apart)["grin"].anchor.point == by_name(alone)["pucker"].anchor.point
@@ -77,18 +77,18 @@ def test_members_of_two_coarse_controls_are_kept_apart_as_both_may_be_opened():
     rig = with_pose("grin", ("pucker",))
     pucker = next(control for control in FACE.controls if control.name == "pucker")
     rig = replace(rig, controls=(*rig.controls, replace(pucker, name="pout")))
-    kept = {"beside_composite": False}
+    kept = {"board_composite": False}
     members = {"grin": ["pucker"], "chin": ["pout"]}
     placed = by_name(lay_out(rig, settings(levels={"members": members}, candidates=kept)))
     a, b = placed["pucker"].anchor, placed["pout"].anchor
-    assert not a.beside
-    assert not b.beside
+    assert not a.on_board
+    assert not b.on_board
     assert a.point != b.point
     assert states(placed.values())["pucker"] & states(placed.values())["pout"]
 
 
 def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
-    levels, kept = {"poses": True}, {"beside_composite": False}
+    levels, kept = {"poses": True}, {"board_composite": False}
     groups = {"groups": {"both": ["grin", "pucker"]}}
     line = lay_out(with_pose(), settings(levels=levels, candidates=kept, groups=groups))
     assert by_name(line)["both"].inner == ("smile_L", "smile_R")
@@ -97,7 +97,7 @@ def test_a_pose_is_no_member_of_itself_in_a_group_with_what_it_sets():
 def test_members_of_one_coarse_control_are_kept_apart():
     line = lay_out(with_pose(), mouth())
     width = line.layout.handle_width
-    placed = [element for element in line.layout.elements if not element.anchor.beside]
+    placed = [element for element in line.layout.elements if not element.anchor.on_board]
     seen = states(placed)
     for a in placed:
         for b in placed:
@@ -193,5 +193,5 @@ def test_levels_that_make_no_sense_are_refused(members, code):
 
 
 def test_derived_members_give_way_to_configured_ones():
-    chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"beside_composite": False})
+    chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"board_composite": False})
     assert by_name(lay_out(with_pose(), chosen))["grin"].inner == ("pucker",)

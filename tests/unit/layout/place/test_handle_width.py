@@ -26,8 +26,8 @@ def crowd(count, points=POINTS, quads=QUADS):
 
 
 def width(rig, **objective):
-    """In face sizes; nothing goes beside the face for what it repeats."""
-    said = chain.settings(objective=objective, candidates={"beside_composite": False})
+    """In face sizes; nothing goes on the board for what it repeats."""
+    said = chain.settings(objective=objective, candidates={"board_composite": False})
     face = chain.face_of(rig, said)
     return face.handle_width / face.trajectories.face_size
 
@@ -57,7 +57,7 @@ def test_handles_never_shrink_below_the_least_nor_grow_above_the_largest():
 
 def test_a_crowd_of_what_stands_beside_the_face_does_not_count():
     rig = crowd(80)
-    beside = {f"c{i}": {"place": "beside"} for i in range(80)}
+    beside = {f"c{i}": {"place": "board"} for i in range(80)}
     said = chain.settings(controls=beside, objective={"handle_size": 0.04, "handle_size_min": 0.001})
     face = chain.face_of(rig, said)
     assert face.handle_width == 0.04 * face.trajectories.face_size

@@ -8,7 +8,7 @@ import pytest
 from usdrigui.overlap import own_costs
 
 POINTS, QUADS = makers.mask()
-PLAIN = {"occlusion_weight": 0.0, "beside_global": False, "beside_composite": False}
+PLAIN = {"occlusion_weight": 0.0, "board_global": False, "board_composite": False}
 
 
 def test_of_two_unlike_members_the_lesser_displacement_counts():
@@ -44,7 +44,7 @@ def test_a_middle_element_stands_on_the_plane_for_a_price(price, on_plane):
     rig = makers.rig(POINTS, QUADS, {**makers.face_shapes(POINTS), "press": shape})
     line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_weight": price}))
     anchor = chain.by_name(line)["press"].anchor
-    assert not anchor.beside
+    assert not anchor.on_board
     assert (abs(anchor.position[0]) < 1e-6) == on_plane
 
 
@@ -64,8 +64,8 @@ def test_handles_that_want_one_place_are_kept_a_width_apart_by_constraint(kept_a
         ),
     )
     one, other = (each.anchor for each in line.layout.elements)
-    assert not one.beside
-    assert not other.beside
+    assert not one.on_board
+    assert not other.on_board
     assert (np.linalg.norm(one.position - other.position) >= line.layout.handle_width) == kept_apart
 
 
@@ -85,7 +85,7 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     own = own_costs(variable.samples, variable.handles, line.problem.overlap, line.problem.separation)
     expected = -0.85 * arc / line.face.trajectories.typical_length + own
     assert np.allclose(variable.cost, expected, rtol=1e-6)
-    assert variable.beside == pytest.approx(0.6)
+    assert variable.off_face_cost == pytest.approx(0.6)
 
 
 def test_a_group_counts_its_worst_member():
@@ -106,7 +106,7 @@ def test_a_group_counts_its_worst_member():
 def test_elements_without_candidates_on_the_plane_are_not_driven_off_the_face():
     cheeks = makers.bump(POINTS, (0.45, 0.0), (0, 0, 1), 0.2) + makers.bump(POINTS, (-0.45, 0.0), (0, 0, 1), 0.2)
     line = chain.lay_out(makers.face_with(cheeks=cheeks))
-    assert not chain.by_name(line)["cheeks"].anchor.beside
+    assert not chain.by_name(line)["cheeks"].anchor.on_board
     chin = chain.by_name(line)["chin"]
     assert abs(chin.anchor.position[0]) < 1e-6
     assert chin.side == "middle"
@@ -132,7 +132,7 @@ def test_the_paper_preset_takes_the_constants_literally():
     assert (overlap.sharpness, overlap.maximum) == (2.0, 5.0)
     assert np.isinf(overlap.reach)
     assert line.problem.separation < 1e-6
-    assert all(np.isinf(variable.beside) for variable in line.problem.variables)
+    assert all(np.isinf(variable.off_face_cost) for variable in line.problem.variables)
     large = chain.problem_of(makers.moved(makers.face(), 10.0 * np.eye(3)), load(preset="paper"))
     assert large.problem.overlap.sharpness == 2.0, "scene units: the paper's constants do not scale"
 
@@ -153,6 +153,6 @@ def test_a_flat_layout_spaces_and_measures_what_the_viewer_sees():
 
 def test_a_control_kept_on_the_face_cannot_leave_it():
     line = chain.problem_of(makers.face(), chain.settings(controls={"chin": {"place": "face"}}))
-    beside = {variable.name: variable.beside for variable in line.problem.variables}
+    beside = {variable.name: variable.off_face_cost for variable in line.problem.variables}
     assert np.isinf(beside["chin"])
     assert np.isfinite(beside["pucker"])

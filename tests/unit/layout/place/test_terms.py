@@ -54,7 +54,7 @@ def test_of_equal_places_the_one_where_the_track_comes_out_is_taken():
     def halves(points):
         return np.where(points[:, :1] > 0.0, 1.0, -1.0) * np.array([0.0, 0.0, 1.0])
 
-    settings = chain.settings(candidates={"occlusion": False, "beside_global": False}, symmetry={"enabled": False})
+    settings = chain.settings(candidates={"occlusion": False, "board_global": False}, symmetry={"enabled": False})
     (element,) = chain.lay_out(sheet(halves), settings).layout.elements
     assert element.anchor.position[0] > 0.0
-    assert not element.anchor.beside
+    assert not element.anchor.on_board

@@ -32,7 +32,7 @@ def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
     names = [name for name in SHAPES if name.endswith(("_R", "Right"))]
     one = next(name for name in names if name.replace("_R", "_L").replace("Right", "Left") in SHAPES)
     other = one.replace("_R", "_L").replace("Right", "Left")
-    line = chain.problem_of(makers.face_with(), chain.settings(controls={one: {"place": "beside"}}))
+    line = chain.problem_of(makers.face_with(), chain.settings(controls={one: {"place": "board"}}))
     controls = [control.name for control in line.face.rig.controls]
     categories = {controls[c]: group.category for group in line.groups for c in (*group.controls, *group.mirror)}
     assert categories[one] == "requested"

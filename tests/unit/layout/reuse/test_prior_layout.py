@@ -21,7 +21,7 @@ def lay_out(rig, settings=None, prior=NO_PRIOR):
 
 def anchors(layout):
     return {
-        member.control: "beside" if element.anchor.beside else element.anchor.point
+        member.control: "board" if element.anchor.on_board else element.anchor.point
         for element in layout.elements
         for member in element.members
     }
@@ -83,14 +83,14 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
     # What the fixed handle is in the way of has moved aside; everything else solves the remaining problem.
     (fixed,) = [i for i, variable in enumerate(line.problem.variables) if variable.name == "pucker"]
     assert len(line.problem.variables[fixed].points) == 1
-    assert np.isinf(line.problem.variables[fixed].beside)
+    assert np.isinf(line.problem.variables[fixed].off_face_cost)
 
 
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
     element = chain.by_name(before)["chin"]
-    beside = replace(element, anchor=replace(element.anchor, beside=True))
+    beside = replace(element, anchor=replace(element.anchor, on_board=True))
     settings = fixed_by(replace(before.layout, elements=(beside,)), face, Settings())
-    assert anchors(lay_out(face, settings).layout)["chin"] == "beside"
+    assert anchors(lay_out(face, settings).layout)["chin"] == "board"
 
 
 def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
@@ -169,10 +169,10 @@ def test_at_a_price_of_nothing_it_is_the_plain_optimum(face, before):
 
 def test_a_control_sent_beside_stays_there_at_the_price(face, before):
     element = chain.by_name(before)["chin"]
-    beside = replace(element, anchor=replace(element.anchor, beside=True))
+    beside = replace(element, anchor=replace(element.anchor, on_board=True))
     layout = replace(before.layout, elements=tuple(beside if e is element else e for e in before.layout.elements))
-    assert anchors(lay_out(face, prior=of_previous(layout, face, 5.0)).layout)["chin"] == "beside"
-    assert anchors(lay_out(face, prior=of_previous(layout, face, 1e-3)).layout)["chin"] != "beside"
+    assert anchors(lay_out(face, prior=of_previous(layout, face, 5.0)).layout)["chin"] == "board"
+    assert anchors(lay_out(face, prior=of_previous(layout, face, 1e-3)).layout)["chin"] != "board"
 
 
 def test_an_edit_on_one_side_unfolds_the_pair(face, before):

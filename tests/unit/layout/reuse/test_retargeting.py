@@ -50,9 +50,9 @@ def widths_off(theirs, ours, names=None):
     for element in theirs.layout.elements:
         for member in element.members:
             name = names.get(member.control, member.control)
-            if name in now and not element.anchor.beside:
+            if name in now and not element.anchor.on_board:
                 place = reshaped(element.anchor.position[None])[0]
-                gone = np.inf if now[name].beside else np.linalg.norm(now[name].position - place)
+                gone = np.inf if now[name].on_board else np.linalg.norm(now[name].position - place)
                 apart[name] = gone / ours.face.handle_width
     return apart
 
@@ -134,13 +134,13 @@ def test_beside_there_is_beside_here(theirs):
     from dataclasses import replace
 
     beside = tuple(
-        replace(e, anchor=replace(e.anchor, beside=True)) if e.name == "chin" else e for e in theirs.layout.elements
+        replace(e, anchor=replace(e.anchor, on_board=True)) if e.name == "chin" else e for e in theirs.layout.elements
     )
     rig = other_face()
     prior = of_another(replace(theirs.layout, elements=beside), found(theirs.face.rig), found(rig), {}, 1.0)
     ours = chain.lay_out(rig, prior=prior)
-    assert {e.name for e in ours.layout.elements if e.anchor.beside} == {"chin"}
-    assert any(c.kind == "beside" for c in difference(theirs.layout, ours.layout).changes)
+    assert {e.name for e in ours.layout.elements if e.anchor.on_board} == {"chin"}
+    assert any(c.kind == "board" for c in difference(theirs.layout, ours.layout).changes)
 
 
 def test_the_middle_of_a_face_lies_halfway_between_the_ends_of_what_moves():

@@ -27,7 +27,7 @@ def test_a_one_sided_pose_keeps_partners_and_twins(rig):
 def test_pairs_stand_on_the_face_at_a_one_sided_pose(rig):
     values = pose(rig, smile_L=1.0)
     rest, line = chain.lay_out(rig), chain.lay_out(rig, base_values=values)
-    assert not any(element.anchor.beside for element in line.layout.elements)
+    assert not any(element.anchor.on_board for element in line.layout.elements)
     assert {element.name for element in line.layout.elements} == {element.name for element in rest.layout.elements}
     left, right = chain.by_name(line)["smile_L"].anchor, chain.by_name(line)["smile_R"].anchor
     assert line.face.symmetry.partner[left.point] == right.point

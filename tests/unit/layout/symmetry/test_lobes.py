@@ -33,4 +33,4 @@ def test_the_configuration_has_the_last_word(setting, x, count):
 
 def test_a_double_element_without_room_on_the_face_stands_on_the_board_once():
     found = elements_of("puff", 0.45, objective={"handle_size": 0.9, "handle_size_min": 0.9})
-    assert [each.anchor.beside for each in found] == [True]
+    assert [each.anchor.on_board for each in found] == [True]
