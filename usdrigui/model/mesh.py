@@ -35,6 +35,8 @@ class RigMesh(Record):
     """Hex digest of point count, face counts and face indices: changes when point indices mean others."""
     subsets: tuple[Subset, ...] = ()
     """GeomSubsets, for locality."""
+    colours: Floats | None = None
+    """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor displayColor tells."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -76,7 +76,9 @@ def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
         skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
     shapes = tuple(shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points))
     none = np.zeros(0, dtype=np.int64)
-    return replace(mesh, points=mesh.points[kept], face_counts=none, face_indices=none, skin=skin, shapes=shapes)
+    return replace(
+        mesh, points=mesh.points[kept], face_counts=none, face_indices=none, skin=skin, shapes=shapes, colours=None
+    )
 
 
 def _shape_part(shape: Shape, kept: Indices) -> Shape:

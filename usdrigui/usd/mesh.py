@@ -12,6 +12,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
+from usdrigui.usd.colours import point_colours
 from usdrigui.usd.shapes import Binding, Found, legible_tokens, note_tokens, read_shapes
 from usdrigui.usd.skeleton import Frames
 
@@ -100,6 +101,7 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         shapes=shapes,
         topology_hash=topology_hash(len(points), counts, indices),
         subsets=_subsets(mesh, counts, indices, len(points), found),
+        colours=point_colours(prim, len(points), counts, indices, frames.time),
     )
 
 

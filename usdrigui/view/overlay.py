@@ -21,13 +21,14 @@ from usdrigui.view.shading import Camera
 Colour = tuple[int, int, int]
 
 SIDES: dict[str, Colour] = {
-    "left": (29, 98, 214),
-    "right": (208, 49, 40),
-    "middle": (226, 160, 8),
-    "none": (226, 160, 8),
-    "board": (112, 84, 178),
+    "left": (77, 163, 255),
+    "right": (242, 20, 32),
+    "middle": (188, 240, 0),
+    "none": (122, 92, 255),
+    "board": (122, 92, 255),
 }
-"""Colours by side, as studios use them; the character's own left and right."""
+"""Colours by side, near to those that studios use; the character's own left and right.  Chosen by measure: apart from
+skin and from each other for every kind of colour vision (docs/decisions/114); viewer/src/overlay.js has the same."""
 FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "joystick": "joystick", "fan": "fan"}
 _FINE = 3
 """Sub-pixels along each axis."""

@@ -17,7 +17,8 @@ from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.view import directions, lettering, overlay, shading
-from usdrigui.view.shading import Body, Camera
+from usdrigui.view.complexion import complexion
+from usdrigui.view.shading import Body, Camera, Complexion
 
 VIEWS = {
     "front": 0.0,
@@ -97,6 +98,7 @@ class _Scene:
     panels: tuple[_Framed, ...]
     cameras: tuple[Camera, ...]
     corners: tuple[tuple[int, int], ...]
+    complexion: Complexion
 
 
 def _set_up(
@@ -115,13 +117,13 @@ def _set_up(
         for at, own in shown
     )
     cameras, corners = _arranged(panels, size)
-    return _Scene(panels, tuple(cameras), tuple(corners))
+    return _Scene(panels, tuple(cameras), tuple(corners), complexion(rig, layout))
 
 
 def _page(
     rig: Rig, layout: Layout, posed: PosedLayout, scene: _Scene, size: tuple[int, int], title: str
 ) -> Image.Image:
-    subject = shading.body(rig, posed.points)
+    subject = shading.body(rig, posed.points, scene.complexion)
     page = Image.new("RGB", size, _PAPER)
     for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
@@ -330,9 +332,7 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
     behind = (1.0 - down) * _TOP + down * _BOTTOM
     # The body goes on below the picture: it fades out there, and no sleeve stands cut on the edge.
     cover = (shaded.cover * np.clip((1.0 - down[..., 0]) / _FADE, 0.0, 1.0))[..., None]
-    linear = np.clip(shaded.colour, 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
-    mixed = cover * encoded + (1.0 - cover) * behind
+    mixed = cover * shading.encoded(shaded.colour) + (1.0 - cover) * behind
     return Image.fromarray((255.0 * mixed).round().astype(np.uint8), "RGB")
 
 

@@ -13,6 +13,7 @@ import json
 import math
 import zlib
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -21,12 +22,15 @@ from numpy.typing import ArrayLike, NDArray
 from usdrigui.errors import refuse
 from usdrigui.model import Control, Drive, Element, Floats, Glyph, Layout, Member, Rig, RigMesh, Shape, Skin
 from usdrigui.surface import triangles
+from usdrigui.view.complexion import complexion
+from usdrigui.view.shading import EYE, IRIS, PUPIL, Complexion, encoded
 
 Json = dict[str, Any]
 
 _POSITION_STEPS = 65535
 _OFFSET_STEPS = 32767
 _WEIGHT_STEPS = 65535
+_GAZE_STEP = 3.0 / 8192
 
 
 def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
@@ -86,7 +90,8 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         "identity": _identity(rig),
         "up": _list(rig.up),
         "metresPerUnit": rig.metres_per_unit,
-        "meshes": [_mesh(body, mesh) for mesh in rig.meshes],
+        "meshes": _meshes(body, rig, complexion(rig, layout)),
+        "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
             {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)} for each in rig.skeletons
         ],
@@ -109,9 +114,18 @@ def _identity(rig: Rig) -> str:
     return found.hexdigest()[:32]
 
 
-def _mesh(body: _Body, mesh: RigMesh) -> Json:
+def _meshes(body: _Body, rig: Rig, look: Complexion) -> list[Json]:
+    starts = rig.starts
+    spans = [slice(a, b) for a, b in pairwise(starts.tolist())]
+    looks = [Complexion(look.colours[span], look.gaze[span], look.clear[span]) for span in spans]
+    return [_mesh(body, mesh, own) for mesh, own in zip(rig.meshes, looks, strict=True)]
+
+
+def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:
     low, step, grid = _quantised_positions(mesh.points)
     corners = triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed)
+    corners = corners[~look.clear[corners].all(axis=1)]
+    on_eye = (np.abs(look.gaze) < 3.0).any()
     return {
         "path": mesh.path,
         "visible": mesh.visible,
@@ -122,7 +136,13 @@ def _mesh(body: _Body, mesh: RigMesh) -> Json:
         "toRoot": _list(mesh.to_root),
         "skin": None if mesh.skin is None else _skin(body, mesh.skin),
         "shapes": [_shape(body, shape) for shape in mesh.shapes],
+        "colours": body.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
+        "gaze": body.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2") if on_eye else None,
     }
+
+
+def _srgb(colour: tuple[float, float, float]) -> list[Any]:
+    return _list(encoded(np.array(colour)))
 
 
 def _quantised_positions(points: Floats) -> tuple[Floats, Floats, NDArray[np.int64]]:

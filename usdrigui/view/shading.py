@@ -1,4 +1,4 @@
-"""The character as a clay model: an orthographic camera, three lights and smooth normals, by ray casting.
+"""The character in its colours: an orthographic camera, three lights and smooth normals, by ray casting.
 
 Needs no graphics card, no display and no GL library.  One ray is cast per pixel and four more where an
 outline passes through it.
@@ -15,12 +15,14 @@ from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
 
 from usdrigui.model import Flags, Floats, Indices, Record, Rig
 from usdrigui.rays import Caster, make_caster
-from usdrigui.surface import components, mesh_triangles, vertex_normals, weld
+from usdrigui.surface import mesh_triangles, vertex_normals, weld
 
-CLAY = (0.60, 0.53, 0.47)
-"""Linear albedo of the character's main surface."""
-_TRIM = (0.66, 0.63, 0.60)
-"""Of its separate pieces: eyes, teeth, lashes, hair."""
+SKIN = (0.61, 0.40, 0.31)
+"""Linear albedo of what has no colour of its own."""
+EYE = {"pupil": (0.012, 0.011, 0.011), "iris": (0.17, 0.11, 0.065), "white": (0.80, 0.77, 0.74)}
+"""Linear albedo of an eye that has no colours of its own, from its middle."""
+PUPIL, IRIS = 0.19, 0.47
+"""Their radii, in radii of the eyeball."""
 _LIGHTS = (((-0.55, 0.60, 0.75), (0.84, 0.81, 0.77)), ((0.85, 0.05, 0.55), (0.20, 0.23, 0.28)))
 """Key and fill: direction in the camera's frame (right, up, toward) and linear colour."""
 _SKY, _GROUND = (0.25, 0.26, 0.28), (0.10, 0.09, 0.085)
@@ -55,6 +57,19 @@ class Camera(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Complexion(Record):
+    """How the points of a rig look, in the numbering of `Rig`."""
+
+    colours: Floats
+    """(n, 3) linear."""
+    gaze: Floats
+    """(n, 2) on eyeballs, where a point lies on the ball seen along the gaze, to the right and up: (0, 0) is the middle
+    of the pupil, 1 from it the equator, up to 2 what lies behind; (9, 9) off the eyes."""
+    clear: Flags
+    """(n,) of what is transparent on a face and would hide the eyes."""
+
+
+@dataclass(frozen=True, eq=False)
 class Body(Record):
     """The visible surface of a character at one pose, ready for ray casting."""
 
@@ -63,8 +78,10 @@ class Body(Record):
     """(t, 3)."""
     normals: Floats
     """(n, 3) smooth; zero where undefined."""
-    trim: Flags
-    """(t,) triangles of separate pieces, shaded a little lighter."""
+    colours: Floats
+    """(n, 3) linear albedo."""
+    gaze: Floats
+    """(n, 2) as `Complexion.gaze`."""
     caster: Caster
 
 
@@ -90,24 +107,26 @@ def look(toward: Floats, up: Floats) -> Floats:
     return np.stack([right, np.cross(ahead, right), ahead])
 
 
-def body(rig: Rig, points: Floats) -> Body:
-    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space."""
+def body(rig: Rig, points: Floats, complexion: Complexion | None = None) -> Body:
+    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space; without a complexion all
+    is skin."""
+    look = complexion or _plain(len(points))
     corners = mesh_triangles(rig.meshes, visible_only=True)
     if not len(corners):
         corners = mesh_triangles(rig.meshes)
     finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
-    corners = corners[finite[corners].all(axis=1)]
+    corners = corners[finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)]
     points = np.where(finite[:, None], points, 0.0)
-    places = weld(points)
-    pieces = components(corners, places)[corners[:, 0]]
-    trim = np.zeros(len(corners), dtype=bool)
-    if len(corners):
-        trim = pieces != np.bincount(pieces).argmax()
-    return Body(points, corners, vertex_normals(points, corners, places), trim, make_caster(points[corners]))
+    normals = vertex_normals(points, corners, weld(points))
+    return Body(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
+
+
+def _plain(count: int) -> Complexion:
+    return Complexion(np.tile(np.array(SKIN), (count, 1)), np.full((count, 2), 9.0), np.zeros(count, dtype=bool))
 
 
 def shade(subject: Body, camera: Camera) -> Shaded:
-    """Render the body: clay under three lights, darkened in hollows."""
+    """Render the body under three lights, darkened in hollows."""
     y, x = np.mgrid[: camera.height, : camera.width]
     pixels = np.stack([x.ravel(), y.ravel()], axis=1) + 0.5
     colour, depth = _samples(subject, camera, pixels)
@@ -140,8 +159,35 @@ def _samples(subject: Body, camera: Camera, pixels: Floats) -> tuple[Floats, Flo
     corners = subject.corners[triangle]
     weights = _barycentric(camera.project(subject.points)[:, :2][corners], pixels[met])
     normals = np.einsum("nk,nkd->nd", weights, (subject.normals @ camera.rows.T)[corners])
-    colour[met] = _lit(normals) * np.where(subject.trim[triangle, None], _TRIM, CLAY)
+    albedo = np.einsum("nk,nkd->nd", weights, subject.colours[corners])
+    eye = (np.abs(subject.gaze[corners]) < 3.0).all(axis=(1, 2))
+    albedo[eye] = eye_colours(np.einsum("nk,nkd->nd", weights[eye], subject.gaze[corners[eye]]))
+    colour[met] = _lit(normals) * albedo
     return colour, depth
+
+
+def eye_colours(gaze: Floats) -> Floats:
+    """(n, 3) linear albedo of an eye at `Complexion.gaze` (n, 2); the viewer has the same (viewer/src/eye.js)."""
+    away = np.linalg.norm(gaze, axis=1, keepdims=True)
+    rim = 1.0 - 0.6 * _step(0.75 * IRIS, IRIS, away)
+    inner = _mixed(np.array(EYE["pupil"]), rim * np.array(EYE["iris"]), _step(PUPIL - 0.015, PUPIL + 0.015, away))
+    return _mixed(inner, np.array(EYE["white"]), _step(IRIS - 0.025, IRIS + 0.025, away))
+
+
+def _mixed(a: Floats, b: Floats, share: Floats) -> Floats:
+    return np.asarray((1.0 - share) * a + share * b)
+
+
+def _step(low: float, high: float, value: Floats) -> Floats:
+    """0 below `low`, 1 above `high`, smooth between."""
+    t = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return np.asarray(t * t * (3.0 - 2.0 * t))
+
+
+def encoded(linear: Floats) -> Floats:
+    """sRGB of linear light, both from 0 to 1."""
+    clipped = np.clip(linear, 0.0, 1.0)
+    return np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1.0 / 2.4) - 0.055)
 
 
 def _barycentric(corners: Floats, at: Floats) -> Floats:

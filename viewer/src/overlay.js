@@ -4,7 +4,8 @@
 import { lastWord } from './dom.js';
 import { alongTrack } from './elements.js';
 
-export const COLOURS = { left: '#58a6ff', right: '#ff6b6b', middle: '#f5c451', none: '#b9a7f5' };
+// As in pictures (`usdrigui/view/overlay.py`, docs/decisions/114).
+export const COLOURS = { left: '#4da3ff', right: '#f21420', middle: '#bcf000', none: '#7a5cff' };
 const AFFECTED = '#5fd6ff';
 const LEAST_HANDLE = 9;
 const MOST_HANDLE = 22;
@@ -47,6 +48,7 @@ export class Overlay {
     this.names = this.families(this.drawn);
     this.pinned = session.pins.map((pin) => project(session.shown(pin)));
     this.column = column;
+    this.leftward = Math.sign(session.character.layout.planeNormal.reduce((sum, value, axis) => sum + value * camera.right[axis], 0));
   }
 
   /** True when an element on the face is seen from behind, which no depth tells where the skin is a thin sheet. */
@@ -234,6 +236,7 @@ export class Overlay {
       pen.stroke();
       pen.fillStyle = inside;
       pen.fill();
+      if (!moved) this.fillHalf(element, x, y, radius);
       pen.lineWidth = selected ? 2.6 : 1.8;
       pen.strokeStyle = rim;
       pen.stroke();
@@ -241,6 +244,20 @@ export class Overlay {
     if (locked) drawCross(pen, x, y, radius * 0.5, moved ? '#16181b' : this.colour(element));
     if (hover || selected) this.drawHalo(element, x, y, radius + 4.5, selected && !hover ? 0.35 : 0.7);
     pen.globalAlpha = 1;
+  }
+
+  /** Side is not told by colour alone: half of a handle is filled, toward the character's own side. */
+  fillHalf(element, x, y, radius) {
+    const way = { left: this.leftward, right: -this.leftward }[element.side];
+    if (!way) return;
+    const { pen } = this;
+    pen.save();
+    pen.clip();
+    pen.fillStyle = COLOURS[element.side];
+    pen.fillRect(way > 0 ? x : x - 2 * radius, y - 2 * radius, 2 * radius, 4 * radius);
+    pen.restore();
+    pen.beginPath();
+    outline(pen, element.axes.length, x, y, radius);
   }
 
   /** A custom handle: lines, or faces within a rim; as much larger as small handles are drawn larger than they are. */

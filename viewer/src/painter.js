@@ -2,6 +2,8 @@
 // software itself and takes several times as long (docs/decisions/074).  A depth buffer, colours at the
 // points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
 
+import { smooth } from './eye.js';
+
 const BACKGROUND = 0xff24211f | 0; // alpha, blue, green, red
 const KEY = [-0.4, 0.52, 0.755];
 const FILL = [0.7, -0.05, 0.71];
@@ -72,7 +74,7 @@ export class Painter {
   }
 
   /** Colour of every point, 0 to 255: two lights that stay with the camera, and the heat map. */
-  light({ points, normals, paint, colour }, { position, right, above, towards }) {
+  light({ points, normals, paint, colours: own }, { position, right, above, towards }) {
     const colours = (this.colours ??= new Float32Array(points.length));
     const [rx, ry, rz] = right;
     const [ax, ay, az] = above;
@@ -93,17 +95,20 @@ export class Painter {
       const sky = 0.5 + 0.5 * y;
       const edge = 1 - Math.abs(z);
       const rim = edge * edge * edge * 0.035;
-      const base = paint[p] > 2 ? heated(paint[p] / 255, colour) : colour;
-      colours[i] = 254.5 * Math.min(1, base[0] * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
-      colours[i + 1] = 254.5 * Math.min(1, base[1] * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
-      colours[i + 2] = 254.5 * Math.min(1, base[2] * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
+      let red = own[i];
+      let green = own[i + 1];
+      let blue = own[i + 2];
+      if (paint[p] > 2) [red, green, blue] = heated(paint[p] / 255, [red, green, blue]);
+      colours[i] = 254.5 * Math.min(1, red * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
+      colours[i + 1] = 254.5 * Math.min(1, green * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
+      colours[i + 2] = 254.5 * Math.min(1, blue * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
     }
   }
 
   /** All triangles that face the viewer (or have two sides) into the pixels of `frame`. */
   fill(frame) {
     const { screen } = this;
-    const { triangles, facing } = this.surface;
+    const { triangles, facing, eyes } = this.surface;
     const [left, top, right, bottom] = frame;
     for (let t = 0, k = 0; t < triangles.length; t += 3, k++) {
       const a = 3 * triangles[t];
@@ -121,7 +126,9 @@ export class Painter {
       if (x0 > x1) continue;
       const y0 = Math.max(top, Math.ceil(Math.min(screen[a + 1], screen[b + 1], screen[c + 1])));
       const y1 = Math.min(bottom - 1, Math.floor(Math.max(screen[a + 1], screen[b + 1], screen[c + 1])));
-      if (y0 <= y1) this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
+      if (y0 > y1) continue;
+      if (eyes[k]) this.eye([a, b, c], 1 / area, x0, x1, y0, y1);
+      else this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
     }
   }
 
@@ -194,6 +201,31 @@ export class Painter {
       }
     }
   }
+
+  /** One triangle of an eyeball, pixel by pixel: what is white at its corners has an iris and a pupil in between. */
+  eye(corners, unit, x0, x1, y0, y1) {
+    const { screen, colours, pixels, nearness, surface } = this;
+    const { factors, perRadius, last } = surface.tints;
+    const [a, b, c] = corners;
+    const [ga, gb, gc] = corners.map((corner) => surface.gaze.subarray((2 * corner) / 3, (2 * corner) / 3 + 2));
+    for (let y = y0; y <= y1; y++) {
+      for (let x = x0; x <= x1; x++) {
+        const [dx, dy] = [x - screen[a], y - screen[a + 1]];
+        const wb = (dx * (screen[c + 1] - screen[a + 1]) - dy * (screen[c] - screen[a])) * unit;
+        const wc = (dy * (screen[b] - screen[a]) - dx * (screen[b + 1] - screen[a + 1])) * unit;
+        const wa = 1 - wb - wc;
+        if (wa < -EDGE || wb < -EDGE || wc < -EDGE) continue;
+        const near = wa * screen[a + 2] + wb * screen[b + 2] + wc * screen[c + 2];
+        const at = y * this.canvas.width + x;
+        if (near <= nearness[at]) continue;
+        nearness[at] = near;
+        const away = Math.hypot(wa * ga[0] + wb * gb[0] + wc * gc[0], wa * ga[1] + wb * gb[1] + wc * gc[1]);
+        const step = 3 * Math.min(last, Math.floor(away * perRadius));
+        const mixed = (k) => factors[step + k] * (wa * colours[a + k] + wb * colours[b + k] + wc * colours[c + k]);
+        pixels[at] = -16777216 | ((mixed(2) & 255) << 16) | (mixed(1) << 8) | mixed(0);
+      }
+    }
+  }
 }
 
 /** True where the inside of an open part is seen: the normal points away from the viewer. */
@@ -216,9 +248,4 @@ function heated(heat, colour) {
     const ramp = LOW[k] + low * (MIDDLE[k] - LOW[k]);
     return value + share * (ramp + high * (HIGH[k] - ramp) - value);
   });
-}
-
-function smooth(low, high, value) {
-  const t = Math.min(1, Math.max(0, (value - low) / (high - low)));
-  return t * t * (3 - 2 * t);
 }

@@ -1,6 +1,7 @@
 // Decodes the packed scene that usdrigui/view/scene.py writes: inflate, read the JSON header, and turn
 // its array entries into typed arrays.
 
+const GAZE_STEP = 3 / 8192;
 const KINDS = {
   u1: [Uint8Array, 1],
   u2: [Uint16Array, 2],
@@ -33,6 +34,8 @@ function decodeCharacter(character, body) {
     mesh.start = start;
     start += mesh.count;
     mesh.triangles = decodeArray(mesh.triangles, body);
+    mesh.colours = decodeArray(mesh.colours, body);
+    mesh.gaze = mesh.gaze && Float32Array.from(decodeArray(mesh.gaze, body), (steps) => steps * GAZE_STEP);
     for (const shape of mesh.shapes) {
       shape.points = decodeArray(shape.points, body);
       shape.offsets = decodeArray(shape.offsets, body);

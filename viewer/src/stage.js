@@ -2,11 +2,13 @@
 
 import { make } from './dom.js';
 import { Painter } from './painter.js';
-import { facings, seams, sumNormals, visibleTriangles } from './surface.js';
+import { onEyes, tints } from './eye.js';
+import { openness } from './openness.js';
+import { facings, looks, seams, sumNormals, visibleTriangles } from './surface.js';
 import { Webgl, webglOf } from './webgl.js';
 
-const SKIN = [0.66, 0.61, 0.57];
-const TARGET = [0.52, 0.6, 0.66];
+const EYES = 0.5; // of the shade that lids cast falls on the eyes, which shine
+const TARGET = [0.8, 0.95, 1.08]; // a cooler face, so that it is not taken for one's own
 
 export class Stage {
   /** `how`: 'webgl' or 'canvas' to insist on one, null to take what is faster. */
@@ -16,10 +18,28 @@ export class Stage {
     this.triangles = visibleTriangles(character);
     this.welded = seams(character, this.triangles);
     this.facing = facings(points, this.triangles);
-    this.skin = makeSkin(points, SKIN);
+    const { colours, gaze } = looks(character);
+    this.gaze = gaze;
+    this.eyes = onEyes(this.triangles, gaze);
+    this.tints = tints(character.eye);
+    this.skin = makeSkin(points, colours);
+    this.shade(colours);
     this.target = null;
     this.size = [1, 1, 1];
     this.open(how);
+  }
+
+  /** Darken colours where the shape at rest keeps the light off: red goes last, as in flesh. */
+  shade(colours) {
+    sumNormals(this.skin.points, this.triangles, this.welded, this.skin.normals);
+    const open = openness(this.skin.points, this.skin.normals, this.triangles);
+    for (let point = 0, i = 0; i < colours.length; point++, i += 3) {
+      const shaded = Math.abs(this.gaze[2 * point]) < 3 ? EYES * open[point] + 1 - EYES : open[point];
+      const light = Math.sqrt(shaded); // of colours as the screen shows them
+      colours[i] *= light ** 0.85;
+      colours[i + 1] *= light ** 1.15;
+      colours[i + 2] *= light ** 1.15;
+    }
   }
 
   /** Open a canvas; without WebGL, or where its context is lost for good, the processor draws. */
@@ -55,7 +75,7 @@ export class Stage {
 
   /** Show a second, unmoving face with these points; null takes it away. */
   setTarget(points) {
-    this.target = points && makeSkin(points, TARGET);
+    this.target = points && makeSkin(points, this.skin.colours.map((value, i) => Math.min(1, value * TARGET[i % 3])));
     if (this.target) this.refresh(this.target);
   }
 
@@ -71,12 +91,12 @@ export class Stage {
 }
 
 /** A face as it is drawn; `changes` counts what drawers must take up anew. */
-function makeSkin(points, colour) {
+function makeSkin(points, colours) {
   return {
     points,
     normals: new Float32Array(points.length),
     paint: new Uint8Array((4 * points.length) / 3),
-    colour,
+    colours,
     changes: { shape: 0, paint: 0 },
   };
 }

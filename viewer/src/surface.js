@@ -11,6 +11,17 @@ export function visibleTriangles(character) {
   return out;
 }
 
+/** Colours (3 per point, 0 to 1) of all points, and where they lie on eyeballs (2 per point; see eye.js). */
+export function looks(character) {
+  const colours = new Float32Array(3 * character.pointCount);
+  const gaze = new Float32Array(2 * character.pointCount).fill(9);
+  for (const mesh of character.meshes) {
+    mesh.colours.forEach((value, i) => (colours[3 * mesh.start + i] = value / 255));
+    if (mesh.gaze) gaze.set(mesh.gaze, 2 * mesh.start);
+  }
+  return { colours, gaze };
+}
+
 /**
  * Points that coincide at rest and lie on open edges, as a list of lists: a surface cut along a texture
  * seam, whose normals must be shared.  Points inside a surface are left alone, so that closed lips that

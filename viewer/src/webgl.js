@@ -13,8 +13,10 @@ const BACKGROUND = 0x1f2124;
 // carries the heat map.  painter.js has the same light.
 const VERTEX = `
   attribute vec2 paint;
-  uniform vec3 skin;
+  attribute vec3 own;
+  attribute vec2 gaze;
   varying vec3 colour;
+  varying vec2 ball;
   vec3 ramp(float heat) {
     vec3 low = mix(vec3(0.20, 0.24, 0.62), vec3(0.78, 0.20, 0.44), smoothstep(0.0, 0.5, heat));
     return mix(low, vec3(1.0, 0.82, 0.30), smoothstep(0.45, 1.0, heat));
@@ -27,15 +29,20 @@ const VERTEX = `
     float key = max(dot(n, vec3(-0.40, 0.52, 0.755)), 0.0);
     float fill = max(dot(n, vec3(0.70, -0.05, 0.71)), 0.0);
     float sky = 0.5 + 0.5 * n.y;
-    vec3 base = mix(skin, ramp(paint.x), 0.85 * smoothstep(0.01, 0.2, paint.x));
+    vec3 base = mix(own, ramp(paint.x), 0.85 * smoothstep(0.01, 0.2, paint.x));
     vec3 light = vec3(0.20, 0.21, 0.23) * sky + vec3(0.80, 0.77, 0.73) * key + vec3(0.20, 0.22, 0.26) * fill;
     colour = base * sqrt(light) + pow(1.0 - abs(n.z), 3.0) * 0.035;
+    ball = gaze;
   }`;
 
 const FRAGMENT = `
+  uniform sampler2D tints;
+  uniform float perRadius;
   varying vec3 colour;
+  varying vec2 ball;
   void main() {
-    gl_FragColor = vec4(colour, 1.0);
+    vec3 tint = max(abs(ball.x), abs(ball.y)) < 3.0 ? texture2D(tints, vec2(length(ball) * perRadius, 0.5)).rgb : vec3(1.0);
+    gl_FragColor = vec4(colour * tint, 1.0);
   }`;
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
@@ -66,6 +73,7 @@ export class Webgl {
     this.renderer.autoClear = false;
     this.camera = new THREE.PerspectiveCamera();
     this.size = { width: 1, height: 1 };
+    this.tints = textureOf(surface.tints);
     this.known = new Map(); // skin -> {scene, geometry, material, seen: its counts of changes}
   }
 
@@ -102,7 +110,7 @@ export class Webgl {
 
   /** What draws a skin, with its points, colours and the triangles to be seen from here on the card. */
   sent(skin, orbit, wide) {
-    if (!this.known.has(skin)) this.known.set(skin, made(skin, this.surface.triangles.length));
+    if (!this.known.has(skin)) this.known.set(skin, made(skin, this.surface, this.tints));
     const drawn = this.known.get(skin);
     const { attributes, index } = drawn.geometry;
     if (drawn.seen.shape !== skin.changes.shape) attributes.position.needsUpdate = attributes.normal.needsUpdate = true;
@@ -128,19 +136,30 @@ export class Webgl {
   }
 }
 
-function made(skin, corners) {
+/** The factors of eye.js as a texture of one row, and its share per radius of the eyeball. */
+function textureOf({ factors, perRadius, last }) {
+  const texels = Uint8Array.from({ length: 4 * (last + 1) }, (_, i) => Math.round(255 * Math.min(1, factors[3 * (i >> 2) + (i & 3)] ?? 1)));
+  const texture = new THREE.DataTexture(texels, last + 1, 1);
+  texture.magFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return { texture, perRadius: perRadius / (last + 1) };
+}
+
+function made(skin, { triangles, gaze }, tints) {
   const geometry = new THREE.BufferGeometry();
   const dynamic = (array, size, normalised = false) =>
     new THREE.BufferAttribute(array, size, normalised).setUsage(THREE.DynamicDrawUsage);
-  geometry.setIndex(dynamic(new Uint32Array(corners), 1));
+  geometry.setIndex(dynamic(new Uint32Array(triangles.length), 1));
   geometry.setAttribute('position', dynamic(skin.points, 3));
   geometry.setAttribute('normal', dynamic(skin.normals, 3));
   geometry.setAttribute('paint', dynamic(skin.paint, 4, true));
+  geometry.setAttribute('own', new THREE.BufferAttribute(skin.colours, 3));
+  geometry.setAttribute('gaze', new THREE.BufferAttribute(gaze, 2));
   const material = new THREE.ShaderMaterial({
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     side: THREE.DoubleSide,
-    uniforms: { skin: { value: new THREE.Color(...skin.colour) } },
+    uniforms: { tints: { value: tints.texture }, perRadius: { value: tints.perRadius } },
   });
   const mesh = new THREE.Mesh(geometry, material);
   mesh.frustumCulled = false;

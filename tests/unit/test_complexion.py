@@ -1,0 +1,192 @@
+"""Colours of a face: as USD says them, and found by form where it says nothing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
+
+from usdrigui.settings import Settings
+from usdrigui.usd.colours import point_colours
+from usdrigui.usd.rig import read_rigs
+from usdrigui.view import complexion, shading
+
+SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
+RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+COUNTS, INDICES = np.array([4, 4]), np.array([0, 1, 4, 3, 1, 2, 5, 4])
+HALVES = [RED, RED, BLUE, RED, RED, BLUE]
+"""Two quads side by side: the left one's points and those of the right one's far edge."""
+
+
+@pytest.fixture
+def quads():
+    stage = Usd.Stage.CreateInMemory()
+    mesh = UsdGeom.Mesh.Define(stage, "/Mesh")
+    mesh.CreatePointsAttr([(x, y, 0) for y in (0, 1) for x in (0, 1, 2)])
+    mesh.CreateFaceVertexCountsAttr(COUNTS.tolist())
+    mesh.CreateFaceVertexIndicesAttr(INDICES.tolist())
+    return stage
+
+
+def colours_of(stage):
+    return point_colours(stage.GetPrimAtPath("/Mesh"), 6, COUNTS, INDICES, Usd.TimeCode.Default())
+
+
+def material(stage, name, **inputs):
+    made = UsdShade.Material.Define(stage, f"/{name}")
+    shader = UsdShade.Shader.Define(stage, f"/{name}/surface")
+    shader.CreateIdAttr("UsdPreviewSurface")
+    for key, value in inputs.items():
+        shader.CreateInput(key, Sdf.ValueTypeNames.Color3f).Set(Gf.Vec3f(*value))
+    made.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+    return made, shader
+
+
+MIDDLE = (0.5, 0.0, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("interpolation", "values", "expected"),
+    [
+        ("constant", [RED], [RED] * 6),
+        ("vertex", HALVES, HALVES),
+        ("varying", HALVES, HALVES),
+        ("uniform", [RED, BLUE], [RED, MIDDLE, BLUE, RED, MIDDLE, BLUE]),
+        ("faceVarying", [RED] * 4 + [BLUE] * 4, [RED, MIDDLE, BLUE, RED, MIDDLE, BLUE]),
+        ("vertex", [RED, BLUE], None),
+        ("constant", [], None),
+        ("vertex", [(np.nan, 0, 0)] * 6, None),
+    ],
+)
+@pytest.mark.parametrize("indexed", [False, True])
+def test_display_colours_of_every_interpolation(quads, interpolation, values, expected, indexed):
+    primvar = UsdGeom.Mesh.Get(quads, "/Mesh").CreateDisplayColorPrimvar(interpolation)
+    primvar.Set(Vt.Vec3fArray(values))
+    if indexed:
+        primvar.SetIndices(Vt.IntArray(range(len(values))))
+    found = colours_of(quads)
+    assert (found is None) if expected is None else found.tolist() == [list(each) for each in expected]
+
+
+def test_a_materials_base_colour_goes_before_the_display_colour_and_a_subsets_before_the_meshs(quads):
+    mesh = UsdGeom.Mesh.Get(quads, "/Mesh")
+    mesh.CreateDisplayColorPrimvar("constant").Set([(0, 1, 0)])
+    whole, _ = material(quads, "whole", diffuseColor=RED)
+    UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(whole)
+    assert colours_of(quads).tolist() == [list(RED)] * 6
+    part, _ = material(quads, "part", diffuseColor=BLUE)
+    subset = UsdShade.MaterialBindingAPI(mesh.GetPrim()).CreateMaterialBindSubset("part", Vt.IntArray([1]))
+    UsdShade.MaterialBindingAPI.Apply(subset.GetPrim()).Bind(part)
+    assert colours_of(quads).tolist() == [list(each) for each in (RED, MIDDLE, BLUE, RED, MIDDLE, BLUE)]
+    other, _ = material(quads, "other", somethingElse=RED)
+    UsdShade.MaterialBindingAPI(mesh.GetPrim()).Bind(other)
+    subset.GetIndicesAttr().Set([])
+    assert colours_of(quads).tolist() == [[0, 1, 0]] * 6, "a shader that says no colour leaves the displayColor"
+
+
+@pytest.mark.parametrize("readable", [True, False])
+def test_a_small_texture_is_read_at_the_points(tmp_path, readable):
+    path = tmp_path / "skin.png"
+    Image.fromarray(np.array([[[255, 0, 0], [0, 0, 255]]], dtype=np.uint8)).save(path)
+    if not readable:
+        path.write_bytes(b"no picture")
+    stage = Usd.Stage.CreateNew(str(tmp_path / "asset.usda"))
+    mesh = UsdGeom.Mesh.Define(stage, "/Mesh")
+    uv = [(0.25, 0.5), (0.25, 0.5), (0.75, 0.5)] * 2
+    UsdGeom.PrimvarsAPI(mesh).CreatePrimvar("uv", Sdf.ValueTypeNames.TexCoord2fArray, "vertex").Set(uv)
+    made, surface = material(stage, "skin", diffuseColor=RED)
+    texture, reader = (UsdShade.Shader.Define(stage, f"/skin/{name}") for name in ("texture", "reader"))
+    reader.CreateInput("varname", Sdf.ValueTypeNames.Token).Set("uv")
+    texture.CreateIdAttr("UsdUVTexture")
+    texture.CreateInput("file", Sdf.ValueTypeNames.Asset).Set("./skin.png")
+    texture.CreateInput("st", Sdf.ValueTypeNames.Float2).ConnectToSource(reader.ConnectableAPI(), "result")
+    surface.GetInput("diffuseColor").ConnectToSource(texture.ConnectableAPI(), "rgb")
+    UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(made)
+    found = colours_of(stage)
+    assert (found.tolist() == [list(each) for each in HALVES]) if readable else found is None
+
+
+# --- found by form -----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def sample():
+    (rig,) = read_rigs(SAMPLE, Settings())
+    return rig
+
+
+def bare(rig):
+    """The sample without a word about colour: neither values nor names that tell."""
+    meshes = [replace(mesh, colours=None, path=f"/Char/part{i}") for i, mesh in enumerate(rig.meshes)]
+    return replace(rig, meshes=tuple(meshes))
+
+
+def layout_of(rig):
+    """What `complexion` reads of a layout: where the face is and how large it is drawn."""
+    from viewer_layouts import peak_layout
+
+    layout = peak_layout(rig)
+    head = next(mesh for mesh in rig.meshes if mesh.path.endswith(("Head", "part0")))
+    on_face = [
+        replace(element, anchor=replace(element.anchor, mesh=head.path, on_board=False, position=np.array(at)))
+        for element, at in zip(layout.elements, ([-6.0, -11.0, 6.0], [6.0, 4.0, 6.0]), strict=False)
+    ]
+    return replace(layout, elements=tuple(on_face), view=np.array([0.0, 0.0, 1.0]), handle_width=0.44)
+
+
+def test_colours_of_the_asset_are_taken_as_they_are(sample):
+    found = complexion.complexion(sample, layout_of(sample))
+    assert np.array_equal(found.colours, np.concatenate([mesh.colours for mesh in sample.meshes]))
+    assert not found.clear.any()
+    assert (found.gaze > 2.0).all()
+
+
+def test_form_finds_the_pupils_and_the_lips_that_colours_say(sample):
+    """On the sample without its colours: its own tell where the pupils, the whites and the lips are."""
+    plain = bare(sample)
+    found = complexion.complexion(plain, layout_of(plain))
+    told = np.concatenate([mesh.colours for mesh in sample.meshes])
+    names = np.repeat([mesh.path.rsplit("/", 1)[-1] for mesh in sample.meshes], np.diff(sample.starts))
+    eyes, head = np.char.startswith(names, "Eye"), names == "Head"
+    assert (np.abs(found.gaze[eyes]) <= 2.0).all()
+    assert (found.gaze[~eyes] > 2.0).all()
+    away = np.linalg.norm(found.gaze, axis=1)
+    black, white = eyes & (told.max(axis=1) < 0.1), eyes & (told.min(axis=1) > 0.85)
+    assert away[black].max() < away[white].min()
+    redness = found.colours[:, 0] / found.colours[:, 1]
+    lips = head & (told[:, 0] / told[:, 1] > 1.9)
+    painted = head & (redness > 1.25 * redness[head].min())
+    assert np.count_nonzero(painted & lips) > 0.5 * np.count_nonzero(painted)
+
+
+@pytest.mark.parametrize(("inner", "is_clear"), [(1.4, True), (1.1, True), (0.3, False)])
+def test_what_covers_the_pupil_is_clear(sample, inner, is_clear):
+    """A cap before the eye; off to the side of the pupil it is left as it is, like a lid."""
+    plain = bare(sample)
+    eye = next(mesh for mesh, told in zip(plain.meshes, sample.meshes, strict=True) if told.path.endswith("EyeLeft"))
+    faces = np.split(eye.face_indices, np.cumsum(eye.face_counts)[:-1])
+    front = [face for face in faces if (eye.points[face, 2] > inner).all()]
+    beside = [face for face in front if (eye.points[face, 0] > 0.5).all()]
+    cap = front if is_clear else beside
+    shell = replace(
+        eye,
+        path="/Char/shell",
+        points=eye.points * 1.05,
+        face_counts=np.array([len(face) for face in cap]),
+        face_indices=np.concatenate(cap),
+        shapes=(),
+    )
+    rig = replace(plain, meshes=(*plain.meshes, shell))
+    found = complexion.complexion(rig, layout_of(rig))
+    assert found.clear[rig.starts[-2] :].any() == is_clear
+    assert not found.clear[: rig.starts[-2]].any()
+
+
+def test_an_eye_is_black_then_coloured_then_white():
+    away = np.array([0.0, 0.9 * shading.PUPIL, 0.5 * (shading.PUPIL + shading.IRIS), 1.1 * shading.IRIS, 1.0, 2.0])
+    black, pupil, iris, white, edge, back = shading.eye_colours(np.stack([0.0 * away, away], axis=1)).sum(axis=1)
+    assert black == pupil < iris < white == edge == back
