@@ -543,8 +543,7 @@ _CODES: dict[str, Code] = {
     "SOURCE_MISSING": Code(
         "error",
         "The layout layer does not say which asset it stands over.",
-        "Name the asset as its first sublayer, or write the layer without --bare; instead of a stage that only "
-        "references layouts, name the layers that the message names.",
+        "Name the asset as its first sublayer, write the layer without --bare, or give a stage that composes both.",
     ),
     "LAYOUT_STALE": Code(
         "error",

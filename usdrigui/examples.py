@@ -21,7 +21,7 @@ from usdrigui.layout.reuse.renaming import element_names, with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
-from usdrigui.usd.reader_process import asset_below, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
 from usdrigui.usd.reader_records import LayoutsResult
 from usdrigui.usd.source import SourceFile
 
@@ -228,13 +228,10 @@ def _characters(layer: Path, settings: Settings) -> tuple[tuple[tuple[Rig, Layou
         memory_limit=settings.read.memory_limit,
         size_limit=settings.read.size_limit,
     )
-    plain = Settings(read=limits)
-    found = read_layouts_isolated(layer, plain)
-    source = asset_below(found, layer)
+    found, read = read_composed_isolated(layer, Settings(read=limits))
     layouts = _by_root(found)
-    read = read_rigs_isolated(Path(source), plain)
     characters = tuple((rig, layouts[rig.root]) for rig in read.rigs if rig.root in layouts)
-    return characters, (*found.sources, *read.sources)
+    return characters, read.sources
 
 
 def _known(layout: Layout, rig: Rig) -> Layout:

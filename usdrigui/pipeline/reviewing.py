@@ -6,22 +6,28 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from usdrigui.errors import Issue, RigUIError, refuse
+from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import build_problem
 from usdrigui.settings import Settings
-from usdrigui.usd.reader_process import asset_below, read_faults_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import (
+    read_composed_isolated,
+    read_faults_isolated,
+    read_layouts_isolated,
+    read_rigs_isolated,
+)
 
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """A layer read back with the characters that it sublayers."""
+    """The layouts of a stage with their characters."""
 
     characters: tuple[tuple[Rig, Layout], ...]
     source: str
+    """The asset that the layer sublayers; empty if it has none."""
     cameras: Mapping[str, Floats]
     files: tuple[Path, ...]
     """Every file that was read."""
@@ -36,7 +42,7 @@ class LayerReview:
     """By SkelRoot."""
     seconds: tuple[tuple[str, float], ...]
     faults: tuple[Issue, ...] = ()
-    """Of a source asset, which has no layout: everything that is wrong with its blend shapes."""
+    """Layouts whose character is gone; of a source asset, which has no layout, all that is wrong with its shapes."""
 
     @property
     def issues(self) -> tuple[Issue, ...]:
@@ -62,30 +68,39 @@ class LayerDifference:
 
 
 def load_layer(layer: Path, settings: Settings) -> Loaded:
-    """A layout layer and the rigs that it sublayers, for viewers and checks.
+    """The layouts of a stage and their characters as it composes them, for viewers and checks.
 
-    Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING and everything that reading an asset can raise.
+    `layer` is a layout layer over its character, an asset with its layout inside, a shot of several, flattened or
+    packed.  Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING, LAYOUT_STALE where the stage lacks one of the characters,
+    and everything that reading an asset can raise.
     """
-    found = read_layouts_isolated(layer, settings)
-    layouts, source = {each.root: each for each in found.layouts}, asset_below(found, layer)
-    read = read_rigs_isolated(Path(source), settings)
-    missing = set(layouts) - {each.root for each in read.rigs}
-    if missing:
-        raise refuse("LAYOUT_STALE", min(missing), f"{source} has no such character any more")
+    loaded, stale = _loaded(layer, settings)
+    if stale:
+        raise refuse(stale[0].code, stale[0].path, stale[0].message)
+    return loaded
+
+
+def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]:
+    """What the stage has, and LAYOUT_STALE for every layout whose character it has not."""
+    found, read = read_composed_isolated(layer, settings)
+    wanted = settings.read.skel_root
+    layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
-    files = tuple(Path(each.path) for each in (*found.sources, *read.sources))
-    return Loaded(characters, source, read.cameras, files)
+    gone = sorted(layouts.keys() - {rig.root for rig, _ in characters})
+    stale = tuple(issue("LAYOUT_STALE", root, f"{layer} has no such character any more") for root in gone)
+    files = tuple(Path(each.path) for each in read.sources)
+    return Loaded(characters, found.source, read.cameras, files), stale
 
 
 def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
-    """Whether a layout layer still fits its rig, and how good it is; writes nothing.
+    """Whether the layouts of a stage fit their characters as the stage composes them, and how good they are.
 
-    Works on layers from any tool or hand.  Raises RigUIError where the layer or its source cannot be read.
+    Works on layers from any tool or hand; writes nothing.  Raises RigUIError where the stage cannot be read.
     """
     clock = Clock(progress)
     with clock.stage("read"):
         try:
-            loaded = load_layer(layer, settings)
+            loaded, stale = _loaded(layer, settings)
         except RigUIError as error:
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     reviews = []
@@ -94,7 +109,7 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
         with clock.stage("review"):
             found = review_stage.review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, layout)
             reviews.append((rig.root, found))
-    return LayerReview(str(layer), tuple(reviews), clock.seconds)
+    return LayerReview(str(layer), tuple(reviews), clock.seconds, stale)
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:

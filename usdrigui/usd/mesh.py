@@ -22,7 +22,7 @@ def read_meshes(
 ) -> tuple[RigMesh, ...]:
     """All meshes under the SkelRoot, in stage order; `found` takes the new tokens and the issues.
 
-    A mesh whose arrays contradict each other is left off (decision 023).  Raises INSTANCE.
+    A mesh whose arrays contradict each other is left off (decision 023).
     """
     meshes = []
     for prim in _drawable(root):
@@ -83,8 +83,6 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
     counts, indices = _faces(mesh, frames.time, path, len(points))
     if mesh.GetPointsAttr().GetNumTimeSamples() > 1 or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1:
         found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}"))
-    if binding is not None and prim.IsInstanceProxy():
-        raise refuse("INSTANCE", path, "a deforming mesh lies inside an instance")
     # The skin first: a mesh that is left off for it must not have named channels.
     skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
     shapes = read_shapes(prim, binding, len(points), found)

@@ -30,6 +30,8 @@ _DECISIONS = tuple(
     )
 )
 """Properties in which a layout's decisions stand: which controls share an element, and where it is."""
+_FLATTENED = "Flattened_Prototype_"
+"""How USD calls what the instances of a flattened stage refer to."""
 
 
 def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
@@ -54,10 +56,13 @@ def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
 
 
 def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
-    """The same, with those that are inactive."""
-    walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
+    """The same, with those that are inactive; neither classes nor prototypes of a flattened stage are characters."""
+    everything = Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)
+    walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), everything))
     for prim in walk:
-        if schema.LAYOUT in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
+        if prim.IsAbstract() or prim.GetName().startswith(_FLATTENED):
+            walk.PruneChildren()
+        elif schema.LAYOUT in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
             walk.PruneChildren()
             yield prim
 

@@ -48,6 +48,8 @@ def respond(request: Request) -> Response:
     """Do what is asked; every exception becomes a refusal."""
     path, peak = Path(request.path), _peak()
     try:
+        if request.task == "composed":
+            return _composed(path, request.settings)
         if request.task == "layouts":
             return Response(layouts=_layouts(path))
         if request.task == "clips":
@@ -107,15 +109,32 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path) -> LayoutsResult:
+    with _hashed_before(path) as (before, _), _kept_stages() as stages:
+        return _layouts_in(path, stages, before)
+
+
+def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
     from usdrigui.usd.read_layout import brought_layouts, edited_elements, read_layout, source_of
     from usdrigui.usd.standing import standing_prims
 
-    with _hashed_before(path) as (before, _), _kept_stages() as stages:
-        layouts = read_layout(path)
-        stage = next(iter(stages.GetAllStages()))
-        sources = _sources(path, stages.GetAllStages(), before)
-        edited, prims = edited_elements(stage), standing_prims(stage)
-        return LayoutsResult(layouts, source_of(path), edited, sources, prims, brought_layouts(stage))
+    layouts = read_layout(path)
+    stage = _stage_of(path, stages)
+    sources = _sources(path, stages.GetAllStages(), before)
+    edited, prims = edited_elements(stage), standing_prims(stage)
+    return LayoutsResult(layouts, source_of(path), edited, sources, prims, brought_layouts(stage))
+
+
+def _composed(path: Path, settings: Settings) -> Response:
+    """The layouts of a stage and their characters as the stage composes them."""
+    from usdrigui.usd.rig import read_rigs
+
+    with _hashed_before(path) as (before, heard), _kept_stages() as stages:
+        found = _layouts_in(path, stages, before)
+        rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
+        cameras = _cameras(_stage_of(path, stages), rigs, settings.candidates.view)
+        return Response(
+            rigs=ReadResult(rigs, {}, cameras, _sources(path, stages.GetAllStages(), before)), layouts=found
+        )
 
 
 def _performances(path: Path) -> tuple[Performance, ...]:

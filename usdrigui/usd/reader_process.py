@@ -36,9 +36,6 @@ from usdrigui.usd.source import check_source, check_unchanged
 
 _Part = TypeVar("_Part")
 
-_LAYERS_TOLD = 3
-"""Layers in one message."""
-
 
 def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> ReadResult:
     """As `usdrigui.usd.rig.read_rigs`, in a child process that may crash or hang without harm.
@@ -64,16 +61,19 @@ def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None 
     return _understood(_asked("layouts", path, settings, limits).layouts, path)
 
 
-def asset_below(found: LayoutsResult, layer: Path) -> str:
-    """The asset that a layout layer stands over; `found` is what was read of it.  Raises RigUIError SOURCE_MISSING."""
-    if found.source:
-        return found.source
-    brought = sorted(set(found.brought.values()))
-    if brought and len(found.brought) == len(found.layouts):
-        named = f"{', '.join(brought[:_LAYERS_TOLD])}{' and more' if len(brought) > _LAYERS_TOLD else ''}"
-        reason = f"is no layout but a stage that references some; the layers that hold them: {named}"
-        raise refuse("SOURCE_MISSING", str(layer), reason)
-    raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
+def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
+    """The layouts of a stage, and their characters as that stage composes them: variants, overrides, instances and all.
+
+    Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the characters, SOURCE_MISSING for
+    a layer that brings in no character at all.
+    """
+    try:
+        response = _asked("composed", path, settings, None)
+    except RigUIError as error:
+        if error.issue.code == "SKELROOT_MISSING" and not read_layouts_isolated(path, settings).source:
+            raise refuse("SOURCE_MISSING", str(path), "does not sublayer any asset") from error
+        raise
+    return _understood(response.layouts, path), _understood(response.rigs, path)
 
 
 def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:

@@ -11,7 +11,7 @@ from usdrigui.model import Floats, Layout, Performance, Record, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.source import SourceFile
 
-Task = Literal["rigs", "layouts", "clips", "faults", "layer"]
+Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +121,7 @@ class Request:
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """What the reader answers: one of the results, or a refusal with its exit code."""
+    """What the reader answers: one of the results, two of a composed stage, or a refusal with its exit code."""
 
     rigs: ReadResult | None = None
     layouts: LayoutsResult | None = None

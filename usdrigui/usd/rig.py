@@ -6,6 +6,7 @@ asked of UsdSkel, so that a rig means here what it means in any other applicatio
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -57,8 +58,11 @@ _VARIANTS_TRIED = 64
 """Variants that are looked into for a character that the selected ones lack."""
 
 
-def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
+def read_rigs(path: Path, settings: Settings, laid_out: Collection[str] | None = None) -> tuple[Rig, ...]:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
+
+    `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only these are read, in
+    instances too.  Raises LAYOUT_STALE where none of them is there.
 
     Raises RigUIError: FILE_*, LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or, where no character is
     left, the code of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
@@ -70,7 +74,9 @@ def read_rigs(path: Path, settings: Settings) -> tuple[Rig, ...]:
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
             raise refuse("SKELROOT_MISSING", str(path), f"no prim on the stage is a SkelRoot{_in_variants(stage)}")
-        readings = [_guarded(root, settings) for root in roots]
+        if laid_out is not None:
+            roots = _with_layout(roots, laid_out, path)
+        readings = [_guarded(root, settings, instances=laid_out is not None) for root in roots]
         glyphs = _guarded_glyphs(stage, path, settings)
     _check_names(readings, settings)
     rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
@@ -119,10 +125,17 @@ class _Scene:
     bound_in_vain: tuple[Issue, ...]
 
 
-def _guarded(root: Usd.Prim, settings: Settings) -> _Reading:
+def _with_layout(roots: tuple[Usd.Prim, ...], laid_out: Collection[str], path: Path) -> tuple[Usd.Prim, ...]:
+    found = tuple(root for root in roots if str(root.GetPath()) in laid_out)
+    if not found:
+        raise refuse("LAYOUT_STALE", min(laid_out), f"{path} has no such character any more")
+    return found
+
+
+def _guarded(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
     """`_read`, with what USD itself raises turned into an error of ours."""
     try:
-        return _read(root, settings)
+        return _read(root, settings, instances=instances)
     except Tf.ErrorException as error:
         raise refuse("USD_ERROR", str(root.GetPath()), usd_message(error)) from None
 
@@ -134,11 +147,11 @@ def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[st
         raise refuse("USD_ERROR", str(path), usd_message(error)) from None
 
 
-def _read(root: Usd.Prim, settings: Settings) -> _Reading:
-    if root.IsInstance() or root.IsInstanceProxy():
+def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
+    if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         reason = f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
-    scene = _scene(root, settings)
+    scene = _scene(root, settings, instances=instances)
     drafts, left_off, issues = _drafts(root, scene, settings)
     controls, excluded, unused = settled(drafts, settings)
     lost = (*left_off, *unused, *scene.names.left_off)
@@ -161,7 +174,7 @@ def _read(root: Usd.Prim, settings: Settings) -> _Reading:
     return _Reading(rig, *unknown, scene.bound_in_vain, tuple(scene.found.faults))
 
 
-def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
+def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
     cache = UsdSkel.Cache()
     everything = Usd.TraverseInstanceProxies()
     skel_root = UsdSkel.Root(root)
@@ -179,6 +192,8 @@ def _scene(root: Usd.Prim, settings: Settings) -> _Scene:
     found.issues.extend(notes)
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
     bound = _bound(bindings, armatures)
+    if not instances:
+        _refuse_instances(armatures, bound, root.GetStage())
     meshes = read_meshes(root, bound, frames, found)
     vain = bound_in_vain(root.GetStage(), (mesh.path for mesh in meshes), bound)
     found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
@@ -218,6 +233,14 @@ def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -
         joints.extend(some)
         found.issues.extend(issues)
     return tuple(joints)
+
+
+def _refuse_instances(armatures: tuple[Armature, ...], bound: Mapping[Sdf.Path, Binding], stage: Usd.Stage) -> None:
+    """Raise INSTANCE for a skeleton, an animation or a deforming mesh that no layer can say anything about."""
+    named = [path for each in armatures for path in (each.record.path, each.record.animation) if path]
+    for path in (*named, *map(str, bound)):
+        if stage.GetPrimAtPath(path).IsInstanceProxy():
+            raise refuse("INSTANCE", path, "deforms the character and lies inside an instance")
 
 
 def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:

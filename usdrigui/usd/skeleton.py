@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from pxr import Gf, Usd, UsdGeom, UsdSkel
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Channel, Clip, Floats, Joint, Skeleton
@@ -83,7 +83,7 @@ class Frames:
 def read_armatures(skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, frames: Frames) -> tuple[Armature, ...]:
     """The bound Skeletons, in the order given, with their joints numbered through.
 
-    Raises SKELETON_INVALID, INSTANCE, ANIMATION_LENGTH and ARRAY_TYPE.
+    Raises SKELETON_INVALID, ANIMATION_LENGTH and ARRAY_TYPE.
     """
     found: list[Armature] = []
     first = 0
@@ -237,6 +237,16 @@ def _weights(armature: Armature, time: float | None) -> Floats:
     return values
 
 
+def _in_instance(path: Sdf.Path, beside: Usd.Prim) -> Sdf.Path:
+    """The path in the instance that the prim `beside` lies in, of one that UsdSkel gives in the prototype."""
+    if not beside.IsInstanceProxy():
+        return path
+    shared = beside.GetPrimInPrototype()
+    while not shared.IsPrototype():
+        beside, shared = beside.GetParent(), shared.GetParent()
+    return path.ReplacePrefix(shared.GetPath(), beside.GetPath())
+
+
 def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, index: int, first: int) -> Armature:
     prim = skeleton.GetPrim()
     path = str(prim.GetPath())
@@ -245,9 +255,6 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
         raise refuse("SKELETON_INVALID", path, "UsdSkel cannot use it; are the joint paths valid and unique?")
     animation = query.GetAnimQuery()
     animated = animation.GetPrim() if animation else None
-    for each in (prim, animated):
-        if each is not None and (each.IsInstanceProxy() or each.IsInPrototype()):
-            raise refuse("INSTANCE", str(each.GetPath()), "lies inside an instance")
     shapes = tuple(str(token) for token in animation.GetBlendShapeOrder()) if animation else ()
     to_root = frames.to_root(prim)
     if np.linalg.matrix_rank(to_root) < 4:
@@ -255,7 +262,7 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
         reason = "its transform collapses space (is a scale 0?)"
         below = "" if culprit == prim else f", and with it that of the Skeleton {path}"
         raise refuse("SKELETON_INVALID", str(culprit.GetPath()), f"{reason}{below}")
-    record = Skeleton(path, str(animated.GetPath()) if animated else "", to_root)
+    record = Skeleton(path, str(_in_instance(animated.GetPath(), prim)) if animated else "", to_root)
     names = tuple(str(name) for name in query.GetJointOrder())
     if animation:
         _check_joint_values(UsdSkel.Animation(animated))

@@ -1,0 +1,265 @@
+"""`check` judges the stage it is given: variants, activation, overrides, animation, references, instances and packages.
+
+The table says which verdict each stage deserves; the law says that a stage and its flattened copy get the same one.
+"""
+
+import random
+import shutil
+from pathlib import Path
+
+import pytest
+import skinned_stages
+from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils
+
+from usdrigui.cli import main
+from usdrigui.errors import RigUIError
+from usdrigui.pipeline import check, load_layer
+from usdrigui.settings import Settings
+
+CHAR, FACE = "World/Char", "World/Char/face0"
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    character = skinned_stages.character(tmp_path_factory.mktemp("once") / "char.usda", meshes=2)
+    assert main(["process", str(character), "--quiet"]) == 0
+    return character.parent
+
+
+@pytest.fixture
+def folder(made, tmp_path):
+    return shutil.copytree(made, tmp_path / "asset")
+
+
+def over(folder, layer="./char.rigui.usda"):
+    """A stage over the layout."""
+    stage = Usd.Stage.CreateNew(str(folder / "stage.usda"))
+    stage.GetRootLayer().subLayerPaths.append(layer)
+    UsdGeom.SetStageMetersPerUnit(stage, 0.01)
+    return stage
+
+
+def shot(folder, *names, payload=False, instanceable=False):
+    """A stage that brings in the laid out character once for every name, each elsewhere."""
+    stage = Usd.Stage.CreateNew(str(folder / "stage.usda"))
+    UsdGeom.SetStageMetersPerUnit(stage, 0.01)
+    for number, name in enumerate(names):
+        place = UsdGeom.Xform.Define(stage, f"/Shot/{name}")
+        place.AddTranslateOp().Set((5.0 * number, 1.0, 0.0))
+        prim = place.GetPrim()
+        (prim.GetPayloads().AddPayload if payload else prim.GetReferences().AddReference)("./char.rigui.usda")
+        prim.SetInstanceable(instanceable)
+    return stage
+
+
+def element(stage, name, above="/World"):
+    return stage.GetPrimAtPath(f"{above}/Char/RigUI/{name}")
+
+
+# --- edits, each of a stage in which a character stands below `above` ----------------------------------
+
+
+def hide(stage, above="/World"):
+    UsdGeom.Imageable(stage.GetPrimAtPath(f"{above}/Char/face0")).MakeInvisible()
+
+
+def deactivate(stage, above="/World"):
+    stage.GetPrimAtPath(f"{above}/Char/face0").SetActive(False)
+
+
+def animate(stage, above="/World"):
+    weights = UsdSkel.Animation(stage.GetPrimAtPath(f"{above}/Char/Anim")).GetBlendShapeWeightsAttr()
+    for time in (1.0, 12.0, 24.0):
+        weights.Set([0.5 * (time > 1.0)] * len(weights.Get()), time)
+
+
+def displace(stage, above="/World"):
+    points = UsdGeom.Mesh(stage.GetPrimAtPath(f"{above}/Char/face0")).GetPointsAttr()
+    points.Set([Gf.Vec3f(x, y + 0.3 * x * x, z) for x, y, z in points.Get()])
+
+
+def turn_a_face(stage, above="/World"):
+    faces = UsdGeom.Mesh(stage.GetPrimAtPath(f"{above}/Char/face0")).GetFaceVertexIndicesAttr()
+    indices = list(faces.Get())
+    faces.Set([*indices[1:4], indices[0], *indices[4:]])
+
+
+def regrab(stage, above="/World"):
+    """A stronger opinion about the anchor, and none about where that is."""
+    prim = element(stage, "pucker", above)
+    index = prim.GetAttribute("rigUI:anchor:pointIndex")
+    index.Set(index.Get() + 1)
+
+
+def collide(stage, above="/World"):
+    prim, other = (element(stage, name, above) for name in ("smile_L", "brow_L"))
+    prim.GetAttribute("rigUI:anchor:position").Set(other.GetAttribute("rigUI:anchor:position").Get())
+
+
+def take_shape(stage, above="/World"):
+    """The meshes lose a shape that an element drives."""
+    for mesh in (stage.GetPrimAtPath(f"{above}/Char/face{number}") for number in (0, 1)):
+        tokens = UsdSkel.BindingAPI(mesh).GetBlendShapesAttr()
+        if tokens.Get() and "sneer_L" in tokens.Get():
+            tokens.Set(["gone" if token == "sneer_L" else token for token in tokens.Get()])
+
+
+def drop_layout(stage, above="/World"):
+    """What is left is an asset, and that is sound."""
+    stage.GetPrimAtPath(f"{above}/Char/RigUI").SetActive(False)
+
+
+def drop_character(stage, above="/World"):
+    stage.GetPrimAtPath(f"{above}/Char").SetActive(False)
+
+
+def nothing(stage, above="/World"):
+    pass
+
+
+EDITS = {
+    nothing: set(),
+    animate: set(),
+    hide: {"LAYOUT_ANCHOR_HIDDEN"},
+    deactivate: {"LAYOUT_MESH_GONE", "LAYOUT_CONTROL_GONE"},
+    displace: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_ANCHOR_HIDDEN"},
+    turn_a_face: {"LAYOUT_TOPOLOGY"},
+    regrab: {"LAYOUT_ANCHOR_MOVED"},
+    collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED"},
+    take_shape: {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"},
+    drop_layout: set(),
+    drop_character: {"SKELROOT_MISSING"},
+}
+
+
+# --- stages --------------------------------------------------------------------------------------------
+
+
+def _variant(folder, selected):
+    """The layout under an asset that has a level of detail without the face."""
+    stage = over(folder)
+    details = stage.GetPrimAtPath("/World").GetVariantSets().AddVariantSet("LOD")
+    for name in ("high", "low"):
+        details.AddVariant(name)
+        details.SetVariantSelection(name)
+        with details.GetVariantEditContext():
+            if name == "low":
+                deactivate(stage)
+    details.SetVariantSelection(selected)
+    return stage
+
+
+def _below(folder):
+    """Animation in the asset itself."""
+    stage = Usd.Stage.Open(str(folder / "char.usda"))
+    animate(stage)
+    stage.Save()
+    return over(folder)
+
+
+def _one_of_two(folder):
+    stage = shot(folder, "A", "B")
+    deactivate(stage, "/Shot/B")
+    return stage
+
+
+def _attached(folder):
+    assert main(["process", str(folder / "char.usda"), "--bare", "-o", str(folder / "bare.rigui.usda"), "--quiet"]) == 0
+    stage = over(folder, "./char.usda")
+    stage.GetRootLayer().subLayerPaths.insert(0, "./bare.rigui.usda")
+    return stage
+
+
+def _packed(folder):
+    UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(folder / "char.rigui.usda")), str(folder / "stage.usdz"))
+    return Usd.Stage.Open(str(folder / "stage.usdz"))
+
+
+def _class(folder):
+    """A class of the character is no character."""
+    stage = shot(folder, "A")
+    stage.CreateClassPrim("/_kind").GetReferences().AddReference("./char.rigui.usda")
+    stage.GetPrimAtPath("/Shot/A").GetInherits().AddInherit("/_kind")
+    return stage
+
+
+STAGES = {
+    "variant with the face": (lambda folder: _variant(folder, "high"), set()),
+    "variant without the face": (lambda folder: _variant(folder, "low"), EDITS[deactivate]),
+    "animation below": (_below, set()),
+    "one reference": (lambda folder: shot(folder, "A"), set()),
+    "two references": (lambda folder: shot(folder, "A", "B"), set()),
+    "two references, one without its face": (_one_of_two, EDITS[deactivate]),
+    "a payload": (lambda folder: shot(folder, "A", payload=True), set()),
+    "two instances": (lambda folder: shot(folder, "A", "B", instanceable=True), set()),
+    "the layout as a sublayer of the asset": (_attached, set()),
+    "a package": (_packed, set()),
+    "a class": (_class, set()),
+    **{
+        f"{edit.__name__} above": ((lambda folder, edit=edit: edited(over(folder), edit)), expected)
+        for edit, expected in EDITS.items()
+    },
+}
+
+
+def edited(stage, edit, above="/World"):
+    edit(stage, above)
+    return stage
+
+
+def verdict(path):
+    """Code, path and message of every error and warning, and the cost of every character."""
+    try:
+        found = check(path, Settings())
+    except RigUIError as error:
+        return {(error.issue.code, error.issue.severity)}, ()
+    issues = {(each.code, each.severity, each.path.replace(str(path), ""), each.message) for each in found.issues}
+    return issues, tuple((root, review.cost, review.elements) for root, review in found.characters)
+
+
+def flattened(stage, folder):
+    target = folder / "flat.usdc"
+    stage.Flatten().Export(str(target))
+    return target
+
+
+def saved(stage):
+    if not stage.GetRootLayer().realPath.endswith(".usdz"):
+        stage.Save()
+    return Path(stage.GetRootLayer().realPath)
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_a_stage_gets_the_verdict_that_it_deserves_and_so_does_its_flattened_copy(name, folder):
+    make, expected = STAGES[name]
+    stage = make(folder)
+    path = saved(stage)
+    issues, costs = verdict(path)
+    assert {code for code, severity, *_ in issues if severity != "info"} == expected
+    assert verdict(flattened(stage, folder)) == (issues, costs)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_any_shot_and_its_flattened_copy_get_one_verdict(seed, folder):
+    """Edits by chance of the characters of one shot; their layouts and faces need not be left."""
+    chance = random.Random(seed)
+    stage = shot(folder, "A", "B", payload=chance.random() < 0.5)
+    for above in ("/Shot/A", "/Shot/B"):
+        for edit in chance.sample(list(EDITS)[:-2], 2):
+            edit(stage, above)
+    path = saved(stage)
+    assert verdict(path) == verdict(flattened(stage, folder))
+
+
+def test_viewers_show_every_character_of_a_shot_as_it_is_there(folder):
+    stage = shot(folder, "A", "B")
+    animate(stage, "/Shot/B")
+    stage.Save()
+    loaded = load_layer(folder / "stage.usda", Settings())
+    assert [rig.root for rig, _ in loaded.characters] == ["/Shot/A/Char", "/Shot/B/Char"]
+    assert [len(rig.clip.times) > 1 for rig, _ in loaded.characters] == [True, True]
+    first, second = (rig.clip.weights for rig, _ in loaded.characters)
+    assert first.max() != second.max()
+    assert main(["picture", str(folder / "stage.usda"), "-o", str(folder / "shot.png")]) == 0
+    assert main(["view", str(folder / "stage.usda"), "--html", str(folder / "shot.html")]) == 0
+    assert main(["picker", str(folder / "stage.usda"), "--svg", str(folder / "shot.svg")]) == 0
