@@ -7,6 +7,7 @@ where the motions leave room; the configuration has the last word.
 
 from __future__ import annotations
 
+import networkx as nx
 import numpy as np
 
 from usdrigui.errors import meant, refuse
@@ -122,10 +123,15 @@ def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
 def _matched(
     rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
-    """Disjoint pairs of controls (a control with itself: self-symmetric), the best agreement first."""
+    """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at once.
+
+    A matching of greatest weight (Edmonds; `networkx.max_weight_matching`): a pair weighs what both of its controls
+    agree, a control that is its own mirror image is matched with a node of its own.  Where weights tie, the pair whose
+    names come first is matched.
+    """
     raw = pairable(raw, trajectories)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
-    ranked = []
+    found = {}
     for i in free:
         for j in free:
             if j < i or raw[i, j] <= 0.0:
@@ -134,12 +140,12 @@ def _matched(
             floor = min(least, _NAME_FLOOR) if named and i != j else least
             if raw[i, j] >= floor:
                 score = raw[i, j] + (_NAME_BONUS if named else 0.0)
-                source = "geometry" if raw[i, j] >= least else "name"
-                ranked.append((-round(score, 9), min(names[i], names[j]), max(names[i], names[j]), i, j, source))
-    taken: set[int] = set()
-    pairs = []
-    for *_, i, j, source in sorted(ranked):
-        if i not in taken and j not in taken:
-            taken |= {i, j}
-            pairs.append((trajectories.motions[i].control, trajectories.motions[j].control, source))
-    return pairs
+                found[i, j] = round(1e9 * (score if i == j else 2.0 * score))
+    by_name = sorted(found, key=lambda pair: sorted(names[i] for i in pair), reverse=True)
+    graph = nx.Graph()
+    for rank, (i, j) in enumerate(by_name):
+        # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than one unit.
+        graph.add_edge(i, j if i != j else -1 - i, weight=len(by_name) ** 2 * found[i, j] + rank)
+    matched = sorted(sorted(i if i >= 0 else -1 - i for i in pair) for pair in nx.max_weight_matching(graph))
+    controls = [motion.control for motion in trajectories.motions]
+    return [(controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched]

@@ -125,6 +125,20 @@ def test_twins_need_no_names():
     assert found["08"] == "08"
 
 
+def test_pairs_are_matched_all_at_once():
+    # In the image plane of the left ones: a goes with both, best with the right one that b needs.
+    angles = {"a": 0.0, "b": 60.0, "c": -26.0, "d": 23.0}
+    points = makers.mask()[0]
+    shapes = {}
+    for name, angle in angles.items():
+        side = 1.0 if name in "ab" else -1.0
+        toward = side * np.cos(np.radians(angle)), np.sin(np.radians(angle)), 0.0
+        shapes[f"{name}{name}"] = makers.bump(points, (side * 0.45, 0.0), toward, 0.2)
+    rig = makers.face_with(**shapes)
+    found = names(rig, symmetry_of(rig))
+    assert (found["aa"], found["bb"]) == ("cc", "dd")
+
+
 def test_a_control_that_swings_both_ways_is_symmetric():
     points, quads = makers.mask()
     shapes = {
