@@ -220,7 +220,7 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
     pool, pairs, price = _written_down(problem, labels, budget)
     left = ReducedProblem(pool.variable, np.arange(len(pool.cost)), pool.cost.copy(), pairs)
     left.normalize()
-    found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget)
+    found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget, budget.work_left)
     cost = None if found.chosen is None else total_cost(problem, labels.label[found.chosen])
     return {"cost": cost, "bound": found.bound}
 

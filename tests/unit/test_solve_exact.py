@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,21 +22,24 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, local_search, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve
+from usdrigui.solve import branch_and_bound as branch_and_bound_module
 from usdrigui.solve.assignment import forbidden_price
+from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.dominance import undominated
 from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_matrix
-from usdrigui.solve.reduced_problem import ReducedProblem
+from usdrigui.solve.reduced_problem import ReducedProblem, Solution
 from usdrigui.solve.triplets import tightened
 
 Way = Callable[[pytest.MonkeyPatch], None]
 ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
-PART = max(40, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "160")) // 4)
-"""Random problems compared with enumeration, of each of the four parts."""
+PART = max(40, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "200")) // 5)
+"""Random problems compared with enumeration, of each of the five parts."""
 
 
 def faults(problem: LayoutProblem, found: Assignment, best: Assignment) -> list[str]:
@@ -93,10 +97,18 @@ def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
+    monkeypatch.setattr(reduce, "_thinned", lambda found, _: found)
     monkeypatch.setattr(reduce, "_tightened", lambda found, _: found)
+    monkeypatch.setattr(exact, "HIGHS_SHARE", 1.0)
 
 
-WAYS = [one_matrix, by_blocks, by_triplets, by_program]
+def by_branching(monkeypatch: pytest.MonkeyPatch) -> None:
+    """HiGHS has no share of the work: all that dual ascent leaves is searched."""
+    by_program(monkeypatch)
+    monkeypatch.setattr(exact, "HIGHS_SHARE", 0.0)
+
+
+WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_branching]
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -110,13 +122,13 @@ def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytes
 @pytest.mark.parametrize("seed", range(4))
 def test_proves_crowds_optimal(seed: int, way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
     way(monkeypatch)
-    problem = crowd(seed, variables=4, candidates=30)
+    problem = crowd(seed, variables=4, candidates=14 if way is by_program else 30)
     best = solve(problem, ENUMERATE)
     assert faults(problem, solve(problem, HIGHS), best) == []
 
 
 def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest.MonkeyPatch) -> None:
-    problem = crowd(1, variables=4, candidates=30)
+    problem = crowd(1, variables=4, candidates=12)
     found = solve(problem, HIGHS)
     assert found.closed_by == found.method
     assert (found.method == "highs") == ("highs" in [each.name for each in found.steps])
@@ -127,29 +139,47 @@ def test_the_solver_named_is_the_one_that_closed_the_problem(monkeypatch: pytest
     assert figures["columns"] > figures["labels"] > 0
     assert figures["rows"] > 0
     assert figures["lp_bound"] <= figures["cutoff"]
+    by_branching(monkeypatch)
+    found = solve(problem, HIGHS)
+    assert (found.method, found.closed_by) == ("branch and bound", "branch and bound")
 
 
-@pytest.mark.parametrize("with_triplets", [False, True])
+def test_a_dense_crowd_is_proved_after_a_share_of_the_work() -> None:
+    """HiGHS alone takes it to the work limit."""
+    found = solve(crowd(1, variables=5, candidates=30), HIGHS)
+    assert found.status == "optimal"
+    assert dict(found.steps[-1].figures)["work"] < 2 * exact.HIGHS_SHARE * HIGHS.work_limit
+
+
+@pytest.mark.parametrize("solver", ["highs", "highs with triplets", "branch and bound"])
 @pytest.mark.parametrize("seed", range(2))
-def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, with_triplets: bool) -> None:
+def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, solver: str) -> None:
     problem, budget = crowd(seed, variables=4, candidates=8), Budget(HIGHS)
     best = solve(problem, replace(HIGHS, gap=1e-9))
     labels = all_labels(problem)
-    pairs = pair_matrix(problem, labels.pool, near_blocks(problem, labels.pool, budget), labels.label)
-    left: ReducedProblem | None = ReducedProblem(
-        labels.pool.variable, np.arange(len(labels.label)), labels.pool.cost.copy(), pairs
+    costs, pairs = (
+        labels.pool.cost,
+        pair_matrix(problem, labels.pool, near_blocks(problem, labels.pool, budget), labels.label),
     )
-    if with_triplets:
+    left: ReducedProblem | None = ReducedProblem(
+        labels.pool.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
+    )
+    if solver == "highs with triplets":
         left = tightened(left, best.cost + 1e-5, budget)
     assert left is not None
     left.normalize()
-    found = solve_milp(left, best.cost + 1e-5, budget)
+
+    def below(cutoff: float) -> Solution:
+        if solver == "branch and bound":
+            return branch_and_bound(left, costs, pairs, cutoff, budget)
+        return solve_milp(left, cutoff, budget, budget.work_left)
+
+    found = below(best.cost + 1e-5)
     assert found.chosen is not None
     assert left.value(found.chosen) == pytest.approx(best.cost)
     assert labels.label[left.labels[found.chosen]].tolist() == best.labels.tolist()
-    below = solve_milp(left, best.cost - 1e-5, budget)
-    assert below.chosen is None
-    assert below.bound == best.cost - 1e-5
+    assert below(best.cost - 1e-5).chosen is None
+    assert below(best.cost - 1e-5).bound == best.cost - 1e-5
 
 
 def _nothing(*_: object) -> None:
@@ -198,6 +228,14 @@ def test_a_bound_raised_is_caught(owner: type, name: str, amount: float, monkeyp
     (by_program if owner is milp._Program else by_blocks)(monkeypatch)
     monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + amount)
     assert overstated(random_problems(), monkeypatch) > 0
+
+
+@pytest.mark.parametrize("place", [reduce, branch_and_bound_module], ids=["reduce", "branch and bound"])
+def test_dominance_that_forgets_what_pairs_cost_is_caught(place: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    honest = undominated
+    (by_branching if place is branch_and_bound_module else one_matrix)(monkeypatch)
+    monkeypatch.setattr(place, "undominated", lambda start, linear, _, gone: honest(start, linear, 0 * gone, gone))
+    assert overstated(random_problems(), monkeypatch, HIGHS.work_limit) > 0
 
 
 def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:

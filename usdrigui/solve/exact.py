@@ -7,12 +7,14 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.model import Assignment, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below, assignment, forbidden_price
+from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import Labels, all_labels, cheapest, halve, in_play, selected, whole
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.partition import affordable_at_once
 from usdrigui.solve.reduce import Partition, reduce
+from usdrigui.solve.reduced_problem import Solution
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 HALVINGS = 6
@@ -21,6 +23,8 @@ ROUGH_TRIES = 3
 """Attempts of large-neighbourhood search per variable among those."""
 TRIES = 2
 """Attempts per variable among all labels that may be in a better layout."""
+HIGHS_SHARE = 0.01
+"""Of the work allowed, before what it has not closed goes to branch and bound (decision 030)."""
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
@@ -51,14 +55,23 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
 
 
 def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
-    """Give what is left to the solver that the settings name; the name of that."""
-    method, cutoff = budget.settings.method, budget.cutoff
-    if method == "toulbar2":
-        linear = left.pool.cost[left.problem.labels]
-        found = solve_by_toulbar2(left.problem, linear, left.pairs, cutoff, budget)
-    else:
-        method = "highs"
-        found = solve_milp(left.problem, cutoff, budget)
+    """Give what is left to the solver that the settings name, and to branch and bound what HiGHS does not close with
+    its share of the work; the name of the last."""
+    linear = left.pool.cost[left.problem.labels]
+    if budget.settings.method == "toulbar2":
+        found = solve_by_toulbar2(left.problem, linear, left.pairs, budget.cutoff, budget)
+        return _told("toulbar2", found, labels, left, incumbent, budget)
+    share = int(HIGHS_SHARE * budget.settings.work_limit)
+    found = solve_milp(left.problem, budget.cutoff, budget, share)
+    method = _told("highs", found, labels, left, incumbent, budget)
+    if budget.closed() or budget.stopped():
+        return method
+    found = branch_and_bound(left.problem, linear, left.pairs, budget.cutoff, budget)
+    return _told("branch and bound", found, labels, left, incumbent, budget)
+
+
+def _told(method: str, found: Solution, labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
+    """Keep what a solver found and note its figures; its name."""
     if found.chosen is not None:
         incumbent.improve_from(left.representatives(labels, found.chosen))
     budget.found(method, bound=found.bound)

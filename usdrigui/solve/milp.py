@@ -40,20 +40,21 @@ TOLERANCE = 1e-9
 Row = tuple[Indices, Floats]
 
 
-def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget) -> Solution:
+def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget, work: int) -> Solution:
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
 
-    Complete unless `budget` stops it; the bound of a run that is stopped holds.
+    Complete unless `budget` stops it, or so much `work` is done; the bound of a run that is stopped holds.
     """
-    return _Program(problem, cutoff, budget).solved()
+    return _Program(problem, cutoff, budget, budget.work + work).solved()
 
 
 class _Program:
     """A program that grows by the rows that its solutions violate."""
 
-    def __init__(self, problem: ReducedProblem, cutoff: float, budget: Budget) -> None:
+    def __init__(self, problem: ReducedProblem, cutoff: float, budget: Budget, most: int) -> None:
         import highspy
 
+        self._most = most
         self._problem, self._cutoff, self._budget = problem, cutoff, budget
         self._base = problem.bound()
         self._tables = [_Table(problem, ends, len(problem.costs) + at) for at, ends in enumerate(_interacting(problem))]
@@ -62,6 +63,7 @@ class _Program:
             for at, each in enumerate(problem.messages)
         ]
         self._highs = highspy.Highs()  # type: ignore[no-untyped-call]
+        self._highs.cbSimplexInterrupt.subscribe(self._interrupt_simplex)
         self._infinity = highspy.kHighsInf
         self._rows = 0
         self._nodes = 0
@@ -121,7 +123,7 @@ class _Program:
                 return False
             self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
             self._raise(self._lp_bound)
-            if self._bound >= self._cutoff or self._budget.stopped():
+            if self._bound >= self._cutoff or self._stopped():
                 return False
             self._solution = self._highs.getSolution()
             rows = self._violated()
@@ -140,7 +142,6 @@ class _Program:
         self._highs.cbMipInterrupt.subscribe(self._interrupt)
         while True:
             self._highs.setOptionValue("objective_bound", self._limit - self._base)
-            self._highs.setOptionValue("time_limit", self._highs.getRunTime() + max(self._budget.seconds_left, 0.01))
             self._highs.run()
             info = self._highs.getInfo()
             self._nodes += max(0, int(info.mip_node_count))
@@ -152,17 +153,26 @@ class _Program:
                 return
             self._improve()
             rows = self._violated()
-            if not rows or self._bound >= self._limit or self._budget.stopped():
+            if not rows or self._bound >= self._limit or self._stopped():
                 return
             self._add(rows, 0.0, self._infinity)
+
+    def _interrupt_simplex(self, event: highspy.HighsCallbackEvent) -> None:
+        """End a linear program at a limit of the run; its iterations count when it is done."""
+        if self._budget.stopped():
+            event.interrupt()
 
     def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
         """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told, so each call counts
         as some."""
         self._budget.spend(CALL * self._rows)
-        if self._budget.stopped():
+        if self._stopped():
             event.interrupt()
         self._raise(min(self._lowered(event.data_out.mip_dual_bound), self._limit))
+
+    def _stopped(self) -> bool:
+        """Whether this program's share of the work is done, or the run ends."""
+        return self._budget.work >= self._most or self._budget.stopped()
 
     @property
     def _limit(self) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.dominance import undominated
 from usdrigui.solve.iterated_local_search import RUNS, TRIES, descended, iterated_local_search, label_costs
 from usdrigui.solve.label_geometry import Blocks, Labels, Pool, block_pool, member_slack, selected
 from usdrigui.solve.local_search import Incumbent
@@ -70,6 +71,8 @@ def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: In
     share, searched = NEAR, False
     while found is not None:
         found = _swept(found, budget)
+        if found is not None and found.exact:
+            found = _thinned(found, budget)
         if found is None:
             break
         chosen, value = _layout(found, budget)
@@ -169,6 +172,35 @@ def _swept(partition: Partition, budget: Budget) -> Partition | None:
     return _restricted(partition, left, budget)
 
 
+def _thinned(partition: Partition, budget: Budget) -> Partition | None:
+    """A partition of single labels without those that others dominate, which bounds then exclude more of, in turn."""
+    found: Partition | None = partition
+    while found is not None and not budget.stopped():
+        before = len(found.problem.costs)
+        found = _excluded(_swept(_undominated(found, budget), budget), budget)
+        if found is None or len(found.problem.costs) > (1.0 - FEW_GONE) * before:
+            break
+    return found
+
+
+def _undominated(partition: Partition, budget: Budget) -> Partition:
+    """A partition of single labels without those that another one can always replace."""
+    left = partition.problem
+    budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
+    both = partition.pairs + partition.pairs.T
+    alive = undominated(left.start, partition.pool.cost[left.labels], both, np.isinf(left.both_ways()))
+    return _of(partition, left.restricted(alive))
+
+
+def _excluded(partition: Partition | None, budget: Budget) -> Partition | None:
+    """A partition without the pairs, and then the labels, that tests of pairs exclude."""
+    if partition is None or len(partition.problem.costs) > LARGEST_TESTED:
+        return partition
+    budget.spend(len(partition.problem.costs) ** 3 // 1024)
+    partition.problem.exclude_pairs(budget.cutoff)
+    return _restricted(partition, reduced(partition.problem, budget.cutoff), budget)
+
+
 def _tightened(partition: Partition, budget: Budget) -> Partition | None:
     """The same after triplets have raised the bound, without the pairs that it excludes."""
     left: ReducedProblem | None = partition.problem
@@ -190,6 +222,11 @@ def _restricted(partition: Partition, left: ReducedProblem | None, budget: Budge
     if left is None:
         return None
     budget.found(STEP, bound=min(left.bound(), budget.cutoff))
+    return _of(partition, left)
+
+
+def _of(partition: Partition, left: ReducedProblem) -> Partition:
+    """A partition with less of its problem."""
     if len(left.labels) == len(partition.pairs):
         return replace(partition, problem=left)
     kept = np.searchsorted(partition.problem.labels, left.labels)
