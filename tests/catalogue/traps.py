@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-import smallest
+import minimal_assets
 
 Edit = tuple[str, str]
 Trap = tuple[tuple[Edit, ...], int, frozenset[str]]
@@ -161,7 +161,7 @@ TRAPS: Mapping[str, Trap] = {
 
 def trapped(folder: Path, name: str) -> Path:
     """The smallest character with that trap."""
-    text = smallest.TEXT
+    text = minimal_assets.TEXT
     for old, new in TRAPS[name][0]:
         assert old in text, f"{name}: {old!r} is not in the smallest character"
         text = text.replace(old, new, 1)

@@ -3,8 +3,8 @@
 import os
 import shutil
 
+import minimal_assets
 import pytest
-import smallest
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import run
@@ -31,7 +31,7 @@ def Mesh "Star" {
 def once(tmp_path_factory):
     """Everything that a run can read."""
     folder = tmp_path_factory.mktemp("once")
-    smallest.character(folder)
+    minimal_assets.character(folder)
     (folder / "take.usda").write_text(CLIP)
     (folder / "star.usda").write_text(STAR)
     (folder / "more.usda").write_text("#usda 1.0\n")

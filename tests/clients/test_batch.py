@@ -10,8 +10,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import batch_assets
+import minimal_assets
 import pytest
-import smallest
 from PIL import Image
 from pxr import Sdf
 
@@ -202,7 +202,7 @@ def test_what_is_remembered_may_be_anything(monkeypatch, tmp_path, what):
 
 def test_a_broken_configuration_and_a_part_cost_no_other_asset(monkeypatch, tmp_path, capsys):
     """The part is no character by itself; the pattern, however it is spelt, finds what was done before."""
-    smallest.character(tmp_path)
+    minimal_assets.character(tmp_path)
     (tmp_path / "typo.usda").write_bytes((tmp_path / "char.usda").read_bytes())
     (tmp_path / "typo.rigui.toml").write_text("this is [not toml")
     (tmp_path / "geo.usda").write_text('#usda 1.0\n(\n    defaultPrim = "Hair"\n)\ndef Xform "Hair"\n{\n}\n')

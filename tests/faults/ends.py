@@ -49,9 +49,9 @@ OURS = re.compile(r'File "[^"]*[/\\]usdrigui[/\\](?!__init__\.py|__main__\.py)|i
 
 def made(folder: Path) -> Path:
     """A character, its layout, a bare one, and a copy that has it attached."""
-    import smallest
+    import minimal_assets
 
-    smallest.character(folder)
+    minimal_assets.character(folder)
     run("process char.usda", folder)
     run("process char.usda --bare -o bare.usda", folder)
     for name in ("second.usda", "attached.usda"):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 
+import minimal_assets
 import pytest
-import smallest
 from pxr import Sdf, Usd
 
 from usdrigui.cli import main
@@ -32,7 +32,7 @@ COMMANDS = (
 
 @pytest.mark.parametrize("line", COMMANDS)
 def test_a_crash_in_any_command(line, tmp_path, monkeypatch, capfd):
-    smallest.character(tmp_path)
+    minimal_assets.character(tmp_path)
     (tmp_path / "layer.usda").write_text("#usda 1.0\n")
     impostor = tmp_path / "python"
     impostor.write_text("#!/bin/sh\nkill -SEGV $$\n")

@@ -11,10 +11,10 @@ import tempfile
 import zipfile
 from pathlib import Path
 
+import minimal_assets
 import numpy as np
 import pytest
 import skel_stages
-import smallest
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 from skel_stages import SIDE, add_animation, add_mesh, add_shape, add_skeleton, add_skin, matrix, new_stage
 
@@ -379,7 +379,7 @@ _SOME = tuple(each for each in TEXTS if each.partition(" ")[0] in ("tokel[]", "s
 @pytest.fixture(scope="module")
 def layout(tmp_path_factory):
     """The layer of the smallest character, every property of our schemas said."""
-    path = smallest.character(tmp_path_factory.mktemp("layout"))
+    path = minimal_assets.character(tmp_path_factory.mktemp("layout"))
     assert main(["process", str(path), "--quiet"]) == 0
     written = path.with_name("char.rigui.usda")
     layer = Sdf.Layer.OpenAsAnonymous(str(written))

@@ -11,8 +11,8 @@ import time
 from pathlib import Path
 from queue import SimpleQueue
 
+import minimal_assets
 import pytest
-import smallest
 
 from usdrigui.errors import Exit, refuse
 from usdrigui.supervision import KILL, STOP, supervise
@@ -159,7 +159,7 @@ def test_the_supervisor_loads_neither_numpy_nor_usd(tmp_path):
 @pytest.mark.parametrize("stream", ["full", "closed"])
 def test_standard_output_that_takes_nothing(stream, tmp_path):
     """The layer is written all the same, and the verdict, which says so, is on standard error."""
-    asset = smallest.character(tmp_path)
+    asset = minimal_assets.character(tmp_path)
     shut = {"stdout": None, "preexec_fn": lambda: os.close(1)} if stream == "closed" else {}
     with Path("/dev/full").open("w") as full:
         done = command("process", asset, "--quiet", **({"stdout": full} | shut))
@@ -170,7 +170,7 @@ def test_standard_output_that_takes_nothing(stream, tmp_path):
 
 
 def test_a_working_directory_that_was_deleted(tmp_path):
-    asset, folder = smallest.character(tmp_path), tmp_path / "gone"
+    asset, folder = minimal_assets.character(tmp_path), tmp_path / "gone"
     folder.mkdir()
     done = command("process", asset, cwd=folder, preexec_fn=folder.rmdir)
     assert (done.returncode, "WORKING_DIRECTORY" in done.stderr) == (Exit.FILE, True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from dataclasses import fields, is_dataclass
 
+import minimal_assets
 import numpy as np
 import pytest
-import smallest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from pxr import Gf, Sdf
@@ -111,7 +111,7 @@ def test_a_number_that_is_none(name, path, tmp_path):
     ids=["in-between", "limits", "ranges", "metersPerUnit"],
 )  # fmt: skip
 def test_metadata_that_is_no_number(old, new, bad, tmp_path):
-    path = smallest.character(tmp_path)
+    path = minimal_assets.character(tmp_path)
     text = path.read_text()
     assert old in text
     path.write_text(text.replace(old, new.replace("{{", "{").replace("}}", "}").replace("BAD", bad), 1))
@@ -161,7 +161,7 @@ PIECES = {
 @st.composite
 def stages(draw):
     """The smallest character with up to three of its arrays, relationships and types drawn anew."""
-    text = smallest.TEXT
+    text = minimal_assets.TEXT
     for old in draw(st.lists(st.sampled_from(sorted(PIECES)), min_size=1, max_size=3, unique=True)):
         assert old in text
         text = text.replace(old, draw(PIECES[old]), draw(st.integers(1, 2)))

@@ -1,7 +1,7 @@
-"""The catalogue: every issue code has one smallest occasion that calls for it, and golden.json holds what it ends in.
+"""The catalogue: every issue code has one smallest trigger that calls for it, and golden.json holds what it ends in.
 
 Exit code and paths alone: words are in one place, usdrigui/codes.py or the line that raises them.
-To add a code: an edit in smallest.py or an occasion in occasions.py, then
+To add a code: an edit in minimal_assets.py or a trigger in triggers.py, then
 ``USDRIGUI_GOLDEN=write pytest tests/catalogue`` and a look at the new line of golden.json.
 """
 
@@ -13,8 +13,8 @@ import os
 import re
 from pathlib import Path
 
-import occasions
 import pytest
+import triggers
 
 import usdrigui
 from usdrigui.errors import CODES, Exit
@@ -37,23 +37,23 @@ def write(reports):
 
 
 def test_no_code_lacks_an_occasion():
-    lacking = sorted(set(CODES) - set(occasions.OCCASIONS))
-    assert not lacking, f"add the smallest occasion for {lacking} to tests/catalogue/occasions.py"
-    assert not sorted(set(occasions.OCCASIONS) - set(CODES)), "codes are never removed"
+    lacking = sorted(set(CODES) - set(triggers.TRIGGERS))
+    assert not lacking, f"add the smallest trigger for {lacking} to tests/catalogue/triggers.py"
+    assert not sorted(set(triggers.TRIGGERS) - set(CODES)), "codes are never removed"
 
 
 def test_no_golden_report_is_left_over():
     assert list(golden()) == sorted(CODES)
 
 
-@pytest.mark.parametrize("code", occasions.OCCASIONS)
+@pytest.mark.parametrize("code", triggers.TRIGGERS)
 def test_its_golden_report(code, tmp_path, monkeypatch, request):
     if code in FRESH:
         request.getfixturevalue("fresh_readers")
-    exit_code, issues = occasions.OCCASIONS[code](tmp_path, monkeypatch)
+    exit_code, issues = triggers.TRIGGERS[code](tmp_path, monkeypatch)
     monkeypatch.undo()
     found = [each for each in issues if each["code"] == code]
-    assert found, f"the occasion calls for {[each['code'] for each in issues]}"
+    assert found, f"the trigger calls for {[each['code'] for each in issues]}"
     report = {"exit": exit_code, "paths": [each["path"].replace(str(tmp_path), "FOLDER") for each in found]}
     if WRITE:
         write(golden() | {code: report})

@@ -1,6 +1,6 @@
-"""For every issue code the smallest occasion that calls for it: ``OCCASIONS[code](folder, patch)``.
+"""For every issue code the smallest trigger that calls for it: ``TRIGGERS[code](folder, patch)``.
 
-An occasion runs the command, or the one function that can find the fault, and returns (exit code, issues).
+A trigger runs the command, or the one function that can find the fault, and returns (exit code, issues).
 Files are made in `folder`; `patch` is pytest's monkeypatch, for faults of the machine.
 """
 
@@ -21,8 +21,8 @@ from queue import SimpleQueue
 from types import SimpleNamespace
 from typing import Any
 
+import minimal_assets
 import numpy as np
-import smallest
 
 import usdrigui
 from usdrigui import distributions, pipeline, rays
@@ -35,7 +35,7 @@ from usdrigui.settings import Settings, SolveSettings
 from usdrigui.usd import layer, reader_process, rig, safe_write, schema, skeleton, source
 
 Found = tuple[int, list[dict[str, Any]]]
-Occasion = Callable[[Path, Any], Found]
+Trigger = Callable[[Path, Any], Found]
 
 
 def command(*arguments: object) -> Found:
@@ -49,7 +49,7 @@ def command(*arguments: object) -> Found:
 def process(folder: Path, code: str = "", *arguments: object) -> Found:
     """The command on the smallest character, changed for `code`; --dry-run unless an output is named."""
     output = () if "-o" in arguments else ("--dry-run",)
-    return command("process", smallest.character(folder, code), *output, *arguments)
+    return command("process", minimal_assets.character(folder, code), *output, *arguments)
 
 
 @contextlib.contextmanager
@@ -72,18 +72,18 @@ def refused(call: Callable[[], object]) -> Found:
 # --- reading -----------------------------------------------------------------------------------------
 
 
-def _made(code: str, *arguments: object) -> Occasion:
-    return lambda folder, _: command("process", smallest.MAKERS[code](folder), "--dry-run", *arguments)
+def _made(code: str, *arguments: object) -> Trigger:
+    return lambda folder, _: command("process", minimal_assets.MAKERS[code](folder), "--dry-run", *arguments)
 
 
-def _impostor(script: str, *arguments: object) -> Occasion:
+def _impostor(script: str, *arguments: object) -> Trigger:
     """A reading process of another kind."""
 
-    def occasion(folder: Path, patch: Any) -> Found:
+    def trigger(folder: Path, patch: Any) -> Found:
         _impersonated(folder, patch, reader_process.sys, script)
         return process(folder, "", *arguments)
 
-    return occasion
+    return trigger
 
 
 def _impersonated(folder: Path, patch: Any, system: Any, script: str) -> None:
@@ -95,7 +95,7 @@ def _impersonated(folder: Path, patch: Any, system: Any, script: str) -> None:
 
 
 def _changed(folder: Path, _: Any) -> Found:
-    path = smallest.character(folder)
+    path = minimal_assets.character(folder)
     read = source.hashed(path)
     path.write_text(path.read_text() + "\n")
     return refused(lambda: source.check_unchanged([read]))
@@ -105,36 +105,36 @@ def _usd_error(folder: Path, patch: Any) -> Found:
     from pxr import Tf
 
     patch.setattr(rig, "_scene", lambda *_, **__: Tf.RaiseRuntimeError("corrupt asset"))
-    return refused(lambda: rig.read_rigs(smallest.character(folder), Settings()))
+    return refused(lambda: rig.read_rigs(minimal_assets.character(folder), Settings()))
 
 
 def _thinned(folder: Path, patch: Any) -> Found:
     patch.setattr(skeleton, "_CLIP_BYTES", 600)
-    path = smallest.character(folder, "CLIP_THINNED")
+    path = minimal_assets.character(folder, "CLIP_THINNED")
     return 0, [asdict(each) for each in rig.read_rigs(path, Settings())[0].issues]
 
 
-def _trajectories(code: str) -> Occasion:
-    def occasion(folder: Path, _: Any) -> Found:
-        (found,) = rig.read_rigs(smallest.character(folder, code), Settings())
+def _trajectories(code: str) -> Trigger:
+    def trigger(folder: Path, _: Any) -> Found:
+        (found,) = rig.read_rigs(minimal_assets.character(folder, code), Settings())
         said = trajectory.trajectories(found, Settings().trajectories, np.zeros(len(found.controls)))
         return 0, [asdict(each) for each in said.issues]
 
-    return occasion
+    return trigger
 
 
 # --- writing -----------------------------------------------------------------------------------------
 
 
-def _failing_write(number: int) -> Occasion:
-    def occasion(folder: Path, patch: Any) -> Found:
+def _failing_write(number: int) -> Trigger:
+    def trigger(folder: Path, patch: Any) -> Found:
         def fail(*_: object) -> int:
             raise OSError(number, os.strerror(number))
 
         patch.setattr(os, "write", fail)
         return refused(lambda: safe_write.commit("text", folder / "out.usda"))
 
-    return occasion
+    return trigger
 
 
 # --- layers ------------------------------------------------------------------------------------------
@@ -175,17 +175,17 @@ _OTHER_NAMES = (
 )
 
 
-def _laid_out_again(*edits: tuple[str, str]) -> Occasion:
+def _laid_out_again(*edits: tuple[str, str]) -> Trigger:
     """The smallest character changed since its layout was made."""
 
-    def occasion(folder: Path, _: Any) -> Found:
+    def trigger(folder: Path, _: Any) -> Found:
         earlier = _edited(*edits, of="char.usda")(folder).rename(folder / "earlier.rigui.usda")
         return command("process", folder / "char.usda", "--dry-run", "--previous", earlier)
 
-    return occasion
+    return trigger
 
 
-def _checked(made: Callable[[Path], Path], *arguments: object) -> Occasion:
+def _checked(made: Callable[[Path], Path], *arguments: object) -> Trigger:
     return lambda folder, _: command("check", made(folder), *arguments)
 
 
@@ -196,7 +196,7 @@ def _renamed(folder: Path) -> Path:
     return found
 
 
-def _viewed(made: Callable[[Path], Path]) -> Occasion:
+def _viewed(made: Callable[[Path], Path]) -> Trigger:
     return lambda folder, _: refused(lambda: pipeline.load_layer(made(folder), Settings()))
 
 
@@ -205,21 +205,21 @@ def _bare(folder: Path) -> Path:
     return folder / "char.rigui.usda"
 
 
-def _animated(names: str) -> Occasion:
+def _animated(names: str) -> Trigger:
     """An animation that moves the two shapes named."""
 
-    def occasion(folder: Path, _: Any) -> Found:
+    def trigger(folder: Path, _: Any) -> Found:
         take = folder / "take.usda"
         weights = f"token[] blendShapes = [{names}]\nfloat[] blendShapeWeights.timeSamples = {{0: [0, 0], 1: [1, 1]}}"
         take.write_text(f'#usda 1.0\ndef SkelAnimation "Take" {{\n{weights}\n}}\n'.replace("'", '"'))
-        return command("inspect", smallest.character(folder), "--animation", take)
+        return command("inspect", minimal_assets.character(folder), "--animation", take)
 
-    return occasion
+    return trigger
 
 
 def _unexplained(folder: Path, patch: Any) -> Found:
     """A control that repeats another, where the sentence about it makes a mistake."""
-    path = smallest.character(folder)
+    path = minimal_assets.character(folder)
     same = "(0,0,1), (0,0,0.5), (0,0,0), (0,0,0), (0,0,0), (0,0,0)]"
     path.write_text(re.sub(r"\(0,0,0\), .*\(0,0,0.3\), \(0,0,1\)\]", same, path.read_text()))
     patch.setattr(classification, "explanation", lambda *_: [][1])
@@ -234,22 +234,22 @@ def _obsolete(folder: Path, _: Any) -> Found:
     content = bytearray((folder / "old.usdc").read_bytes())
     content[8:11] = bytes((0, 0, 1))
     (folder / "old.usdc").write_bytes(content)
-    path = smallest.character(folder)
+    path = minimal_assets.character(folder)
     path.write_text(path.read_text().replace('upAxis = "Y"', "subLayers = [@./old.usdc@]"))
     return command("process", path)
 
 
-def _based(*changes: tuple[str, str]) -> Occasion:
+def _based(*changes: tuple[str, str]) -> Trigger:
     """The character of another path or name, over the layout that it had."""
 
-    def occasion(folder: Path, _: Any) -> Found:
+    def trigger(folder: Path, _: Any) -> Found:
         found = _laid_out(folder)
         path = folder / "char.usda"
         for old, new in changes:
             path.write_text(path.read_text().replace(old, new))
         return command("process", path, "--base", found, "-o", folder / "shot.rigui.usda")
 
-    return occasion
+    return trigger
 
 
 def _shot_over(layer: Path) -> Path:
@@ -270,10 +270,10 @@ def _renamed_since(folder: Path, *more: str) -> Path:
 
 
 def _no_layout(folder: Path) -> Path:
-    return smallest.character(folder)
+    return minimal_assets.character(folder)
 
 
-def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Occasion:
+def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Trigger:
     from usdrigui.usd.attach import attach
 
     return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings()))
@@ -315,17 +315,17 @@ def _over_another(folder: Path) -> Path:
 # --- batches -----------------------------------------------------------------------------------------
 
 
-def _job(script: str, timeout: float = 0.0) -> Occasion:
+def _job(script: str, timeout: float = 0.0) -> Trigger:
     """A job of a batch whose process is another one."""
     from usdrigui.clients.batch import jobs
     from usdrigui.clients.batch.job import Job
 
-    def occasion(folder: Path, patch: Any) -> Found:
+    def trigger(folder: Path, patch: Any) -> Found:
         _impersonated(folder, patch, sys, script)
         row = jobs.run_job(Job(str(folder / "char.usda"), str(folder / "out.usda"), "", (), "", timeout))
         return row.exit, [asdict(issue(row.code, row.asset, row.message))]
 
-    return occasion
+    return trigger
 
 
 def _too_many(_: Path, patch: Any) -> Found:
@@ -349,7 +349,7 @@ def _no_scheduler(_: Path, patch: Any) -> Found:
 def _no_animation(folder: Path, _: Any) -> Found:
     from usdrigui.view.sheet import film_gif
 
-    (found,) = rig.read_rigs(smallest.character(folder), Settings())
+    (found,) = rig.read_rigs(minimal_assets.character(folder), Settings())
     return refused(lambda: film_gif([(found, None)]))
 
 
@@ -357,17 +357,17 @@ def _no_animation(folder: Path, _: Any) -> Found:
 
 
 def _problem(folder: Path) -> Any:
-    (found,) = rig.read_rigs(smallest.character(folder), Settings())
+    (found,) = rig.read_rigs(minimal_assets.character(folder), Settings())
     return pipeline.build_problem(found, Settings()).placement.problem
 
 
-def _solved(method: str, **settings: Any) -> Occasion:
+def _solved(method: str, **settings: Any) -> Trigger:
     from usdrigui.solve import solve
 
-    def occasion(folder: Path, _: Any) -> Found:
+    def trigger(folder: Path, _: Any) -> Found:
         return refused(lambda: solve(_problem(folder), SolveSettings(method=method, **settings)))
 
-    return occasion
+    return trigger
 
 
 def _too_large(folder: Path, patch: Any) -> Found:
@@ -388,22 +388,25 @@ def _infeasible(folder: Path, _: Any) -> Found:
     return refused(lambda: solve(replace(problem, variables=crowded), SolveSettings()))
 
 
-def _without(package: str, occasion: Occasion) -> Occasion:
+def _without(package: str, trigger: Trigger) -> Trigger:
     def hidden(folder: Path, patch: Any) -> Found:
         patch.setitem(sys.modules, package, None)
-        return occasion(folder, patch)
+        return trigger(folder, patch)
 
     return hidden
 
 
-def _bad_term(*_: object) -> Found:
+def _bad_term(folder: Path, patch: Any) -> Found:
     from usdrigui.layout.place import extensions
 
-    return refused(lambda: extensions._checked("studio", [1.0, -1.0], 2))
+    term = SimpleNamespace(linear=lambda _face, _motion, points: -np.ones(len(points)))
+    entry = SimpleNamespace(name="studio", load=lambda: term)
+    patch.setattr(extensions, "entry_points", lambda **_: [entry])
+    return process(folder, "", "--set", 'objective.terms=["studio"]')
 
 
-def _posed(call: Callable[[Any], object]) -> Occasion:
-    return lambda folder, _: refused(lambda: call(rig.read_rigs(smallest.character(folder), Settings())[0]))
+def _posed(call: Callable[[Any], object]) -> Trigger:
+    return lambda folder, _: refused(lambda: call(rig.read_rigs(minimal_assets.character(folder), Settings())[0]))
 
 
 def _valued(pose: Mapping[str, float]) -> Callable[[Any], object]:
@@ -459,28 +462,28 @@ def _schema_late(*_: object) -> Found:
     return exit_code, [{key: value.replace(place, "SCHEMAS") for key, value in each.items()} for each in issues]
 
 
-def _raising(error: BaseException) -> Occasion:
-    def occasion(folder: Path, patch: Any) -> Found:
+def _raising(error: BaseException) -> Trigger:
+    def trigger(folder: Path, patch: Any) -> Found:
         def broken(*_: object, **__: object) -> None:
             raise error
 
         patch.setattr(pipeline, "process", broken)
         return process(folder)
 
-    return occasion
+    return trigger
 
 
-def _supervised(script: str) -> Occasion:
+def _supervised(script: str) -> Trigger:
     """The command itself, its worker being another program."""
 
-    def occasion(folder: Path, patch: Any) -> Found:
+    def trigger(folder: Path, patch: Any) -> Found:
         _impersonated(folder, patch, sys, script)
         out = io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
             code = supervised.run(["process", str(folder / "char.usda"), "--json"], SimpleQueue())
         return code, json.loads(out.getvalue())["issues"]
 
-    return occasion
+    return trigger
 
 
 def _told(what: str, **fields: object) -> str:
@@ -507,22 +510,22 @@ def _full_output(folder: Path, patch: Any) -> Found:
     return code, [asdict(refuse(*told.groups()).issue)]
 
 
-def _configured(toml: str) -> Occasion:
-    def occasion(folder: Path, _: Any) -> Found:
+def _configured(toml: str) -> Trigger:
+    def trigger(folder: Path, _: Any) -> Found:
         (folder / "char.rigui.toml").write_text(toml)
         return process(folder)
 
-    return occasion
+    return trigger
 
 
-def _glyph(text: str) -> Occasion:
+def _glyph(text: str) -> Trigger:
     """A file with or without the glyph that the configuration names."""
 
-    def occasion(folder: Path, patch: Any) -> Found:
+    def trigger(folder: Path, patch: Any) -> Found:
         (folder / "glyphs.usda").write_text(f"#usda 1.0\n{text}\n")
         return _configured('[controls.smile]\nglyph = "glyphs.usda</Star>"\n')(folder, patch)
 
-    return occasion
+    return trigger
 
 
 def _bad_problem(folder: Path, _: Any) -> Found:
@@ -532,12 +535,12 @@ def _bad_problem(folder: Path, _: Any) -> Found:
     return refused(lambda: load_problem(folder / "problem.npz"))
 
 
-OCCASIONS: Mapping[str, Occasion] = {
-    **{code: (lambda folder, _, code=code: process(folder, code)) for code in smallest.EDITS},
-    **{code: _made(code) for code in smallest.MAKERS},
+TRIGGERS: Mapping[str, Trigger] = {
+    **{code: (lambda folder, _, code=code: process(folder, code)) for code in minimal_assets.EDITS},
+    **{code: _made(code) for code in minimal_assets.MAKERS},
     **{
         code: (lambda folder, _, setting=setting: process(folder, "", "--set", setting))
-        for code, setting in smallest.CONFIGURED.items()
+        for code, setting in minimal_assets.CONFIGURED.items()
     },
     "SOURCE_TIME_LIMIT": _made("SOURCE_TIME_LIMIT", "--set", "read.time_limit=1"),
     "SOURCE_MEMORY_LIMIT": _made("SOURCE_MEMORY_LIMIT", "--set", "read.memory_limit=24"),
@@ -578,8 +581,10 @@ OCCASIONS: Mapping[str, Occasion] = {
     "SCHEMA_TOO_LATE": _schema_late,
     "VIEW_MISMATCH": _empty_page,
     "LAYOUT_MISSING": _viewed(_no_layout),
-    "TOKEN_ORDER": lambda folder, _: command("check", smallest.character(folder, "TOKEN_ORDER")),
-    "WEIGHTS_BEYOND_LIMITS": lambda folder, _: command("check", smallest.character(folder, "WEIGHTS_BEYOND_LIMITS")),
+    "TOKEN_ORDER": lambda folder, _: command("check", minimal_assets.character(folder, "TOKEN_ORDER")),
+    "WEIGHTS_BEYOND_LIMITS": lambda folder, _: command(
+        "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
+    ),
     "LAYOUT_INVALID": _checked(_edited((r"uniform int rigUI:anchor:pointIndex = \d+\n", ""))),
     "LAYOUT_VERSION": _checked(_edited((_WIDTH, "uniform int rigUI:layout:version = 99\n" + _WIDTH))),
     "SOURCE_MISSING": _viewed(_bare),
