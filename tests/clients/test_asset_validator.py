@@ -1,5 +1,9 @@
 """Our rules in NVIDIA's asset validator: the real engine and its real fixer on crafted faults."""
 
+import subprocess
+import sys
+from importlib.metadata import entry_points
+
 import pytest
 import skel_stages
 from pxr import Sdf, Usd, UsdSkel, Vt
@@ -27,6 +31,14 @@ def test_rules_are_registered(stage):
     registered = validator.CategoryRuleRegistry()
     assert all(registered.get_category(rule) == asset_validator.CATEGORY for rule in RULES)
     assert issues(stage) == []
+
+
+def test_the_validator_finds_the_rules_by_what_is_installed():
+    (named,) = (each for each in entry_points(group="usd_validation_nvidia") if each.name == "usdrigui")
+    script = "import omni.asset_validator as v; v.ValidationEngine(); print(v.CategoryRuleRegistry().categories)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120, check=True)
+    assert named.value == "usdrigui.clients.asset_validator:Rules"
+    assert asset_validator.CATEGORY in done.stdout
 
 
 def test_a_fault_that_cannot_be_repaired_is_told(stage):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -67,3 +68,25 @@ def test_two_packages_that_hold_pxr_are_named_by_every_command(tmp_path, monkeyp
 
 def test_one_package_that_holds_pxr_is_fine():
     assert distributions.colliding() == ()
+
+
+def test_the_schema_distribution_needs_nothing_and_serves_beside_the_core(tmp_path):
+    schemas = project("schemas")
+    assert schemas["version"] == usdrigui.__version__
+    assert not schemas.get("dependencies")
+    built = tomllib.loads((ROOT / "schemas" / "pyproject.toml").read_text())["tool"]["hatch"]["build"]
+    shutil.copytree(ROOT / "schemas" / "usdrigui_schemas", tmp_path / "usdrigui_schemas")
+    for source, target in built["targets"]["wheel"]["force-include"].items():
+        shutil.copy(ROOT / "schemas" / source, tmp_path / target)
+    alone = (
+        "import usdrigui_schemas\n"
+        "from pxr import Usd\n"
+        "assert Usd.SchemaRegistry().FindAppliedAPIPrimDefinition('RigUIElementAPI')\n"
+    )
+    beside = alone.replace("from pxr", "from usdrigui.usd import schema\nschema.register()\nfrom pxr")
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(tmp_path), *sys.path])}
+    for script in (alone, beside):
+        done = subprocess.run(
+            [sys.executable, "-c", script], capture_output=True, text=True, env=environment, timeout=120, check=False
+        )
+        assert (done.returncode, done.stdout, "usdRigUI" in done.stderr) == (0, "", False), done.stderr

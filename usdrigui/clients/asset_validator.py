@@ -1,17 +1,15 @@
-"""Our checks as rules of NVIDIA's asset validator (PyPI usd-validation-nvidia, or omniverse-asset-validator).
+"""Our checks as rules of NVIDIA's asset validator (PyPI usd-validation-nvidia).
 
-Importing this module registers them in the category "Usd:RigUI":
-
-    import usdrigui.clients.asset_validator
-    omni.asset_validator.ValidationEngine().validate("char.usda")
+The validator finds them by the entry point of this distribution, in the category "Usd:RigUI".  Where Python does not
+know what is installed (a package that was only put on the path), importing this module registers them.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from omni.asset_validator import BaseRuleChecker, Suggestion, register_rule
 from pxr import Usd, UsdGeom, UsdSkel
+from usd_validation_nvidia import BaseRuleChecker, Suggestion, register_rule
 
 from usdrigui.errors import Issue, sentences
 from usdrigui.usd import faults
@@ -50,6 +48,16 @@ class RigUILayoutChecker(BaseRuleChecker):
         for found in faults.layout_faults(usdStage):
             prim = usdStage.GetPrimAtPath(found.path) if found.path.startswith("/") else None
             _tell(self, found, prim or usdStage, None)
+
+
+class Rules:
+    """What the entry point names: the import of this module has registered the rules already."""
+
+    def on_startup(self) -> None:
+        """Called by the validator when it starts."""
+
+    def on_shutdown(self) -> None:
+        """Called by the validator when it ends; rules go with its registry."""
 
 
 def _tell(rule: Any, found: Issue, at: Any, suggestion: Any) -> None:
