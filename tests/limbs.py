@@ -8,6 +8,7 @@ import makers
 import numpy as np
 
 from usdrigui.model import Control, Drive, Joint, Skeleton, Skin
+from usdrigui.usd.controls import default_joint_drafts
 
 _AROUND = 12
 _RINGS = 8
@@ -80,15 +81,16 @@ def body_rig():
     return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
 
 
-def skeleton_rig(names, places, owners, own=None):
-    """Joints at `places` with a small box of skin around the middle of each owner's bone."""
+def skeleton_rig(names, places, owners, own=None, size=None):
+    """Joints at `places` with a small box of skin, of half an edge `size`, around each owner."""
+    size = np.full(len(owners), 0.05) if size is None else np.array(size)
     parents = [names.index(name.rpartition("/")[0]) if "/" in name else -1 for name in names]
     frame = np.eye(3) if own is None else own
     world = [np.block([[frame, np.zeros((3, 1))], [place[None], np.ones((1, 1))]]) for place in places]
     joints = tuple(_placed(name, world, i, parents[i]) for i, name in enumerate(names))
-    corners = 0.05 * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
     sides = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]])
-    points = np.concatenate([places[i] + corners for i in owners])
+    points = np.concatenate([places[i] + half * corners for i, half in zip(owners, size, strict=True)])
     faces = np.concatenate([sides + 8 * k for k in range(len(owners))])
     influences = np.repeat(np.array(owners), 8)[:, None]
     skin = Skin(influences, np.ones(influences.shape), "classicLinear", np.eye(4), False)
@@ -141,3 +143,41 @@ def as_control(draft):
         span.source,
         draft.drive,
     )
+
+
+def whole_body(head="e"):
+    """Hips, spine and neck, a head called `head` with nine small joints on its front, arms with hands of four fingers,
+    and legs; with the controls that its joints have by default.  No other name says what it is of."""
+    at = {"h": (0, 0, 0), "h/s": (0, 0.4, 0), "h/s/t": (0, 0.8, 0), "h/s/t/n": (0, 1.32, 0)}
+    at[f"h/s/t/n/{head}"] = (0, 1.4, 0)
+    for k, (x, y) in enumerate((x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)):
+        at[f"h/s/t/n/{head}/k{k}"] = (0.08 * x, 1.5 + 0.08 * y, 0.12 - 0.02 * abs(x))
+    for side, name in ((1, "a"), (-1, "b")):
+        arm = "h/s/t"
+        for k, x in enumerate((0.25, 0.85, 1.4)):
+            arm += f"/{name}{k}"
+            at[arm] = (side * x, 0.9, 0)
+        for finger in range(4):
+            chain = arm
+            for k, x in enumerate((1.5, 1.56, 1.61, 1.65)):
+                chain += f"/{name}f{finger}{k}"
+                at[chain] = (side * x, 0.9, 0.04 * (finger - 1.5))
+        leg = "h"
+        for k, y in enumerate((-0.1, -0.9, -1.7)):
+            leg += f"/{name}l{k}"
+            at[leg] = (side * 0.2, y, 0)
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    ends = {name for name in names if "f" in name.rpartition("/")[2] and name[-1] == "3"}
+    owners = [i for i, name in enumerate(names) if name not in ends]
+    made = skeleton_rig(names, np.array([at[name] for name in names], float), owners, size=_sizes(names, owners))
+    return with_default_controls(made)
+
+
+def _sizes(names, owners):
+    """Half the edge of each owner's box: small on the face and the fingers."""
+    return [0.008 if names[i].count("/") > 4 else 0.05 for i in owners]
+
+
+def with_default_controls(rig):
+    """The rig with the controls that its joints have by default."""
+    return replace(rig, controls=tuple(as_control(draft) for draft in default_joint_drafts(rig.joints, rig.meshes, 0)))

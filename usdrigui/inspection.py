@@ -35,6 +35,18 @@ class ControlFacts:
     flags: tuple[str, ...]
     """``global``, ``hidden``, ``composite``, ``beside by request``, ``tiny``,
     ``duplicate of X``, ``opposite of X``, ``left off: why``."""
+    part: str = ""
+    """The part of the character in which it is laid out; empty for a control that moves nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class PartFacts:
+    """One part of a character."""
+
+    name: str
+    controls: int
+    handle_width: float
+    """In scene units."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +114,8 @@ class CharacterFacts:
     """Where animations were given."""
     likeness: Likeness | None = None
     """Where the layout of another character was given."""
+    parts: tuple[PartFacts, ...] = ()
+    """In the order in which they are laid out."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from typing import Any, Literal
 
 from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
 from usdrigui.levels import outer_first
-from usdrigui.model import Assignment, Element, Layout, LeftOff, Rig
+from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
 
 FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
@@ -39,6 +39,20 @@ class ControlRow:
 
 
 @dataclass(frozen=True, eq=False)
+class PartRow:
+    """One part of a character and the proof of its layout."""
+
+    name: str
+    controls: tuple[str, ...]
+    on_it: int
+    """How many of them stand on the part; the others stand on the board."""
+    handle_width: float
+    view: Floats
+    """(3,) unit direction from the part to the viewer."""
+    assignment: Assignment
+
+
+@dataclass(frozen=True, eq=False)
 class CharacterReport:
     """One SkelRoot."""
 
@@ -58,6 +72,8 @@ class CharacterReport:
     """Names of the elements that this run placed: all, but for those that stand in the layer of `--base`."""
     matchings: Mapping[str, Any] = field(default_factory=dict)
     """`usdrigui.layout.reuse.identity.Matching` by the layout that was given: ``fixed``, ``previous``, ``like``."""
+    parts: tuple[PartRow, ...] = ()
+    """In the order in which they were laid out; `assignment` holds their sums."""
 
     def count(self, place: Place) -> int:
         """Number of controls at a place."""
@@ -199,22 +215,40 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "handle_width": layout.handle_width,
         "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
         "view": layout.view.tolist(),
+        "parts": [_part(part) for part in character.parts],
         "difference": _difference(character.difference) if character.difference is not None else None,
         "matchings": {which: asdict(found) for which, found in character.matchings.items()},
-        "solution": {
-            "method": assignment.method,
-            "closed_by": assignment.closed_by,
-            "status": assignment.status,
-            "cost": assignment.cost,
-            "bound": assignment.bound,
-            "gap": assignment.gap,
-            "in_play": assignment.in_play,
-            "gap_in_play": assignment.gap_in_play,
+        "solution": _proof(assignment)
+        | {
             "weights": dict(layout.weights),
             "steps": [
                 {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds} for step in assignment.steps
             ],
         },
+    }
+
+
+def _part(part: PartRow) -> dict[str, Any]:
+    return {
+        "name": part.name,
+        "controls": list(part.controls),
+        "on_it": part.on_it,
+        "handle_width": part.handle_width,
+        "view": part.view.tolist(),
+        "solution": _proof(part.assignment),
+    }
+
+
+def _proof(assignment: Assignment) -> dict[str, Any]:
+    return {
+        "method": assignment.method,
+        "closed_by": assignment.closed_by,
+        "status": assignment.status,
+        "cost": assignment.cost,
+        "bound": assignment.bound,
+        "gap": assignment.gap,
+        "in_play": assignment.in_play,
+        "gap_in_play": assignment.gap_in_play,
     }
 
 

@@ -120,7 +120,9 @@ class Screen:
                 f"{character.root}: {character.points} points, {character.meshes} meshes, {character.joints} joints, "
                 f"{character.symmetric:.0%} of the points have a mirror partner"
             )
-            self._table(_facts_table(character.controls))
+            told = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
+            self._out.print(f"  parts: {told}", soft_wrap=True)
+            self._table(_facts_table(character.controls, several=len(character.parts) > 1))
             for line in character.groups:
                 self._out.print(f"  {line}")
             if character.likeness is not None:
@@ -256,6 +258,13 @@ class Screen:
             f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap_in_play:.2e} of what "
             f"the choice can change ({solution.gap:.2e} of the cost), {_ending(solution)}"
         )
+        if len(character.parts) > 1:
+            for part in character.parts:
+                proof = part.assignment
+                self._out.print(
+                    f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost {proof.cost:.4f}, "
+                    f"gap {proof.gap:.2e}, {_ending(proof)}"
+                )
         for which, found in character.matchings.items():
             self._matching(which, found)
         if character.difference is not None:
@@ -333,11 +342,14 @@ def _batch_table(rows: Sequence[Row]) -> Table:
     return table
 
 
-def _facts_table(controls: Sequence[ControlFacts]) -> Table:
-    table = _table("control", "kind", "range", "from", "points", "coverage", "peak", "twin", "flags")
+def _facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> Table:
+    """One row a control, with its part where the character has `several`."""
+    part = ("part",) if several else ()
+    table = _table("control", *part, "kind", "range", "from", "points", "coverage", "peak", "twin", "flags")
     for facts in controls:
         cells = (
             facts.control,
+            *((facts.part,) if several else ()),
             facts.kind,
             f"{facts.minimum:g}..{facts.maximum:g}",
             facts.range_source,

@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from pxr import Sdf
 
-from usdrigui.model import LeftOff
+from usdrigui.model import LayoutPart, LeftOff
 from usdrigui.settings import OutputSettings
 from usdrigui.usd.layer import layer_bytes, layer_for
 from usdrigui.usd.read_layout import read_layout
@@ -55,7 +55,14 @@ def layouts(draw):
         bound=draw(st.floats(allow_nan=False)),
         status=draw(st.sampled_from(["optimal", "stopped"])),
         weights=tuple(draw(st.lists(st.tuples(NAMES, st.floats(-9, 9)), max_size=3))),
+        parts=tuple(draw(st.lists(parts(), max_size=3))),
     )
+
+
+@st.composite
+def parts(draw):
+    width, cost, bound = draw(st.floats(1.0, 9.0)), draw(st.floats(-9, 9)), draw(st.floats(-9, 9))
+    return LayoutPart(draw(NAMES), width, draw(VECTORS), draw(st.sampled_from(["optimal", "stopped"])), cost, bound)
 
 
 @st.composite
@@ -65,12 +72,14 @@ def changed(draw, element):
         for each in element.members
     )
     label, reason, category = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))
+    part = draw(st.sampled_from(["", "face", "tail"]))
     return replace(
         element,
         members=members,
         label=label,
         reason=reason,
         category=category,
+        part=part,
         side=draw(st.sampled_from(["left", "right", "middle", "none"])),
         kind=draw(st.sampled_from(["slider", "patch", "fan"])),
         adapt=draw(st.sampled_from(["deform", "static"])),

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from usdrigui.deform import posed
+from usdrigui.joint_tree import Tree
 from usdrigui.rotation import rotation_part, rotations
 from usdrigui.usd.controls import default_joint_drafts
-from usdrigui.usd.joint_defaults import Tree, default_turns, posed_locals
+from usdrigui.usd.joint_defaults import default_turns, posed_locals
 
 HAND = limbs.hand_rig()
 

@@ -14,7 +14,7 @@ from usdrigui.model.animation import Clip, Performance
 from usdrigui.model.assignment import GAP_FLOOR, Assignment, Status, Step
 from usdrigui.model.candidates import Candidates, CandidateSet, Category, ElementKind, Group
 from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
-from usdrigui.model.layout import Anchor, Decision, Element, Layout, Member, Side
+from usdrigui.model.layout import Anchor, Decision, Element, Layout, LayoutPart, Member, Side
 from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
 from usdrigui.model.motion import Motion, Symmetry, Trajectories
 from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
@@ -45,6 +45,7 @@ __all__ = [
     "Indices",
     "Joint",
     "Layout",
+    "LayoutPart",
     "LayoutProblem",
     "LeftOff",
     "Member",

@@ -40,11 +40,32 @@ class Layout(Record):
     in_play: float
     weights: tuple[tuple[str, float], ...] = field(default=())
     """Settings of the objective that the cost depends on, by name."""
+    parts: tuple[LayoutPart, ...] = ()
+    """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are those of its main part,
+    and the costs are sums."""
+
+    def handle_width_of(self, element: Element) -> float:
+        """Diameter of the handle of an element: that of its part."""
+        widths = {part.name: part.handle_width for part in self.parts}
+        return widths.get(element.part, self.handle_width)
 
     @property
     def controls(self) -> frozenset[str]:
         """Names of all controls that have an element."""
         return frozenset().union(*(element.controls for element in self.elements))
+
+
+@dataclass(frozen=True, eq=False)
+class LayoutPart(Record):
+    """One part of a character with a scale, a front and a proof of its own."""
+
+    name: str
+    handle_width: float
+    view: Floats
+    """(3,) as `Layout.view`."""
+    status: Status
+    cost: float
+    bound: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,6 +100,9 @@ class Element(Record):
     """Decisions of a person that hold whenever the layout is made again."""
     pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """Of the anchor at rest, in root space, on the rig for which they were made; means nothing without ``anchor``."""
+    part: str = ""
+    """The part of the character to which it belongs: ``face``, ``hands``, ``feet``, ``body`` or one of the
+    configuration's; empty where a layer does not say."""
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:

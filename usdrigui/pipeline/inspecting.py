@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from usdrigui import animation
+from usdrigui.errors import Issue
 from usdrigui.examples import ExampleLayers, read_examples
-from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness
+from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
+from usdrigui.model import CandidateSet, Motion, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import ProblemInputs, build_problem
+from usdrigui.pipeline.stages import Divided, ProblemInputs, build_problem, divided, issues_of, part_problem
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 
@@ -34,14 +36,17 @@ def inspect(
         source = read_rigs_isolated(asset, settings)
         clips = animation.performances(animations, settings)
         examples = read_examples(ExampleLayers(like=like), settings)
-    found = [build_problem(rig, settings, clock, source.cameras, examples) for rig in source.rigs]
-    issues = [each for inputs in found for each in inputs.issues]
+    issues: list[Issue] = []
     characters = []
-    for inputs in found:
-        facts = _facts(inputs)
+    for rig in source.rigs:
+        character = divided(rig, settings, clock, source.cameras, examples)
+        parts = [part_problem(character, part, (), clock) for part in character.parts]
+        issues += issues_of(parts)
+        facts = _facts(character, parts)
         if clips:
+            whole = parts[0] if len(parts) == 1 else build_problem(rig, settings, clock, source.cameras)
             uses, odd = animation.animation_facts(
-                inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings, clips
+                whole.face, whole.candidates, whole.similarity, whole.requests, whole.settings, clips
             )
             facts = replace(facts, animation=uses)
             issues += odd
@@ -49,48 +54,70 @@ def inspect(
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 
 
-def _facts(inputs: ProblemInputs) -> CharacterFacts:
-    rig, trajectories, symmetry = inputs.face.rig, inputs.face.trajectories, inputs.face.symmetry
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """What the stages say of the controls of one part, by control."""
+
+    part: ProblemInputs
+    sets: Mapping[int, CandidateSet]
+    motions: Mapping[int, Motion]
+
+
+def _found(inputs: ProblemInputs) -> _Found:
+    trajectories = inputs.face.trajectories
     sets = {trajectories.motions[each.motion].control: each for each in inputs.candidates.sets}
-    motions = {each.control: each for each in trajectories.motions}
-    twins = inputs.twin_names
+    return _Found(inputs, sets, {each.control: each for each in trajectories.motions})
+
+
+def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts:
+    rig = character.rig
+    found = [_found(inputs) for inputs in parts]
+    of_control = {control: each for each in found for control in each.motions}
     remarks: dict[str, list[str]] = {}
-    for note in (*rig.left_off, *inputs.left_off):
+    for note in dict.fromkeys((*rig.left_off, *(note for inputs in parts for note in inputs.left_off))):
         remarks.setdefault(note.control, []).append(note.reason)
-    for found in trajectories.issues:
-        remarks.setdefault(found.path, []).append(found.message)
-    rows = []
-    for index, control in enumerate(rig.controls):
-        chosen, motion = sets.get(index), motions.get(index)
-        flags = list(remarks.get(control.name, ()))
-        if chosen is not None and chosen.category:
-            flags.append("on the board by request" if chosen.category == "requested" else chosen.category)
-        rows.append(
-            ControlFacts(
-                control=control.name,
-                kind=control.kind,
-                source=control.source,
-                minimum=control.minimum,
-                default=control.default,
-                maximum=control.maximum,
-                range_source=control.range_source,
-                points=0 if motion is None else len(motion.points),
-                coverage=0.0 if chosen is None else chosen.coverage,
-                peak=0.0 if motion is None else float(motion.arc_length.max()) / trajectories.typical_length,
-                twin=twins.get(control.name, "self" if symmetry.twins[index] == index else ""),
-                twin_source=symmetry.sources[index],
-                flags=tuple(flags),
-            )
-        )
+    for odd in dict.fromkeys(each for inputs in parts for each in inputs.face.trajectories.issues):
+        remarks.setdefault(odd.path, []).append(odd.message)
+    symmetric = character.symmetry or parts[0].face.symmetry
     return CharacterFacts(
         root=rig.root,
-        points=len(trajectories.base),
+        points=len(character.trajectories.base),
         meshes=len(rig.meshes),
         joints=len(rig.joints),
-        symmetric=float((symmetry.partner >= 0).mean()),
-        controls=tuple(rows),
-        groups=_group_lines(inputs),
-        likeness=_likeness(inputs),
+        symmetric=float((symmetric.partner >= 0).mean()),
+        controls=tuple(
+            _control(rig, index, of_control.get(index), found[0], remarks.get(control.name, ()))
+            for index, control in enumerate(rig.controls)
+        ),
+        groups=tuple(line for inputs in parts for line in _group_lines(inputs)),
+        likeness=_likeness(parts[0]),
+        parts=tuple(PartFacts(each.part.part, len(each.motions), each.part.face.handle_width) for each in found),
+    )
+
+
+def _control(rig: Rig, index: int, own: _Found | None, first: _Found, remarks: Sequence[str]) -> ControlFacts:
+    """One control; without a motion it is told of by the `first` part, and is of none."""
+    control, told = rig.controls[index], own or first
+    chosen, motion, symmetry = told.sets.get(index), told.motions.get(index), told.part.face.symmetry
+    flags = list(remarks)
+    if chosen is not None and chosen.category:
+        flags.append("on the board by request" if chosen.category == "requested" else chosen.category)
+    typical = told.part.face.trajectories.typical_length
+    return ControlFacts(
+        control=control.name,
+        kind=control.kind,
+        source=control.source,
+        minimum=control.minimum,
+        default=control.default,
+        maximum=control.maximum,
+        range_source=control.range_source,
+        points=0 if motion is None else len(motion.points),
+        coverage=0.0 if chosen is None else chosen.coverage,
+        peak=0.0 if motion is None else float(motion.arc_length.max()) / typical,
+        twin=told.part.twin_names.get(control.name, "self" if symmetry.twins[index] == index else ""),
+        twin_source=symmetry.sources[index],
+        flags=tuple(flags),
+        part=told.part.part if own is not None else "",
     )
 
 

@@ -17,12 +17,12 @@ from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, 
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
-from usdrigui.model import Assignment, Floats, Layout, Rig
+from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import ProblemInputs, build_problem, layout_of
+from usdrigui.pipeline.stages import LaidPart, divided, issues_of, joined, joined_assignment, layout_of, part_problem
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import stage_layer
-from usdrigui.report import CharacterReport, Outcome, Report, SourceRow, rows_of
+from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -140,62 +140,81 @@ def _lay_out(
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    inputs = build_problem(rig, settings, clock, cameras, examples)
-    with clock.stage("solve", can_stop=True):
-        assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
-    with clock.stage("layout"):
-        layout = layout_of(inputs, assignment)
-    existing = inputs.requests.existing
+    character = divided(rig, settings, clock, cameras, examples)
+    laid: list[LaidPart] = []
+    for part in character.parts:
+        neighbours = tuple(element for each in laid for element in each.layout.elements)
+        inputs = part_problem(character, part, neighbours, clock)
+        with clock.stage("solve", can_stop=True):
+            assignment = solve(inputs.placement.problem, settings.solve, clock.solving, stop)
+        with clock.stage("layout"):
+            laid.append(LaidPart(inputs, layout_of(inputs, assignment), assignment))
+    layout = joined(laid)
+    existing = examples.existing(rig)
     if existing is not None:
         layout = existing_layout.combined(existing, existing_layout.uniquify_names(layout, existing))
     previous = examples.previous.get(rig.root)
     if previous is None:
-        return _account(inputs, layout, assignment)
-    tell = functools.partial(_changes, inputs, previous, layout, assignment)
+        return _account(laid, layout, existing)
+    tell = functools.partial(_changes, laid, previous, layout)
     changes, issues = explained(tell, None, rig.root)
-    return _account(inputs, layout, assignment, changes, issues)
+    return _account(laid, layout, existing, changes, issues)
 
 
-def _changes(inputs: ProblemInputs, previous: Layout, layout: Layout, assignment: Assignment) -> Difference:
-    improved = improvements(inputs.face, inputs.requests, inputs.placement, assignment.labels)
-    return difference(previous, layout, improved, inputs.matchings["previous"])
+def _changes(laid: Sequence[LaidPart], previous: Layout, layout: Layout) -> Difference:
+    improved: dict[str, float] = {}
+    for each in laid:
+        inputs = each.inputs
+        improved |= improvements(inputs.face, inputs.requests, inputs.placement, each.assignment.labels)
+    return difference(previous, layout, improved, laid[0].inputs.matchings["previous"])
 
 
 def _account(
-    inputs: ProblemInputs,
+    laid: Sequence[LaidPart],
     layout: Layout,
-    assignment: Assignment,
+    existing: Layout | None,
     changes: Difference | None = None,
     unexplained: tuple[Issue, ...] = (),
 ) -> CharacterReport:
-    rig = inputs.face.rig
-    controls = rig.controls
-    motions = inputs.face.trajectories.motions
-    peaks = {controls[each.control].name: each.peak for each in motions}
+    parts = [each.inputs for each in laid]
+    rig = parts[0].face.rig
+    peaks = {
+        rig.controls[each.control].name: each.peak for inputs in parts for each in inputs.face.trajectories.motions
+    }
+    twins = {control: twin for inputs in parts for control, twin in inputs.twin_names.items()}
+    rows = rows_of(rig, layout, peaks, twins)
+    added = _added(existing, layout)
+    nothing = () if existing is None or added else (_nothing_added(layout),)
     return CharacterReport(
         root=rig.root,
         rig=rig,
         layout=layout,
-        assignment=assignment,
-        rows=rows_of(rig, layout, peaks, inputs.twin_names),
-        notes=tuple(note for note in inputs.left_off if note.control in layout.controls),
-        issues=(*inputs.issues, *unexplained, *_nothing_added(inputs, layout)),
+        assignment=joined_assignment([each.assignment for each in laid], [inputs.part for inputs in parts]),
+        rows=rows,
+        notes=tuple(dict.fromkeys(note for each in parts for note in each.left_off if note.control in layout.controls)),
+        issues=(*issues_of(parts), *unexplained, *nothing),
         difference=changes,
-        added=_added(inputs, layout),
-        matchings=inputs.matchings,
+        added=added,
+        matchings=parts[0].matchings,
+        parts=tuple(_part_row(each) for each in laid),
     )
 
 
-def _added(inputs: ProblemInputs, layout: Layout) -> frozenset[str]:
+def _part_row(laid: LaidPart) -> PartRow:
+    elements = [element for element in laid.layout.elements if not element.anchor.on_board]
+    controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
+    names = tuple(laid.inputs.face.rig.controls[control].name for control in controls)
+    on_it = frozenset().union(*(element.controls for element in elements))
+    return PartRow(laid.inputs.part, names, len(on_it), laid.layout.handle_width, laid.layout.view, laid.assignment)
+
+
+def _added(existing: Layout | None, layout: Layout) -> frozenset[str]:
     """Names of the elements that do not stand in another layer."""
-    existing = inputs.requests.existing
     return frozenset(e.name for e in layout.elements[len(existing.elements) if existing is not None else 0 :])
 
 
-def _nothing_added(inputs: ProblemInputs, layout: Layout) -> tuple[Issue, ...]:
-    if inputs.requests.existing is None or _added(inputs, layout):
-        return ()
-    return (issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand"),)
+def _nothing_added(layout: Layout) -> Issue:
+    return issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand")
 
 
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:

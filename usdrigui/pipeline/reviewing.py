@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
-from usdrigui.model import Floats, Layout, Rig
+from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import build_problem
+from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import (
     read_composed_isolated,
@@ -105,11 +106,36 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     reviews = []
     for rig, layout in loaded.characters:
-        inputs = build_problem(rig, settings, clock, loaded.cameras)
-        with clock.stage("review"):
-            found = review_stage.review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, layout)
-            reviews.append((rig.root, found))
+        reviews.append((rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras)))
     return LayerReview(str(layer), tuple(reviews), clock.seconds, stale)
+
+
+def _reviewed(
+    rig: Rig, layout: Layout, settings: Settings, clock: Clock, cameras: Mapping[str, Floats]
+) -> review_stage.Review:
+    """Every part of a layout rated by the problem of that part."""
+    character = divided(rig, settings, clock, cameras)
+    found = []
+    for part in character.parts:
+        inputs = part_problem(character, part, (), clock)
+        with clock.stage("review"):
+            own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
+            found.append(review_stage.review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, own))
+    return review_stage.joined(found)
+
+
+def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
+    """The elements of a part, told by their first control; the first part has those of controls that move nothing."""
+    index = {control.name: i for i, control in enumerate(character.rig.controls)}
+    others = frozenset[int]().union(*(each.controls for each in character.parts if each is not part))
+
+    def own(element: Element) -> bool:
+        control = index.get(element.members[0].control, -1)
+        return control in part.controls or (part is character.parts[0] and control not in others)
+
+    elements = tuple(element for element in layout.elements if own(element))
+    widths = {each.name: each.handle_width for each in layout.parts}
+    return replace(layout, elements=elements, handle_width=widths.get(part.name, layout.handle_width))
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:

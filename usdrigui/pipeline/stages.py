@@ -1,13 +1,13 @@
-"""build_problem(): from a rig to its layout problem.
+"""divided() and part_problem(): from a rig to the layout problems of its parts.
 
-    Rig → Trajectories → Symmetry → Views → Classification → Face → Candidates → Groups → PlacementProblem
+    Rig → Trajectories → Parts → Symmetry → Views → Classification → Face → Candidates → Groups → PlacementProblem
 
 The order of these stages is known here and nowhere else.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -15,7 +15,7 @@ import numpy as np
 from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.errors import Issue, meant, refuse
-from usdrigui.examples import Examples, own_examples, prior_layout_of, with_fixed
+from usdrigui.examples import Examples, OwnExamples, own_examples, prior_layout_of, with_fixed
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.control_overrides import control_overrides
@@ -24,7 +24,9 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.group.coarse_groups import with_levels
 from usdrigui.layout.group.grouping import find_groups
 from usdrigui.layout.motion.similarity import Similarity, displacement_fields, similarity
-from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.motion.trajectory import of_controls, trajectories
+from usdrigui.layout.parts.division import Part, divide, main_part, of_part
+from usdrigui.layout.parts.joint_regions import FACE
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import PlacementProblem, placement_problem
@@ -34,12 +36,15 @@ from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.review.review import refuse_stale
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose
+from usdrigui.layout.symmetry.mirror_plane import about_plane_of
 from usdrigui.layout.visibility import find_views
 from usdrigui.model import (
     Assignment,
     Candidates,
+    Element,
     Floats,
     Layout,
+    LayoutPart,
     LeftOff,
     Performance,
     Rig,
@@ -47,7 +52,7 @@ from usdrigui.model import (
     Trajectories,
 )
 from usdrigui.pipeline.progress import Clock
-from usdrigui.settings import Settings
+from usdrigui.settings import PartSettings, Settings
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +62,8 @@ class References:
     prior: PriorLayout = NO_PRIOR
     existing: Layout | None = None
     clips: tuple[Performance, ...] = ()
+    neighbours: tuple[Element, ...] = ()
+    """Elements of the parts that are laid out already, from which this one keeps clear."""
 
 
 NO_REFERENCES = References()
@@ -76,6 +83,8 @@ class Measured:
 class ProblemInputs:
     """A layout problem, and what it was built from."""
 
+    part: str
+    """Name of the part of the character that it lays out."""
     face: Face
     similarity: Similarity
     requests: Requests
@@ -111,6 +120,79 @@ class ProblemInputs:
         }
 
 
+@dataclass(frozen=True, eq=False)
+class Divided:
+    """A character with its parts, ready to be laid out one part after the other."""
+
+    rig: Rig
+    settings: Settings
+    base_values: Floats
+    """(controls,) the base pose."""
+    trajectories: Trajectories
+    parts: tuple[Part, ...]
+    """In the order in which they are laid out."""
+    symmetry: Symmetry | None
+    """Of the character as a whole; None where it is one part."""
+    camera: Floats | None
+    examples: OwnExamples
+    existing: Layout | None
+    clips: tuple[Performance, ...]
+
+
+def divided(
+    rig: Rig,
+    settings: Settings,
+    clock: Clock | None = None,
+    cameras: Mapping[str, Floats] | None = None,
+    examples: Examples | None = None,
+) -> Divided:
+    """A character with its trajectories and its parts: what the problems of all parts are built from."""
+    clock, examples = clock or Clock(), examples or Examples()
+    camera = _camera(rig, settings.candidates.view, cameras or {})
+    base_values = _base_values(rig, settings)
+    with clock.stage("trajectories"):
+        found = trajectories(rig, settings.trajectories, base_values)
+    _refuse_motionless(rig, found)
+    own = own_examples(examples, rig, found, settings)
+    settings = with_fixed(own, rig, settings)
+    existing = examples.existing(rig)
+    if existing is not None:
+        refuse_stale(rig, found, existing, settings.read)
+    with clock.stage("symmetry"):
+        parts = divide(rig, found, settings)
+        symmetry = None
+        if len(parts) > 1:
+            symmetry = symmetry_at_pose(rig, found, displacement_fields(found), settings, base_values)
+    return Divided(rig, settings, base_values, found, parts, symmetry, camera, own, existing, examples.clips)
+
+
+def part_problem(
+    character: Divided, part: Part, neighbours: Sequence[Element] = (), clock: Clock | None = None
+) -> ProblemInputs:
+    """The layout problem of one part; `neighbours` are the elements of the parts that are laid out already."""
+    rig, settings, found = character.rig, character.settings, character.trajectories
+    if len(character.parts) > 1:
+        found = of_controls(rig, found, part.controls, part.excluded, settings.trajectories)
+        settings = of_part(settings, rig, part)
+    if character.existing is not None:
+        settings = with_drawn_handles(character.existing, part.name, found, settings)
+    prior = prior_layout_of(character.examples, rig, found, settings)
+    references = References(prior, character.existing, character.clips, tuple(neighbours))
+    inputs = problem_at(
+        rig, found, settings, character.base_values, references, clock, character.camera, part.name, character.symmetry
+    )
+    return replace(inputs, matchings=character.examples.matchings)
+
+
+@dataclass(frozen=True, eq=False)
+class LaidPart:
+    """One part of a character, laid out."""
+
+    inputs: ProblemInputs
+    layout: Layout
+    assignment: Assignment
+
+
 def build_problem(
     rig: Rig,
     settings: Settings,
@@ -118,21 +200,10 @@ def build_problem(
     cameras: Mapping[str, Floats] | None = None,
     examples: Examples | None = None,
 ) -> ProblemInputs:
-    """The layout problem of one rig: every stage between reading and solving."""
-    clock, examples = clock or Clock(), examples or Examples()
-    camera = _camera(rig, settings.candidates.view, cameras or {})
-    base_values = _base_values(rig, settings)
-    with clock.stage("trajectories"):
-        found = trajectories(rig, settings.trajectories, base_values)
-    own = own_examples(examples, rig, found, settings)
-    settings = with_fixed(own, rig, settings)
-    existing = examples.existing(rig)
-    if existing is not None:
-        settings = with_drawn_handles(existing, found, settings)
-        refuse_stale(rig, found, existing, settings.read)
-    references = References(prior_layout_of(own, rig, found, settings), existing, examples.clips)
-    inputs = problem_at(rig, found, settings, base_values, references, clock, camera)
-    return replace(inputs, matchings=own.matchings)
+    """The layout problem of all controls of a rig as one part."""
+    whole = replace(settings, parts=PartSettings(divide=False))
+    character = divided(rig, whole, clock, cameras, examples)
+    return part_problem(character, character.parts[0], (), clock)
 
 
 def problem_at(
@@ -143,11 +214,13 @@ def problem_at(
     references: References = NO_REFERENCES,
     clock: Clock | None = None,
     camera: Floats | None = None,
+    part: str = FACE,
+    whole: Symmetry | None = None,
 ) -> ProblemInputs:
     """The layout problem at a base pose (controls,) whose trajectories are found; `camera` (3,) is the direction to the
-    viewer of the camera that ``candidates.view`` names."""
+    viewer of the camera that ``candidates.view`` names, `whole` the symmetry of the character whose part this is."""
     clock = clock or Clock()
-    measured = measure(rig, found, settings, base_values, references, clock, camera)
+    measured = measure(rig, found, settings, base_values, references, clock, camera, part, whole)
     face, requests, alike = measured.face, measured.requests, measured.similarity
     with clock.stage("candidates"):
         candidates = find_candidates(face, measured.classification, requests, settings)
@@ -156,7 +229,9 @@ def problem_at(
         groups = find_groups(face, candidates, alike, requests, settings)
         groups = with_levels(rig, groups, settings.levels, requests.existing_names)
         placement = placement_problem(face, candidates, groups, requests, settings)
-    return ProblemInputs(face, alike, requests, measured.classification, settings, candidates, placement, base_values)
+    return ProblemInputs(
+        part, face, alike, requests, measured.classification, settings, candidates, placement, base_values
+    )
 
 
 def measure(
@@ -167,13 +242,20 @@ def measure(
     references: References,
     clock: Clock,
     camera: Floats | None,
+    part: str = FACE,
+    whole: Symmetry | None = None,
 ) -> Measured:
     """The stages before placing; parameters as of `problem_at`."""
-    if not found.motions:
-        raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
+    _refuse_motionless(rig, found)
     with clock.stage("symmetry"):
         fields = displacement_fields(found)
-        symmetry = symmetry_at_pose(rig, found, fields, settings, base_values)
+        if whole is not None and whole.normal.any() and part != FACE:
+            # A hand by itself is nearly symmetric about its middle finger.
+            symmetry = about_plane_of(rig, found, fields, whole, settings)
+        else:
+            symmetry = symmetry_at_pose(rig, found, fields, settings, base_values)
+            if whole is not None and not symmetry.normal.any():
+                symmetry = about_plane_of(rig, found, fields, whole, settings)
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
         requests = _requests(rig, symmetry, settings, references)
@@ -190,16 +272,71 @@ def measure(
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     """The layout that a solution of the problem means."""
     left_off = (*inputs.face.rig.left_off, *inputs.left_off)
-    return layout(
+    found = layout(
         inputs.face, inputs.placement, assignment, inputs.requests, inputs.settings, left_off, inputs.base_values
     )
+    return replace(found, elements=tuple(replace(each, part=inputs.part) for each in found.elements))
+
+
+def joined(laid: Sequence[LaidPart]) -> Layout:
+    """The layouts of all parts as one."""
+    layouts = {each.inputs.part: each.layout for each in laid}
+    main = layouts[main_part(layouts)]
+    if len(laid) == 1:
+        return main
+    parts = [
+        LayoutPart(name, each.handle_width, each.view, each.status, each.cost, each.bound)
+        for name, each in layouts.items()
+    ]
+    return replace(
+        main,
+        elements=tuple(element for each in layouts.values() for element in each.elements),
+        left_off=tuple(dict.fromkeys(left for each in layouts.values() for left in each.left_off)),
+        parts=tuple(parts),
+        status="optimal" if all(each.status == "optimal" for each in parts) else "stopped",
+        cost=sum(each.cost for each in parts),
+        bound=sum(each.bound for each in parts),
+        in_play=sum(each.in_play for each in layouts.values()),
+    )
+
+
+def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -> Assignment:
+    """The solutions of all parts, whose `names` are given, as one: costs and bounds are sums."""
+    if len(assignments) == 1:
+        return assignments[0]
+    unproved = [each for each in assignments if each.status != "optimal"]
+    last = (unproved or assignments)[-1]
+    return replace(
+        last,
+        labels=np.concatenate([each.labels for each in assignments]),
+        cost=sum(each.cost for each in assignments),
+        bound=sum(each.bound for each in assignments),
+        in_play=sum(each.in_play for each in assignments),
+        steps=tuple(
+            replace(step, name=f"{name}: {step.name}")
+            for name, each in zip(names, assignments, strict=True)
+            for step in each.steps
+        ),
+    )
+
+
+def issues_of(laid: Sequence[ProblemInputs]) -> tuple[Issue, ...]:
+    """Findings about a rig and its controls, each once."""
+    if len(laid) == 1:
+        return laid[0].issues
+    return tuple(dict.fromkeys(found for inputs in laid for found in inputs.issues))
 
 
 def _requests(rig: Rig, symmetry: Symmetry, settings: Settings, references: References) -> Requests:
     """The configuration and the existing layouts, as what they ask of each control."""
     overrides = control_overrides(rig, settings)
     overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
-    return Requests(overrides, references.prior, references.existing)
+    return Requests(overrides, references.prior, references.existing, neighbours=references.neighbours)
+
+
+def _refuse_motionless(rig: Rig, found: Trajectories) -> None:
+    if not found.motions:
+        raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
 
 
 def _camera(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | None:

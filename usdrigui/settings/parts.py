@@ -526,6 +526,18 @@ class AnimationSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class PartSettings:
+    """The parts of a character, each with a scale and a layout problem of its own."""
+
+    divide: bool = setting(
+        True, "Lay out the face, the hands, the feet and the body each by itself; else all controls as one part."
+    )
+    controls: Mapping[str, str] = setting(
+        {}, "``[parts.controls]``: control name to the name of its part, which may be a part of your own."
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """Everything that a run can be told."""
 
@@ -544,3 +556,4 @@ class Settings:
     like: LikeSettings = field(default_factory=LikeSettings)
     levels: LevelSettings = field(default_factory=LevelSettings)
     animation: AnimationSettings = field(default_factory=AnimationSettings)
+    parts: PartSettings = field(default_factory=PartSettings)

@@ -113,7 +113,9 @@ def _author_new_shapes(layer: Sdf.Layer, addition: Addition, carriage: Carriage,
         addition.rig.channels[shape.channel].token not in known for shape in carriage.grip(element).shapes
     ):
         return
-    for prim, part in _matched(prims, drawn_parts(carriage, element, addition.layout.handle_width), element):
+    for prim, part in _matched(
+        prims, drawn_parts(carriage, element, addition.layout.handle_width_of(element)), element
+    ):
         new = [shape for shape in part.shapes if addition.rig.channels[shape.channel].token not in prim.shapes]
         if new:
             _extend(layer, addition, prim, new)

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.errors import Issue, issue, refuse
+from usdrigui.joint_tree import Tree
 from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff, RigMesh
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, Settings
-from usdrigui.usd.joint_defaults import Tree, Turn, default_turns, posed_locals
+from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
 from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 
 _AXES = "xyz"

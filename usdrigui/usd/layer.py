@@ -187,6 +187,9 @@ def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
         "planeOrigin": layout.plane_origin,
         "planeNormal": layout.plane_normal,
         "handleWidth": layout.handle_width,
+        "parts": [part.name for part in layout.parts],
+        "partHandleWidths": [part.handle_width for part in layout.parts],
+        "partViewDirections": [part.view for part in layout.parts],
     }
 
 
@@ -209,6 +212,9 @@ def solution(layout: Layout) -> dict[str, Any]:
         "cost": layout.cost,
         "bound": layout.bound,
         "inPlay": layout.in_play,
+        "partStatuses": [part.status for part in layout.parts],
+        "partCosts": [part.cost for part in layout.parts],
+        "partBounds": [part.bound for part in layout.parts],
         "weightNames": [name for name, _ in layout.weights],
         "weightValues": [value for _, value in layout.weights],
     }
@@ -229,14 +235,14 @@ def author_element(
         author.put(xform, "visibility", "token", "invisible")
     _author_element_api(xform, element, instances, names)
     _author_anchor_api(xform, element)
-    parts = _part_names(drawn_parts(carriage, element, layout.handle_width), instances)
+    parts = _part_names(drawn_parts(carriage, element, layout.handle_width_of(element)), instances)
     for member in element.members:
         control = carriage.control(member.control)
         track = next(name for name, part in parts if part.role == "track" and part.controls == (member.control,))
         figures = {"arcLength": member.arc_length, "gain": member.gain, "track": [xform.path.AppendChild(track)]}
         author_control_api(xform, rig, control, instances[member.control], figures)
     for name, part in parts:
-        author_part(xform, name, part, rig, element, instances, layout.handle_width)
+        author_part(xform, name, part, rig, element, instances, layout.handle_width_of(element))
 
 
 def instances_of(element: Element) -> dict[str, str]:
@@ -271,6 +277,7 @@ def _author_element_api(
             "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
             "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
             "family": element.category,
+            "part": element.part,
             "pinned": element.pinned,
             "pinnedPosition": element.pinned_position,
             "reason": element.reason,

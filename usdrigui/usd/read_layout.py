@@ -15,7 +15,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices, Layout, LeftOff, Member
+from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices, Layout, LayoutPart, LeftOff, Member
 from usdrigui.usd import author, schema
 from usdrigui.usd.arrays import value_at
 from usdrigui.usd.stage import open_stage
@@ -184,6 +184,22 @@ def _layout(scope: Usd.Prim) -> Layout:
         bound=float(solution("bound")),
         in_play=float(solution("inPlay")),
         weights=_weights(scope),
+        parts=_parts(scope),
+    )
+
+
+def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
+    """The parts of a character; what a layer does not say of them is unknown."""
+    names = _strings(value_of(scope, schema.LAYOUT, "parts"))
+    widths = _floats(value_of(scope, schema.LAYOUT, "partHandleWidths"))
+    views = _floats(value_of(scope, schema.LAYOUT, "partViewDirections")).reshape(-1, 3)
+    proofs = [value_of(scope, schema.SOLUTION, f"part{name}") for name in ("Statuses", "Costs", "Bounds")]
+    statuses, costs, bounds = proofs if len(proofs[0]) else (["stopped"] * len(names), *np.zeros((2, len(names))))
+    _check_equal(scope, "rigUI:layout:parts", names, widths, views, statuses, costs, bounds)
+    rows = zip(names, widths.tolist(), views, _strings(statuses), costs, bounds, strict=True)
+    return tuple(
+        LayoutPart(name, width, view, "optimal" if status == "optimal" else "stopped", float(cost), float(bound))
+        for name, width, view, status, cost, bound in rows
     )
 
 
@@ -223,6 +239,7 @@ def _element(prim: Usd.Prim) -> Element:
         reversed=_positions(prim, get("reversed"), len(instances)),
         mirror=_element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
         category=str(get("family")),
+        part=str(get("part")),
         reason=str(get("reason")),
         inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
         pinned=_decisions(prim, get("pinned")),

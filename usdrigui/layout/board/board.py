@@ -62,7 +62,8 @@ def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adap
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width
-    left = max([left, *(_right_end(each, frame, width) for each in _existing(requests))])
+    beside = _boards(requests, middle @ frame[1], 0.5 * height, frame[1])
+    left = max([left, *(_right_end(each, frame, width) for each in beside)])
     drawing = _Drawing(face, requests, frame, anchor_point(face, middle), adapt)
     elements = []
     for column in columns:
@@ -77,10 +78,11 @@ def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adap
     return elements
 
 
-def _existing(requests: Requests) -> list[Element]:
-    """The elements of a board that exists already."""
+def _boards(requests: Requests, middle: float, half: float, up: Floats) -> list[Element]:
+    """The elements of a board that exists already, and of the boards of other parts as high as this one."""
     elements = requests.existing.elements if requests.existing is not None else ()
-    return [element for element in elements if element.anchor.on_board]
+    near = [each for each in requests.neighbours if abs(float(each.anchor.position @ up) - middle) <= half]
+    return [element for element in (*elements, *near) if element.anchor.on_board]
 
 
 def _right_end(element: Element, frame: Floats, width: float) -> float:

@@ -66,7 +66,7 @@ def classify(
     repeated = composites(rig, trajectories, symmetry, similarity, shares[: len(trajectories.motions)])
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     # The joints of a chain explain each other; what repeats a blend shape or a pose is told by those.
-    joints_alone = all(control.kind == "joint" for control in rig.controls)
+    joints_alone = all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions)
     found = []
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(

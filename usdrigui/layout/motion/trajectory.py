@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,6 +45,30 @@ def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | N
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, size, settings)
     return _assembled(rig, base.points, tuple(motions), excluded, tuple(left_off), settings)
+
+
+def of_controls(
+    rig: Rig, found: Trajectories, controls: Collection[int], excluded: Collection[int], settings: TrajectorySettings
+) -> Trajectories:
+    """The trajectories of some controls alone, which then tell how large the face is and what a typical control does.
+
+    `controls` are indices into `Rig.controls`, `excluded` into `Rig.excluded`.
+    """
+    motions = tuple(motion for motion in found.motions if motion.control in controls)
+    left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
+    scale = _Scale.of(rig, found.base, found.areas, motions, left_out)
+    return replace(
+        found,
+        motions=motions,
+        face_size=scale.face_size,
+        typical_length=scale.typical_length,
+        issues=(
+            *(each for each in found.issues if each.code == "NORMALS_INWARD"),
+            *_tiny(rig, motions, scale.face_size, settings),
+            *_duplicates(rig, motions),
+        ),
+        excluded=left_out,
+    )
 
 
 def total_motion(motions: Sequence[Motion], count: int) -> Singles:
@@ -144,25 +168,38 @@ def _assembled(
     corners = mesh_triangles(rig.meshes)
     places = weld(base, _apart(rig, total_motion(motions, len(base)).astype(np.float64)))
     areas = point_areas(base, corners, places)
-    local = _local(motions, excluded, areas)
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
-    heights = base @ rig.up
-    peaks = np.array([motion.peak for motion in motions])
-    face_size = _face_size([motions[i] for i in np.flatnonzero(local)], heights) or _diagonal(base)
-    face_size = face_size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
+    scale = _Scale.of(rig, base, areas, motions, excluded)
     return Trajectories(
         base=base,
         normals=-normals if inward else normals,
         places=places,
         areas=areas,
         motions=motions,
-        face_size=face_size,
-        typical_length=float(np.median(peaks[local])) if local.any() else face_size,
+        face_size=scale.face_size,
+        typical_length=scale.typical_length,
         left_off=left_off,
-        issues=(*_inward(rig, inward), *_tiny(rig, motions, face_size, settings), *_duplicates(rig, motions)),
+        issues=(*_inward(rig, inward), *_tiny(rig, motions, scale.face_size, settings), *_duplicates(rig, motions)),
         excluded=excluded,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Scale:
+    """The units of handle sizes and of displacement."""
+
+    face_size: float
+    typical_length: float
+
+    @staticmethod
+    def of(rig: Rig, base: Floats, areas: Floats, motions: tuple[Motion, ...], excluded: tuple[Motion, ...]) -> _Scale:
+        """The scale of what the motions move."""
+        local = _local(motions, excluded, areas)
+        peaks = np.array([motion.peak for motion in motions])
+        size = _face_size([motions[i] for i in np.flatnonzero(local)], base @ rig.up) or _diagonal(base)
+        size = size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
+        return _Scale(size, float(np.median(peaks[local])) if local.any() else size)
 
 
 def _inward(rig: Rig, inward: bool) -> list[Issue]:

@@ -51,11 +51,12 @@ def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
     return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
 
 
-def with_drawn_handles(layout: Layout, trajectories: Trajectories, settings: Settings) -> Settings:
-    """The settings with which handles are as wide as in `layout`, and groups only of what it lacks."""
+def with_drawn_handles(layout: Layout, part: str, trajectories: Trajectories, settings: Settings) -> Settings:
+    """The settings with which the handles of a part are as wide as in `layout`, and groups only of what it lacks."""
     known = layout.controls
     groups = {name: controls for name, controls in settings.groups.groups.items() if not known.issuperset(controls)}
-    width = layout.handle_width or settings.objective.handle_size * trajectories.face_size
+    widths = {each.name: each.handle_width for each in layout.parts}
+    width = widths.get(part, layout.handle_width) or settings.objective.handle_size * trajectories.face_size
     size = width * (1.0 - _ROUNDING) / trajectories.face_size
     return replace(
         settings,
@@ -77,14 +78,13 @@ def of_new_controls(
 
 
 def existing_variables(
-    existing: Layout | None, rig: Rig, base: Floats, count: int, toward: Floats | None
+    elements: tuple[Element, ...], rig: Rig, base: Floats, count: int, toward: Floats | None
 ) -> tuple[Variable, ...]:
-    """The existing elements on the face, each as a variable of one candidate, drawn as its layer draws it.
+    """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer draws it.
 
     `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the direction to the viewer
     of a flat layout.
     """
-    elements = existing.elements if existing is not None else ()
     return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.on_board)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from usdrigui.conventions import Meaning
 from usdrigui.layout.canonical_face import Expectation
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
-from usdrigui.model import Layout
+from usdrigui.model import Element, Layout
 from usdrigui.settings import ControlSettings
 
 
@@ -23,6 +23,8 @@ class Requests:
     """A layout that stays as it is and to which the new one adds elements."""
     expected: tuple[Expectation | None, ...] = ()
     """(controls,) where the conventions of the field expect each control; empty where they are not asked."""
+    neighbours: tuple[Element, ...] = ()
+    """Elements of other parts of the character, from which the new ones keep clear."""
 
     meanings: tuple[Meaning | None, ...] = ()
     """(controls,) what the name of each control says; empty where names are not asked."""
@@ -30,6 +32,11 @@ class Requests:
     def expectation(self, control: int) -> Expectation | None:
         """Where a control is expected, unless nothing says so."""
         return self.expected[control] if self.expected else None
+
+    @property
+    def standing(self) -> tuple[Element, ...]:
+        """The elements that stay where they are: of the existing layout, and of other parts."""
+        return (*(self.existing.elements if self.existing is not None else ()), *self.neighbours)
 
     @property
     def existing_names(self) -> frozenset[str]:

@@ -6,7 +6,7 @@ would place it (paper section 1: layouts also validate manual design choices).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -91,6 +91,15 @@ def review(face: Face, candidates: Candidates, requests: Requests, settings: Set
         if each.gain > _WORTH
     ]
     return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
+
+
+def joined(parts: Sequence[Review]) -> Review:
+    """What was found of all parts of a character."""
+    return Review(
+        tuple(dict.fromkeys(found for each in parts for found in each.issues)),
+        tuple(element for each in parts for element in each.elements),
+        sum(each.cost for each in parts),
+    )
 
 
 def refuse_stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> None:

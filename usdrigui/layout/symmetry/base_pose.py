@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
+from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.model import Floats, Rig, Symmetry, Trajectories
@@ -33,6 +34,9 @@ def symmetry_at_pose(
     if base_values is None or np.array_equal(base_values, defaults):
         return find_symmetry(rig, trajectories, fields, settings)
     neutral = find_trajectories(rig, settings.trajectories)
+    if len(trajectories.motions) < len(neutral.motions):
+        own, excluded = ({each.control for each in of} for of in (trajectories.motions, trajectories.excluded))
+        neutral = of_controls(rig, neutral, own, excluded, settings.trajectories)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.normal.any():
         return find_symmetry(rig, trajectories, fields, settings)

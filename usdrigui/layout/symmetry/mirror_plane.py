@@ -7,7 +7,7 @@ reflection to pairs of nearest points, and the far pairs (hair, clothes) are tri
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -77,6 +77,14 @@ def find_symmetry(rig: Rig, trajectories: Trajectories, fields: DisplacementFiel
         normal, origin = plane.normal, middle - (middle @ plane.normal - plane.offset) * plane.normal
     twins, sources, turned = find_twins(rig, trajectories, fields, (partner, normal), settings)
     return Symmetry(origin, normal, partner, distance, twins, sources, turned)
+
+
+def about_plane_of(
+    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, whole: Symmetry, settings: Settings
+) -> Symmetry:
+    """The symmetry of a part of a character about the plane of the `whole`; parameters as of `find_symmetry`."""
+    twins, sources, turned = find_twins(rig, trajectories, fields, (whole.partner, whole.normal), settings)
+    return replace(whole, twins=twins, sources=sources, reversed=turned)
 
 
 def reflected(points: Floats, symmetry: Symmetry) -> Floats:

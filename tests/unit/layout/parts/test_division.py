@@ -1,0 +1,114 @@
+"""Parts of made-up characters: told by geometry and skin, each laid out at its own scale."""
+
+from dataclasses import replace
+
+import limbs
+import makers
+import numpy as np
+import pytest
+
+from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.parts.division import divide
+from usdrigui.pipeline.stages import LaidPart, divided, joined, joined_assignment, layout_of, part_problem
+from usdrigui.rotation import rotations
+from usdrigui.settings import Settings, load
+from usdrigui.solve import solve
+
+BODY = limbs.whole_body()
+
+
+def named(rig, settings=None):
+    """By part, the joints of its controls and the controls themselves."""
+    settings = settings or Settings()
+    parts = divide(rig, trajectories(rig, settings.trajectories), settings)
+    return {part.name: {rig.controls[control].name for control in part.controls} for part in parts}
+
+
+def posed(rig, seed=3):
+    """The same character with every joint turned by up to half a radian in its rest pose."""
+    turns = rotations(0.5 * np.random.default_rng(seed).uniform(-1.0, 1.0, (len(rig.joints), 3)))
+    joints, world = [], []
+    for joint, turn in zip(rig.joints, turns, strict=True):
+        local = joint.rest.copy()
+        local[:3, :3] = turn @ local[:3, :3]
+        world.append(local @ world[joint.parent] if joint.parent >= 0 else local)
+        joints.append(replace(joint, rest=local, base=local))
+    return replace(rig, joints=tuple(joints))
+
+
+@pytest.mark.parametrize(
+    "rig",
+    [BODY, limbs.whole_body("Head"), posed(BODY), limbs.with_default_controls(limbs.flattened(limbs.hand_rig()))],
+    ids=["no name", "head named", "posed", "hand alone"],
+)
+def test_joints_are_told_apart_into_face_hands_and_body(rig):
+    found = named(rig)
+    fingers = {name for part in found.values() for name in part if "curl" in name or "spread" in name}
+    if len(found) == 1:
+        assert found == {"hands": {control.name for control in rig.controls}}
+        return
+    assert list(found) == ["face", "hands", "body"]
+    assert found["hands"] == fingers
+    assert {name.partition(":")[0] for name in found["face"]} == {f"k{k}" for k in range(9)}
+    assert len(found["hands"]) == 16
+
+
+def laid_out(rig):
+    """Every part of a rig, laid out one after the other."""
+    character, laid = divided(rig, Settings()), []
+    for part in character.parts:
+        inputs = part_problem(character, part, [element for each in laid for element in each.layout.elements])
+        found = solve(inputs.placement.problem, inputs.settings.solve)
+        laid.append(LaidPart(inputs, layout_of(inputs, found), found))
+    return laid
+
+
+def width_of_face(rig):
+    """Handle width of the first part of a rig."""
+    character = divided(rig, Settings())
+    return part_problem(character, character.parts[0]).face.handle_width
+
+
+def test_a_body_does_not_change_the_handles_of_its_face():
+    alone = replace(BODY, controls=tuple(c for c in BODY.controls if c.name in named(BODY)["face"]))
+    assert width_of_face(BODY) == width_of_face(alone)
+    sizes = [trajectories(rig, Settings().trajectories).face_size for rig in (BODY, alone)]
+    assert sizes[0] > 5.0 * sizes[1]
+
+
+def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
+    laid = laid_out(BODY)
+    whole, sums = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
+    assert [part.name for part in whole.parts] == ["face", "hands", "body"]
+    assert whole.cost == pytest.approx(sum(part.cost for part in whole.parts)) == sums.cost
+    standing = [element for element in whole.elements if not element.anchor.on_board]
+    assert {element.part for element in standing} == {"face", "hands", "body"}
+    for number, one in enumerate(standing):
+        for other in standing[number + 1 :]:
+            apart = np.linalg.norm(one.anchor.position - other.anchor.position)
+            assert apart >= max(whole.handle_width_of(one), whole.handle_width_of(other)) * (1.0 - 1e-9)
+
+
+def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
+    points, owners = BODY.meshes[0].points, BODY.meshes[0].skin.joints[:, 0]
+    paths = [joint.path for joint in BODY.joints]
+    on = {"smile": "h/s/t/n/e/k0", "swallow": "h/s/t/n", "biceps": "h/s/t/a0/a1", "nail": "h/s/t/a0/a1/a2/af00/af01"}
+    shapes = [0.01 * (owners == paths.index(path))[:, None] * np.array([0.0, 0.0, 1.0]) for path in on.values()]
+    mesh = replace(BODY.meshes[0], shapes=tuple(makers.shape(i, each) for i, each in enumerate(shapes)))
+    made = replace(makers.rig_of_meshes([mesh], list(on)), joints=BODY.joints, skeletons=BODY.skeletons)
+    assert len(points) == len(owners)
+    assert named(made) == {"face": {"smile", "swallow"}, "hands": {"nail"}, "body": {"biceps"}}
+
+
+def test_the_configuration_names_parts_and_keeps_groups_together():
+    nose, pair = "k4:rx", ("k0:rx", "k8:rx")
+    moved = named(
+        BODY, load({"parts": {"controls": {nose: "nose", pair[1]: "ears"}}, "groups": {"groups": {"g": pair}}})
+    )
+    assert moved["nose"] == {nose}
+    assert set(pair) <= moved["face"]
+    assert "ears" not in moved
+
+
+def test_a_face_is_one_part():
+    assert list(named(makers.face())) == ["face"]

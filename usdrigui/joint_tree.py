@@ -1,0 +1,243 @@
+"""The joints of a character as one tree: what hangs on what, what skin each owns, and which chains run side by side.
+
+What a tree tells is read from where the joints are and what skin hangs on them, never from names.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from usdrigui.model import Floats, Joint, RigMesh
+from usdrigui.rotation import rotation_part
+
+FINGERS = 3
+"""Chains of a fan, at least; and joints of a finger that curl, at most."""
+_OWNS = 1e-3
+"""Largest weight below which no skin hangs on a joint."""
+_PARALLEL = 0.6
+"""Least cosine of a chain to the mean direction of its fan; a thumb stays ahead."""
+_ON_PLANE = 0.02
+"""Share of the skeleton's size within which a joint lies on the mirror plane."""
+_AIM = 0.95
+"""Least cosine of the axis along which a joint of a flat skeleton looks to the next joint."""
+_AHEAD = 0.5
+"""The same for a joint that no other looks at so closely."""
+_STRAIGHT = 8
+"""Power of that cosine by which a distance is divided: the next joint lies straight ahead rather than near."""
+
+
+@dataclass(frozen=True, eq=False)
+class Tree:
+    """Joints as they hang together, at the base pose in the space of their Skeleton."""
+
+    joints: tuple[Joint, ...]
+    meshes: tuple[RigMesh, ...]
+
+    @cached_property
+    def world(self) -> Floats:
+        """(joints, 4, 4)"""
+        found: list[Floats] = []
+        for joint in self.joints:
+            found.append(joint.base @ found[joint.parent] if joint.parent >= 0 else joint.base)
+        return np.array(found).reshape(-1, 4, 4)
+
+    @cached_property
+    def places(self) -> Floats:
+        """(joints, 3)"""
+        return np.asarray(self.world[:, 3, :3])
+
+    @cached_property
+    def frames(self) -> Floats:
+        """(joints, 3, 3) rows are the own axes of each joint."""
+        return rotation_part(self.world)
+
+    @property
+    def flat(self) -> bool:
+        """Whether every joint is a root, as authored."""
+        return all(joint.parent < 0 for joint in self.joints)
+
+    @cached_property
+    def parents(self) -> tuple[int, ...]:
+        """As authored; where all joints of a flat skeleton are roots, as they look at each other."""
+        authored = tuple(joint.parent for joint in self.joints)
+        return authored if not self.flat else _looking(self.places, self.frames)
+
+    @cached_property
+    def children(self) -> tuple[tuple[int, ...], ...]:
+        """Of each joint those below it, by `parents`."""
+        found: list[list[int]] = [[] for _ in self.joints]
+        for joint, parent in enumerate(self.parents):
+            if parent >= 0:
+                found[parent].append(joint)
+        return tuple(tuple(each) for each in found)
+
+    @cached_property
+    def skin(self) -> tuple[tuple[Floats, Floats], ...]:
+        """Of each joint the points (p, 3) on which it acts, bound, and its weights (p,)."""
+        parts: list[list[tuple[Floats, Floats]]] = [[] for _ in self.joints]
+        for mesh in self.meshes:
+            if mesh.skin is None:
+                continue
+            bound = mesh.points @ mesh.skin.geom_bind[:3, :3] + mesh.skin.geom_bind[3, :3]
+            points, weights, present, starts = mesh.skin.by_joint
+            for row, joint in enumerate(present.tolist()):
+                part = slice(starts[row], starts[row + 1])
+                parts[joint].append((bound[points[part]], weights[part]))
+        empty = (np.zeros((0, 3)), np.zeros(0))
+        return tuple(
+            (np.concatenate([p for p, _ in each]), np.concatenate([w for _, w in each])) if each else empty
+            for each in parts
+        )
+
+    @cached_property
+    def owners(self) -> frozenset[int]:
+        """The joints on which skin hangs."""
+        return frozenset(i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > _OWNS)
+
+    @cached_property
+    def depth(self) -> tuple[int, ...]:
+        """Joints with skin in the longest chain from each joint down, itself included."""
+        found = [0] * len(self.joints)
+        for joint in self.from_the_ends():
+            below = max((found[child] for child in self.children[joint]), default=0)
+            found[joint] = below + (joint in self.owners)
+        return tuple(found)
+
+    def from_the_ends(self) -> list[int]:
+        """Every joint after its children."""
+        order = [joint for joint, parent in enumerate(self.parents) if parent < 0]
+        for joint in order:
+            order.extend(self.children[joint])
+        return order[::-1]
+
+    def next(self, joint: int) -> int:
+        """The child that carries the chain on, or -1 at its end; a child without skin ends the last bone."""
+        children = self.children[joint]
+        length = {child: float(np.linalg.norm(self.places[child] - self.places[joint])) for child in children}
+        return max(children, key=lambda child: (self.depth[child], length[child], -child), default=-1)
+
+    def chain(self, joint: int) -> tuple[int, ...]:
+        """The joints with skin from `joint` down if they are one chain, with no more than single joints beside it."""
+        found: list[int] = []
+        while joint >= 0 and self.depth[joint]:
+            found.append(joint)
+            ahead = self.next(joint)
+            if any(self.depth[child] > 1 for child in self.children[joint] if child != ahead):
+                return ()
+            joint = ahead
+        return tuple(found)
+
+    def direction(self, chain: Sequence[int]) -> Floats:
+        """(3,) unit vector along a chain."""
+        end = self.next(chain[-1])
+        return unit(self.places[end if end >= 0 else chain[-1]] - self.places[chain[0]])
+
+    def bend(self, chain: Sequence[int]) -> Floats:
+        """(3,) sum of the cross products of successive unit bones: the axis about which a chain is bent already."""
+        ends = [*chain, *([self.next(chain[-1])] if self.next(chain[-1]) >= 0 else [])]
+        bones = [unit(self.places[b] - self.places[a]) for a, b in pairwise(ends)]
+        crosses = [np.cross(a, b) for a, b in pairwise(bones)]
+        return np.sum(crosses, axis=0) if crosses else np.zeros(3)
+
+    def own(self, joint: int, axis: Floats) -> Floats:
+        """(3,) an axis in the frame of a joint."""
+        return np.asarray(self.frames[joint] @ axis)
+
+    @cached_property
+    def mirror(self) -> tuple[int, float] | None:
+        """Axis and offset of the plane that mirrors the joints; None where none does."""
+        size = float(np.ptp(self.places, axis=0).max()) or 1.0
+        for axis in range(3):
+            middle = float(self.places[list(self.owners)][:, axis].mean())
+            image = self.places.copy()
+            image[:, axis] = 2.0 * middle - image[:, axis]
+            apart = np.linalg.norm(image[:, None] - self.places[None], axis=2).min(axis=1)
+            off = np.abs(self.places[:, axis] - middle) > _ON_PLANE * size
+            if off.sum() >= 0.3 * len(off) and np.mean(apart < _ON_PLANE * size) > 0.8:
+                return axis, middle
+        return None
+
+
+@dataclass(frozen=True, eq=False)
+class Fan:
+    """Chains that run side by side from one joint: the fingers of a hand, toes, strands of hair."""
+
+    joint: int
+    chains: tuple[tuple[int, ...], ...]
+    """Joints with skin, metacarpals included."""
+    directions: Floats
+    """(chains, 3) unit vectors."""
+    middle: Floats
+    """(3,) unit vector: the direction that most of them have."""
+
+
+def fans(tree: Tree) -> list[Fan]:
+    """The fans of at least three chains of two joints or more, in the order of their joints."""
+    found = []
+    for joint in range(len(tree.joints)):
+        chains = [chain for child in tree.children[joint] if len(chain := tree.chain(child)) >= 2]
+        if len(chains) < FINGERS:
+            continue
+        directions = np.array([tree.direction(chain[-FINGERS:]) for chain in chains])
+        middle = unit(np.median(directions, axis=0))
+        ahead = directions @ middle
+        if (ahead >= _PARALLEL).sum() >= FINGERS:
+            kept = [i for i in range(len(chains)) if ahead[i] > 0.0]
+            found.append(Fan(joint, tuple(chains[i] for i in kept), directions[kept], middle))
+    return found
+
+
+def on_plane(tree: Tree, joint: int) -> bool:
+    """Whether a joint lies on the plane that mirrors the joints."""
+    if tree.mirror is None:
+        return False
+    axis, middle = tree.mirror
+    return abs(float(tree.places[joint, axis]) - middle) < _ON_PLANE * float(np.ptp(tree.places, axis=0).max())
+
+
+def unit(vector: Floats) -> Floats:
+    """(3,) the vector at length 1; zero stays zero."""
+    return np.asarray(vector / max(float(np.linalg.norm(vector)), 1e-30))
+
+
+# --- flat skeletons ----------------------------------------------------------------------------------
+
+
+def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
+    """A parent for each joint of a flat skeleton, or -1: the nearest one that looks at it along the axis by which most
+    joints of the skeleton look at another; what is left hangs on a root that has it ahead."""
+    way = places[None] - places[:, None]
+    apart = np.linalg.norm(way, axis=2)
+    apart[apart == 0.0] = np.inf
+    best: list[int] = [-1] * len(places)
+    for aim in (sign * frames[:, row] for row in range(3) for sign in (1.0, -1.0)):
+        ahead = np.einsum("ijk,ik->ij", way, aim)
+        cosine = np.maximum(ahead / apart, 1e-3)
+        reach = apart / cosine**_STRAIGHT
+        parents = _linked([-1] * len(places), np.where(cosine >= _AIM, reach, np.inf), places)
+        if sum(parent >= 0 for parent in parents) > sum(parent >= 0 for parent in best):
+            best = _linked(parents, np.where(cosine >= _AHEAD, reach, np.inf), places, roots_only=True)
+    return tuple(best)
+
+
+def _linked(parents: list[int], reach: Floats, places: Floats, *, roots_only: bool = False) -> list[int]:
+    """The parents with those added that see a joint without one, at distances `reach` (joints, joints): the nearest
+    pairs first, no joint below itself; `roots_only` joints that have no parent either."""
+    parents = list(parents)
+    if not roots_only:
+        reach = np.where(reach <= reach.min(axis=1, keepdims=True), reach, np.inf)
+    for pair in np.argsort(reach, axis=None, kind="stable"):
+        joint, target = divmod(int(pair), len(places))
+        if not np.isfinite(reach[joint, target]):
+            break
+        above, at = {joint}, joint
+        while (at := parents[at]) >= 0:
+            above.add(at)
+        if parents[target] < 0 and target not in above and not (roots_only and parents[joint] >= 0):
+            parents[target] = joint
+    return parents

@@ -1,0 +1,166 @@
+"""The parts of a character: which controls are laid out together, at one scale.
+
+A control of a joint is of the part of its joint, every other control of the part whose skin it moves most.  A rig that
+is a face alone, or a hand, is one part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from usdrigui.layout.parts.joint_regions import BODY, FACE, FEET, HANDS, JointRegions, joint_regions, owner_of_points
+from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Trajectories
+from usdrigui.settings import Settings
+from usdrigui.ties import first_largest
+
+ORDER = (FACE, HANDS, FEET)
+"""Parts that are laid out first, in this order; the body comes last, for its handles are the widest."""
+_NEAR = 0.5
+"""A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of the face."""
+_MOST = 0.9
+"""Share of a motion, area times distance, that has to lie there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Part(Record):
+    """One part of a character."""
+
+    name: str
+    """``face``, ``hands``, ``feet``, ``body``, or as the configuration calls it."""
+    controls: frozenset[int]
+    """Indices of its controls."""
+    excluded: frozenset[int] = frozenset()
+    """Indices into `Rig.excluded`: controls that count for how large the part is."""
+
+
+def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
+    """The parts of a character in the order in which they are laid out: face, hands, feet, others, body.
+
+    Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and so they are where
+    the skeleton tells no parts; controls that the configuration groups or pairs stay together.
+    """
+    regions = joint_regions(rig, found)
+    tell = _Names(rig, found, regions).of if regions is not None else _face
+    names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
+    if not settings.parts.divide:
+        names = dict.fromkeys(names, main_part(names.values()))
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    names |= {index[name]: part for name, part in settings.parts.controls.items() if index.get(name) in names}
+    names = _together(names, _bound(settings, index))
+    known = sorted(set(names.values()), key=_rank)
+    left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
+    main = main_part(known)
+    left_out = {control: name if name in known else main for control, name in left_out.items()}
+    return tuple(Part(name, _named(names, name), _named(left_out, name)) for name in known)
+
+
+def _face(control: Control, motion: Motion) -> str:
+    """The part of a control where the skeleton tells nothing."""
+    del control, motion
+    return FACE
+
+
+def _named(names: Mapping[int, str], name: str) -> frozenset[int]:
+    return frozenset(control for control, own in names.items() if own == name)
+
+
+def main_part(parts: Iterable[str]) -> str:
+    """The name of the part that stands for the character: its face, else its body."""
+    known = sorted(set(parts), key=_rank)
+    return next((name for name in (FACE, BODY) if name in known), known[0])
+
+
+def _rank(name: str) -> tuple[int, str]:
+    order = {each: place for place, each in enumerate(ORDER)}
+    return (len(ORDER) + 1 if name == BODY else order.get(name, len(ORDER))), name
+
+
+def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
+    """The settings without the groups and levels that only controls of other parts have."""
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+
+    def concerns(names: Iterable[str]) -> bool:
+        controls = _controls(names, settings, index)
+        return not controls or not part.controls.isdisjoint(controls)
+
+    groups = {name: each for name, each in settings.groups.groups.items() if concerns(each)}
+    members = {name: each for name, each in settings.levels.members.items() if concerns((name, *each))}
+    return replace(
+        settings,
+        groups=replace(settings.groups, groups=groups),
+        levels=replace(settings.levels, members=members),
+    )
+
+
+def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
+    """Controls that the configuration makes one element, shows in each other's place, or mirrors."""
+    said = [*settings.groups.groups.values()]
+    said += [(name, *members) for name, members in settings.levels.members.items()]
+    said += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
+    return [_controls(names, settings, index) for names in said]
+
+
+def _controls(names: Iterable[str], settings: Settings, index: Mapping[str, int]) -> list[int]:
+    """The controls that bear some names, and those of the elements that do."""
+    found = []
+    for name in names:
+        own = settings.groups.groups.get(name, (name,))
+        found += [index[each] for each in own if each in index]
+        if name not in index and name not in settings.groups.groups:
+            found += [i for control, i in index.items() if name.startswith(f"{control}_")]
+    return found
+
+
+def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:
+    """The parts with every bound control in the part of the first of them."""
+    for controls in bound:
+        present = [control for control in controls if control in names]
+        for control in present:
+            names[control] = names[present[0]]
+    return names
+
+
+class _Names:
+    """Tells the part of each control by the regions of the joints."""
+
+    def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions) -> None:
+        self.rig, self.found, self.regions = rig, found, regions
+        self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
+        self.skin = self._skin(owner_of_points(rig))
+        self.near_face = self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
+
+    def of(self, control: Control, motion: Motion) -> str:
+        """The part of a control."""
+        if control.kind == "joint" and len(control.drive.joints):
+            driven = control.drive.joints.tolist()
+            own: int = next((i for i in driven if self.rig.joints[i].path == control.source), driven[0])
+            return self.regions.of_joint[own]
+        mass = self.found.areas[motion.points] * motion.arc_length
+        total = float(mass.sum())
+        if self.near_face is not None and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total:
+            return FACE
+        masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
+        return self.known[first_largest(masses)]
+
+    def _skin(self, owners: Indices) -> Indices:
+        """(n,) index into `known` of the part of each point; that of the nearest skin where nothing holds it."""
+        own = np.array([self.known.index(name) for name in self.regions.of_skin])
+        held = owners >= 0
+        found = np.where(held, own[np.maximum(owners, 0)], 0)
+        if not held.all():
+            _, nearest = cKDTree(self.found.base[held]).query(self.found.base[~held])
+            found[~held] = found[held][nearest]
+        return found
+
+    def _near(self, face: Flags) -> Flags:
+        """(n,) the points no further from the face than half of the head's extent."""
+        if not face.any():
+            return face
+        base = self.found.base
+        extent = float(np.ptp(base[face], axis=0).max())
+        apart, _ = cKDTree(base[face]).query(base, distance_upper_bound=_NEAR * extent)
+        return np.asarray(np.isfinite(apart))

@@ -1,0 +1,178 @@
+"""Which joints and which skin are the face, the hands, the feet and the body.
+
+A head is told by its joint's name; where none says so, by the many joints without joints below that hang on it (a face
+driven by joints), or by the skin that the blend shapes move.  Fans of chains that carry on a limb are fingers and toes.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdrigui.conventions import words
+from usdrigui.joint_tree import Fan, Tree, fans, unit
+from usdrigui.model import Flags, Indices, Rig, Trajectories
+from usdrigui.ties import first_largest
+
+FACE, HANDS, FEET, BODY = "face", "hands", "feet", "body"
+
+_HEAD = ("head", "頭")
+_FACIAL = 6
+"""Joints without joints below on one joint that make it a head."""
+_LIMB = 3
+"""Joints with skin in a chain beside the spine, the hands and the feet that make a body."""
+_VOTES = 0.9
+"""Share of the blend shapes whose skin hangs below the head, where they alone tell it."""
+_LOW = 0.25
+"""Share of a headless character's height below which chains side by side are toes."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointRegions:
+    """Which part each joint belongs to, and which part its skin belongs to."""
+
+    of_joint: tuple[str, ...]
+    """(joints,) A head and a wrist turn all that hangs on them: they are joints of the body."""
+    of_skin: tuple[str, ...]
+    """(joints,) The skin of a head is of the face, that of a wrist of the hand."""
+
+
+def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
+    """The regions of a rig's joints; None for a rig that is not skinned to several joints."""
+    tree = Tree(rig.joints, rig.meshes)
+    if len(tree.owners) < 2:
+        return None
+    heads = _heads(rig, tree, found)
+    spine = _spine(tree, heads)
+    of_joint, of_skin = [BODY] * len(rig.joints), [BODY] * len(rig.joints)
+    ends = [fan for fan in fans(tree) if _carries_on(tree, fan) and not heads & {fan.joint, *_above(tree, fan.joint)}]
+    for fan in ends:
+        name, fingers = _end(rig, tree, fan, spine), _below(tree, [chain[0] for chain in fan.chains])
+        for joint in fingers:
+            of_joint[joint] = of_skin[joint] = name
+        of_skin[fan.joint] = name
+    for joint in _below(tree, heads):
+        of_joint[joint] = BODY if joint in heads else FACE
+        of_skin[joint] = FACE
+    if not _has_limb(tree, {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)):
+        rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
+        of_joint = [rest if name == BODY else name for name in of_joint]
+        of_skin = [rest if name == BODY else name for name in of_skin]
+    return JointRegions(tuple(of_joint), tuple(of_skin))
+
+
+def owner_of_points(rig: Rig) -> Indices:
+    """(n,) the joint that holds each point most firmly, -1 for points of meshes that are not skinned."""
+    parts = []
+    for mesh in rig.meshes:
+        if mesh.skin is None or not mesh.skin.joints.shape[1]:
+            parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
+            continue
+        strongest = np.argmax(mesh.skin.weights, axis=1)
+        parts.append(mesh.skin.joints[np.arange(len(mesh.points)), strongest].astype(np.int64))
+    return np.concatenate(parts)
+
+
+# --- the head ----------------------------------------------------------------------------------------
+
+
+def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
+    """The joint of the head, of each skeleton that has one."""
+    named = {i for i, joint in enumerate(rig.joints) if _is_head(joint.path) and _skinned_below(tree, i)}
+    if named:
+        return frozenset(i for i in named if not named & set(_above(tree, i)))
+    leaves = [sum(tree.depth[child] == 1 for child in children) for children in tree.children]
+    roots = {i for i, parent in enumerate(tree.parents) if parent < 0}
+    facial = [0 if i in roots else count for i, count in enumerate(leaves)]
+    if max(facial) >= _FACIAL:
+        return frozenset({int(np.argmax(facial))})
+    return _by_shapes(rig, tree, found)
+
+
+def _is_head(path: str) -> bool:
+    last = path.rsplit("/", 1)[-1]
+    return bool(set(words(last)) & set(_HEAD)) or last in _HEAD
+
+
+def _skinned_below(tree: Tree, joint: int) -> bool:
+    return tree.depth[joint] > 0
+
+
+def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
+    """The joint furthest down below which nearly all blend shapes move skin; none where that is the root."""
+    owners, votes = owner_of_points(rig), Counter[int]()
+    for motion in found.motions:
+        if rig.controls[motion.control].kind == "blendShape":
+            mass = np.bincount(owners[motion.points] + 1, found.areas[motion.points] * motion.arc_length)
+            votes[first_largest(mass.astype(np.float64)) - 1] += 1
+    total = sum(votes.values())
+    below = Counter[int]()
+    for joint, count in votes.items():
+        for above in (joint, *_above(tree, joint)):
+            below[above] += count
+    wide = [joint for joint, count in below.items() if joint >= 0 and count >= _VOTES * total]
+    deepest = max(wide, key=lambda joint: (len(list(_above(tree, joint))), -joint), default=-1)
+    return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
+
+
+# --- limbs -------------------------------------------------------------------------------------------
+
+
+def _carries_on(tree: Tree, fan: Fan) -> bool:
+    """Whether the chains run on where the bone before them leads: hair and skirts hang back."""
+    before = tree.parents[fan.joint]
+    while before >= 0 and (tree.places[before] == tree.places[fan.joint]).all():
+        before = tree.parents[before]
+    return before < 0 or float(unit(tree.places[fan.joint] - tree.places[before]) @ fan.middle) > 0.0
+
+
+def _end(rig: Rig, tree: Tree, fan: Fan, spine: list[int]) -> str:
+    """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the bottom."""
+    leaves = [spine.index(joint) for joint in _above(tree, fan.joint) if joint in spine]
+    if leaves:
+        return HANDS if leaves[0] > 0.5 * (len(spine) - 1) else FEET
+    heights = tree.places @ rig.up
+    span = float(np.ptp(heights)) or 1.0
+    own = {fan.joint, *_below(tree, [chain[0] for chain in fan.chains])}
+    alone = len(tree.owners - own) < _LIMB
+    return HANDS if alone or heights[fan.joint] - heights.min() > _LOW * span else FEET
+
+
+def _has_limb(tree: Tree, joints: set[int]) -> bool:
+    """Whether a chain of several of the joints has skin."""
+    longest = [0] * len(tree.joints)
+    for joint in tree.from_the_ends():
+        if joint in joints:
+            below = max((longest[child] for child in tree.children[joint]), default=0)
+            longest[joint] = below + (joint in tree.owners)
+    return max(longest) >= _LIMB
+
+
+def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:
+    """The joints from the root to above the first head, in this order."""
+    return list(_above(tree, min(heads)))[::-1] if heads else []
+
+
+def _above(tree: Tree, joint: int) -> Iterator[int]:
+    """The joints from the parent up to the root."""
+    while (joint := tree.parents[joint] if joint >= 0 else -1) >= 0:
+        yield joint
+
+
+def _below(tree: Tree, joints: Iterable[int]) -> set[int]:
+    """The joints and all that hangs on them."""
+    found, pending = set[int](), list(joints)
+    while pending:
+        joint = pending.pop()
+        found.add(joint)
+        pending.extend(tree.children[joint])
+    return found
+
+
+def points_of(names: tuple[str, ...], owners: Indices, name: str) -> Flags:
+    """(n,) the points whose joint's skin is of a part; `owners` (n,) as of `owner_of_points`."""
+    own = np.array([each == name for each in (*names, "")], dtype=np.bool_)
+    return own[owners]
