@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from types import ModuleType
 from typing import Any
@@ -33,7 +33,7 @@ from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_matrix
 from usdrigui.solve.reduced_problem import ReducedProblem, Solution
-from usdrigui.solve.triplets import tightened
+from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
 ENUMERATE = SolveSettings(method="enumerate")
@@ -165,7 +165,7 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, so
         labels.pool.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
     )
     if solver == "highs with triplets":
-        left = tightened(left, best.cost + 1e-5, budget)
+        raise_bound(left, budget)
     assert left is not None
     left.normalize()
 
@@ -304,6 +304,45 @@ def test_a_best_cost_of_nothing_is_proved() -> None:
     assert found.status == "optimal"
     assert abs(found.cost) < 1e-3
     assert found.gap <= 1e-4
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_gap_of_nothing_is_proved(seed: int) -> None:
+    found = solve(crowd(seed, variables=4, candidates=12), replace(HIGHS, gap=0.0))
+    assert (found.status, found.gap < 1e-9) == ("optimal", True)
+
+
+@pytest.mark.parametrize("seed", [6, 8, 10])
+def test_no_row_is_stated_twice(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    stated: list[tuple[bytes, ...]] = []
+    honest = milp._Program._add
+
+    def added(program: milp._Program, rows: Sequence[milp.Row], low: float, high: float) -> None:
+        stated.append(tuple(b"".join(part.tobytes() for part in row) for row in rows))
+        honest(program, rows, low, high)
+
+    monkeypatch.setattr(milp._Program, "_add", added)
+    by_program(monkeypatch)
+    solve(crowd(seed, variables=3, candidates=10), HIGHS)
+    assert any(stated)
+    assert all(len(rows) == len({*rows}) for rows in stated)
+
+
+def test_a_linear_program_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever asks while HiGHS works at the first linear program need not wait for its end."""
+    iterations: list[int] = []
+    honest = milp._Program._interrupt_simplex
+
+    def asked(program: milp._Program, event: Any) -> None:
+        iterations.append(event.data_out.simplex_iteration_count)
+        honest(program, event)
+
+    monkeypatch.setattr(milp._Program, "_interrupt_simplex", asked)
+    by_program(monkeypatch)
+    found = solve(crowd(2, variables=6, candidates=40), HIGHS, stop=lambda: len(iterations) > 3)
+    assert (found.status, found.closed_by) == ("stopped", "interrupt")
+    assert found.bound <= found.cost
+    assert len(iterations) < 40
 
 
 def test_a_method_without_a_proof_names_no_limit() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from dataclasses import fields, replace
 from pathlib import Path
 
@@ -17,6 +18,9 @@ from usdrigui.model import ExtraPairs, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, partition, save_problem, solve
+from usdrigui.solve.budget import Budget
+from usdrigui.solve.reduced_problem import ReducedProblem
+from usdrigui.solve.toulbar2 import solve_by_toulbar2
 
 
 def best_or_none(problem: LayoutProblem, method: str) -> float | None:
@@ -122,6 +126,19 @@ def test_toulbar2_agrees_where_costs_are_huge(seed: int) -> None:
     assert theirs.bound <= ours.cost
     assert theirs.cost == pytest.approx(ours.cost)
     assert theirs.status == "optimal"
+
+
+def test_toulbar2_is_ended_when_the_run_is_to_stop() -> None:
+    """Sixty variables that all interact: it would take hours."""
+    pytest.importorskip("pytoulbar2")
+    owner = np.repeat(np.arange(60), 15)
+    pairs = np.where(owner[:, None] < owner, np.random.default_rng(0).uniform(0.0, 1.0, (900, 900)), 0.0)
+    began = time.monotonic()
+    budget = Budget(SolveSettings(), stop=lambda: time.monotonic() - began > 1.0)
+    problem = ReducedProblem(owner, np.arange(900), np.zeros(900), pairs)
+    found = solve_by_toulbar2(problem, np.zeros(900), pairs, 1e4, budget)
+    assert (found.chosen, found.bound, budget.limit) == (None, problem.bound(), "interrupt")
+    assert time.monotonic() - began < 5.0
 
 
 def test_toulbar2_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

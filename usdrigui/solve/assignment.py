@@ -44,8 +44,9 @@ def assignment(problem: LayoutProblem, labels: Labels, chosen: Indices, budget: 
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {_stuck(problem, chosen)}")
     rounding = SAFETY * (abs(budget.bound) + float(np.abs(labels.best).sum()))
     bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf
-    # What is taken off for rounding keeps no gap open: a bound that reaches the cost proves it at a gap of 0, too.
-    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR) + rounding
+    # A bound that reaches the cost proves it at a gap of 0, too: neither what is taken off for rounding nor the sums of
+    # the two costs, in other orders, keep it open.
+    closed = cost - bound <= budget.settings.gap * max(abs(cost), GAP_FLOOR) + 2 * rounding
     return Assignment(
         labels=chosen,
         cost=cost,

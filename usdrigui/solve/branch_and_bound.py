@@ -17,7 +17,7 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
 from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution, reduced
 
-ONE_BY_ONE = 5
+ONE_BY_ONE = 8
 """Labels of a variable up to which a node tries them one by one; beyond, it parts them in two."""
 LIKELY = 0.25
 """Excess at which a label counts 1/e where labels are parted, as a share of the distance to the cutoff."""

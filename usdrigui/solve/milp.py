@@ -14,7 +14,7 @@ of the problem, and a solution that violates no row is optimal.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -66,6 +66,8 @@ class _Program:
         self._highs.cbSimplexInterrupt.subscribe(self._interrupt_simplex)
         self._infinity = highspy.kHighsInf
         self._rows = 0
+        self._stated: list[bytes] = []
+        """Rows added since the first, in order: HiGHS's tolerances let a solution violate them a little."""
         self._nodes = 0
         self._bound = self._base
         self._lp_bound = self._base
@@ -129,11 +131,11 @@ class _Program:
             rows = self._violated()
             if not rows:
                 break
-            self._add(rows, 0.0, self._infinity)
+            self._add_violated(rows)
         return True
 
     def _whole(self) -> None:
-        """The same with whole labels."""
+        """The same with whole labels; a solution that violates no row but those it knows is optimal."""
         import highspy
 
         count = len(self._problem.costs)
@@ -155,7 +157,7 @@ class _Program:
             rows = self._violated()
             if not rows or self._bound >= self._limit or self._stopped():
                 return
-            self._add(rows, 0.0, self._infinity)
+            self._add_violated(rows)
 
     def _interrupt_simplex(self, event: highspy.HighsCallbackEvent) -> None:
         """End a linear program at a limit of the run; its iterations count when it is done."""
@@ -214,10 +216,16 @@ class _Program:
 
     # --- rows ------------------------------------------------------------------------------------------
 
-    def _violated(self) -> list[Row]:
+    def _violated(self) -> dict[bytes, Row]:
+        """Rows that the solution violates and that are not stated yet, each once."""
         values = self._values()
         tables: list[_Table | _TripletTable] = [*self._tables, *self._triplets]
-        return [row for table in tables for row in table.violated(values)]
+        found = {_key(row): row for table in tables for row in table.violated(values)}
+        return {key: row for key, row in found.items() if key not in self._stated}
+
+    def _add_violated(self, rows: Mapping[bytes, Row]) -> None:
+        self._add(list(rows.values()), 0.0, self._infinity)
+        self._stated += rows
 
     def _add(self, rows: Sequence[Row], low: float, high: float) -> None:
         if not rows:
@@ -246,6 +254,8 @@ class _Program:
         slack = self._fixed_rows + np.flatnonzero(np.abs(duals) <= EPSILON)
         self._highs.deleteRows(len(slack), slack.astype(np.int32))
         self._rows -= len(slack)
+        kept = [key for key, dual in zip(self._stated, duals, strict=False) if abs(dual) > EPSILON]
+        self._stated = kept + self._stated[len(duals) :]
 
 
 class _Table:
@@ -309,6 +319,10 @@ class _TripletTable:
         other_lift = np.maximum((own - mine).max(axis=1), 0.0)
         lift = np.maximum((own - other_lift[:, None] - costs).max(axis=(1, 2)), 0.0)
         return _row(self._column, (third, -own), (other, other_lift), (one, lift))
+
+
+def _key(row: Row) -> bytes:
+    return row[0].tobytes() + row[1].tobytes()
 
 
 def _row(column: int, *parts: tuple[slice, Floats]) -> Row:

@@ -15,7 +15,7 @@ from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_matrix, refined
 from usdrigui.solve.partition import first_blocks, split
 from usdrigui.solve.reduced_problem import ReducedProblem, reduced
-from usdrigui.solve.triplets import tightened
+from usdrigui.solve.triplets import AT_ONCE, raise_bound
 
 STEP = "blocks"
 """Name of the reduction in what is told of it."""
@@ -31,6 +31,8 @@ FRUSTRATED = 0.7
 """Share of the distance to the cutoff that the blocks' own solution must leave before triplets are looked for."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
+STALLED = 0.05
+"""Share of the distance to the cutoff by which triplets must raise the bound to go on."""
 SLOW = 0.1
 """Share of what the bound misses by which it rises slowly."""
 
@@ -202,19 +204,21 @@ def _excluded(partition: Partition | None, budget: Budget) -> Partition | None:
 
 
 def _tightened(partition: Partition, budget: Budget) -> Partition | None:
-    """The same after triplets have raised the bound, without the pairs that it excludes."""
-    left: ReducedProblem | None = partition.problem
-    while left is not None and not budget.stopped():
-        before = len(left.costs)
-        left = tightened(left, budget.cutoff, budget)
-        if left is not None:
-            if len(left.costs) <= LARGEST_TESTED:
-                budget.spend(len(left.costs) ** 3 // 1024)
-                left.exclude_pairs(budget.cutoff)
-            left = reduced(left, budget.cutoff)
-        if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
+    """The same after triplets have raised the bound, without what it excludes, as long as this gains anything."""
+    found: Partition | None = partition
+    while found is not None:
+        before, bound = len(found.problem.costs), found.problem.bound()
+        new = raise_bound(found.problem, budget)
+        found = _excluded(_restricted(found, reduced(found.problem, budget.cutoff), budget), budget)
+        if found is not None and found.exact:
+            found = _undominated(found, budget)
+        if found is None or budget.stopped():
             break
-    return _restricted(partition, left, budget)
+        rise, left = found.problem.bound() - bound, budget.cutoff - found.problem.bound()
+        few_gone = len(found.problem.costs) > (1.0 - FEW_GONE) * before
+        if left <= 0 or (few_gone and rise < STALLED * left and new < AT_ONCE):
+            break
+    return found
 
 
 def _restricted(partition: Partition, left: ReducedProblem | None, budget: Budget) -> Partition | None:

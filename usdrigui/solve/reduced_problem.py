@@ -52,16 +52,13 @@ class ReducedProblem:
         self.count = int(owner[-1]) + 1 if len(owner) else 0
         self.start = np.searchsorted(owner, np.arange(self.count + 1))
         """(count + 1,) first label of each variable."""
+        self.slices = [slice(low, high) for low, high in itertools.pairwise(self.start.tolist())]
+        """The labels of each variable."""
         self.messages: dict[Triplet, tuple[Floats, Floats, Floats]] = {}
         """What triplets a < b < c of variables gave to their tables ab, ac, bc; a triplet costs what it did not give,
         ``-(ab[i, j] + ac[i, k] + bc[j, k])``, which is never below 0."""
         self.linked: Flags = np.zeros((self.count, self.count), dtype=bool)
         """(count, count) whether any pair of two variables costs anything."""
-
-    @property
-    def slices(self) -> list[slice]:
-        """The labels of each variable."""
-        return [slice(low, high) for low, high in itertools.pairwise(self.start.tolist())]
 
     def bound(self) -> float:
         """No layout costs less."""

@@ -1,20 +1,30 @@
-"""What the reduction leaves handed to toulbar2, an exact solver of cost function networks (optional)."""
+"""What the reduction leaves handed to toulbar2, an exact solver of cost function networks (optional).
+
+It runs in a process of its own: it answers no request to stop, so the process is ended instead.
+"""
 
 from __future__ import annotations
+
+import itertools
+import pickle
+import subprocess
+import sys
+import tempfile
+from contextlib import suppress
 
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.model import Floats
+from usdrigui.model import Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import ReducedProblem, Solution
 
-DIGITS = 9
-"""Decimals of a cost that toulbar2 keeps, at most."""
-WHOLE = 15
-"""Digits in all: its costs are whole numbers of 64 bits, and wrap around beyond."""
-SLACK = 1e-6
+DIGITS = (15, 9)
+"""Of a cost that toulbar2 keeps, in all and behind the point: its costs are whole numbers of 64 bits."""
+ROUNDED = 1e-6
 """Costs are rounded: so much is taken off its bound, more where fewer decimals are kept."""
+ASKED = 0.1
+"""Seconds between two looks at whether the run is to stop."""
 
 
 def check_installed() -> None:
@@ -30,30 +40,70 @@ def solve_by_toulbar2(
 ) -> Solution:
     """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.
+    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  A run that `budget` stops proves and
+    finds nothing.
     """
+    least = np.minimum.reduceat(linear, problem.start[:-1])
+    spare = cutoff - float(least.sum())
+    costs = np.where(np.isinf(problem.pairs), np.inf, pairs)
+    above = np.minimum(linear - least[problem.owner], spare)
+    figures = {"labels": len(linear)}
+    answer = _asked((problem.start, above, np.minimum(costs, spare), spare), budget)
+    if answer is None:
+        return Solution(problem.bound(), None, figures)
+    bound, chosen, rounding = answer
+    bound += float(least.sum()) - max(ROUNDED, rounding)
+    return Solution(min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, figures)
+
+
+Network = tuple[Indices, Floats, Floats, float]
+"""First label of each variable, (n,) and (n, n) costs, and what no layout of interest costs."""
+Answer = tuple[float, Indices | None, float]
+"""Lower bound, label of each variable, and what rounding may have added to the bound."""
+
+
+def _asked(network: Network, budget: Budget) -> Answer | None:
+    """The answer of toulbar2 in a process that ends when the run is to stop; None then."""
+    with tempfile.TemporaryFile() as question, tempfile.TemporaryFile() as answer:
+        pickle.dump(network, question)
+        question.seek(0)
+        command = [sys.executable, "-m", __name__]
+        with subprocess.Popen(command, stdin=question, stdout=answer, start_new_session=True) as run:
+            while run.poll() is None:
+                if budget.stopped():
+                    run.kill()
+                    return None
+                with suppress(subprocess.TimeoutExpired):
+                    run.wait(ASKED)
+        answer.seek(0)
+        found: Answer = pickle.load(answer)
+        return found
+
+
+def _solved(network: Network) -> Answer:
+    """Solve a network by toulbar2."""
     import pytoulbar2
 
-    least = np.minimum.reduceat(linear, problem.start[:-1])
-    above, spare = linear - least[problem.owner], cutoff - float(least.sum())
-    # The network holds what labels cost above the least of their variable: these numbers are small.
-    digits = int(np.clip(WHOLE - np.ceil(np.log10(max(spare, 1e-6))), 0, DIGITS))
-    network = pytoulbar2.CFN(2.0 * spare, digits)
-    slices, tables = problem.slices, 0
+    start, linear, pairs, spare = network
+    # The costs are above the least of each variable: these numbers are small.
+    digits = int(np.clip(DIGITS[0] - np.ceil(np.log10(max(spare, 1e-6))), 0, DIGITS[1]))
+    model = pytoulbar2.CFN(2.0 * spare, digits)
+    slices = [slice(low, high) for low, high in itertools.pairwise(start)]
+    tables = 0
     for at, mine in enumerate(slices):
-        network.AddVariable(f"x{at}", range(mine.stop - mine.start))
-        network.AddFunction([f"x{at}"], np.minimum(above[mine], spare).tolist())
-    for a in range(problem.count):
-        for b in range(a + 1, problem.count):
-            costs = np.where(np.isinf(problem.pairs[slices[a], slices[b]]), np.inf, pairs[slices[a], slices[b]])
+        model.AddVariable(f"x{at}", range(mine.stop - mine.start))
+        model.AddFunction([f"x{at}"], linear[mine].tolist())
+        for before in range(at):
+            costs = pairs[slices[before], mine]
             if costs.any():
                 tables += 1
-                network.AddFunction([f"x{a}", f"x{b}"], np.minimum(costs, spare).ravel().tolist())
-    network.Option.verbose = -1
-    network.Option.showSolutions = 0
-    limit = budget.seconds_left
-    found = network.Solve(timeLimit=int(max(1.0, limit)) if np.isfinite(limit) else 0)
-    rounding = max(SLACK, (problem.count + tables) * 10.0**-digits)
-    bound = float(least.sum()) + float(network.GetDDualBound()) - rounding
-    chosen = problem.start[:-1] + np.array(found[0][: problem.count], dtype=np.int64) if found else None
-    return Solution(min(bound, cutoff), chosen, {"labels": len(linear), "tables": tables})
+                model.AddFunction([f"x{before}", f"x{at}"], costs.ravel().tolist())
+    model.Option.verbose = -1
+    model.Option.showSolutions = 0
+    found = model.Solve()
+    chosen = None if found is None else np.array(found[0][: len(slices)], dtype=np.int64)
+    return float(model.GetDDualBound()), chosen, (len(slices) + tables) * 10.0**-digits
+
+
+if __name__ == "__main__":
+    sys.stdout.buffer.write(pickle.dumps(_solved(pickle.load(sys.stdin.buffer))))

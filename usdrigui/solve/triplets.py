@@ -12,7 +12,7 @@ import numpy as np
 
 from usdrigui.model import Floats
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import ReducedProblem, Triplet, reduced
+from usdrigui.solve.reduced_problem import ReducedProblem, Triplet
 
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
@@ -28,37 +28,24 @@ EXCLUDED = 1e6
 """Stands for the cost of a pair that is excluded."""
 GAIN = 1e-7
 """Least rise of the bound for which a triplet is taken."""
-STALLED = 0.05
-"""Share of the distance to the cutoff by which the bound must rise to go on."""
 
 
-def tightened(problem: ReducedProblem, cutoff: float, budget: Budget) -> ReducedProblem | None:
-    """The problem with a bound raised by triplets, without the labels that are excluded by it; None when no layout
-    costs less than the cutoff."""
+def raise_bound(problem: ReducedProblem, budget: Budget) -> int:
+    """Raise the bound of a problem, in place, by its triplets and those that help it most; how many are new."""
     problem.normalize()
-    bound = problem.bound()
-    while True:
-        new = _best_triplets(problem)
-        problem.messages.update((each, _no_messages(problem, each)) for each in new)
-        for _ in range(PASSES if len(problem.costs) <= LARGE else 2):
-            problem.spread()
-            for triplet in problem.messages:
-                _visit(problem, triplet)
-            problem.normalize()
-            problem.sweep()
-            budget.spend(work_of(problem))
-            if budget.stopped():
-                break
-        kept = reduced(problem, cutoff)
-        if kept is None:
-            return None
-        problem = kept
+    new = _best_triplets(problem)
+    problem.messages.update((each, _no_messages(problem, each)) for each in new)
+    for _ in range(PASSES if len(problem.costs) <= LARGE else 2):
+        problem.spread()
+        for triplet in problem.messages:
+            _visit(problem, triplet)
         problem.normalize()
-        rise, left = problem.bound() - bound, cutoff - problem.bound()
-        budget.found("triplets", bound=min(problem.bound(), cutoff))
-        if budget.stopped() or left <= 0 or (rise < STALLED * left and len(new) < AT_ONCE):
-            return problem
-        bound = problem.bound()
+        problem.sweep()
+        budget.spend(work_of(problem))
+        if budget.stopped():
+            break
+    problem.normalize()
+    return len(new)
 
 
 def work_of(problem: ReducedProblem) -> int:
@@ -79,17 +66,22 @@ def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
     and then all that is left of it."""
     a, b, c = (problem.slices[each] for each in triplet)
     tables = (problem.pairs[a, b], problem.pairs[a, c], problem.pairs[b, c])
-    before = [table - message for table, message in zip(tables, problem.messages[triplet], strict=True)]
-    cube = before[0][:, :, None] + before[1][:, None, :] + before[2][None]
+    ab, ac, bc = (table - message for table, message in zip(tables, problem.messages[triplet], strict=True))
+    cube = ab[:, :, None] + ac[:, None, :] + bc[None]
     given = [np.zeros_like(table) for table in tables]
     for side, share in ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1)):
         least = cube.min(axis=2 - side) / share
         given[side] += least
-        cube -= np.expand_dims(np.where(least < np.inf, least, 0.0), 2 - side)  # what is excluded stays so
-    for table, old, new in zip(tables, before, given, strict=True):
+        least[np.isinf(least)] = 0.0  # what is excluded stays so
+        cube -= least[_ALONG[side]]
+    for table, old, new in zip(tables, (ab, ac, bc), given, strict=True):
         table[...] = new
         new[...] = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
     problem.messages[triplet] = (given[0], given[1], given[2])
+
+
+_ALONG = ((..., None), (slice(None), None), (None,))
+"""How the tables of a triplet lie in its cube."""
 
 
 def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
