@@ -11,7 +11,7 @@ from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.place.candidates import find_candidates
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR
 from usdrigui.pipeline.progress import Clock
-from usdrigui.pipeline.stages import References, layout_of, measure, problem_at
+from usdrigui.pipeline.stages import LaidPart, References, divided, layout_of, measure, part_problem, problem_at
 from usdrigui.settings import Settings, load
 from usdrigui.solve import solve
 
@@ -95,6 +95,16 @@ def solved(line, settings):
     """The line with its problem solved by these settings of the solver."""
     assignment = solve(line.problem, settings)
     return replace(line, assignment=assignment, layout=layout_of(line.inputs, assignment))
+
+
+def laid_parts(rig):
+    """Every part of a rig, laid out one after the other."""
+    character, laid = divided(rig, Settings()), []
+    for part in character.parts:
+        inputs = part_problem(character, part, [element for each in laid for element in each.layout.elements])
+        found = solve(inputs.placement.problem, inputs.settings.solve)
+        laid.append(LaidPart(inputs, layout_of(inputs, found), found))
+    return laid
 
 
 def settings(**parts):

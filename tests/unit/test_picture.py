@@ -7,18 +7,22 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import chain
 import laid_out
+import limbs
 import makers
 import numpy as np
 import pytest
 from PIL import Image
 
 from usdrigui.errors import RigUIError
+from usdrigui.pipeline.stages import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
 from usdrigui.view import lettering, overlay, picture, shading
 from usdrigui.view import sheet as view_sheet
 from usdrigui.view.picture import contact_sheet, render
+from usdrigui.view.sections import sections
 
 SMALL = (640, 400)
 BLUE, RED, VIOLET = (overlay.SIDES[side] for side in ("left", "right", "board"))
@@ -115,7 +119,7 @@ def test_the_heading_of_a_board_at_the_upper_edge_is_not_cut(rig, monkeypatch, h
 
 
 def test_the_line_below_the_title_ends_where_the_picture_does(rig, layout):
-    wide, narrow = (picture._numbers(rig, layout, width) for width in (2000.0, 300.0))
+    wide, narrow = (picture._numbers(len(rig.controls), layout, width) for width in (2000.0, 300.0))
     assert wide.startswith(narrow)
     assert lettering.font(14).getlength(narrow) <= 300.0 < lettering.font(14).getlength(wide)
     assert "12 controls" in narrow
@@ -422,3 +426,17 @@ def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(la
     middle = ringed.shape[0] // 2
     beyond = ringed[middle, middle + round(1.75 * 8.0 * overlay._FINE)]
     assert beyond.tolist() == [29, 98, 214, 255]
+
+
+def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
+    """Hands lie apart and are shown one by one, from their own side; every element is in one section."""
+    rig = limbs.whole_body()
+    layout = joined(chain.laid_parts(rig))
+    found = sections(layout, evaluate(prepare(rig, layout)), rig.up)
+    assert [each.title for each in found] == ["face", "hands, character's left", "hands, character's right", "body"]
+    shown = [element.name for each in found for element in each.layout.elements]
+    assert sorted(shown) == sorted(element.name for element in layout.elements)
+    side = np.cross(rig.up, layout.view)
+    assert all(view @ side > -0.1 for view in found[1].views)
+    assert all(view @ side < 0.1 for view in found[2].views)
+    assert render(rig, layout, size=(320, 240)).size == (320, 4 * 240)

@@ -272,10 +272,16 @@ def measure(
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     """The layout that a solution of the problem means."""
     left_off = (*inputs.face.rig.left_off, *inputs.left_off)
-    found = layout(
-        inputs.face, inputs.placement, assignment, inputs.requests, inputs.settings, left_off, inputs.base_values
+    return layout(
+        inputs.face,
+        inputs.placement,
+        assignment,
+        inputs.requests,
+        inputs.settings,
+        left_off,
+        inputs.base_values,
+        inputs.part,
     )
-    return replace(found, elements=tuple(replace(each, part=inputs.part) for each in found.elements))
 
 
 def joined(laid: Sequence[LaidPart]) -> Layout:

@@ -208,7 +208,8 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
                 place = (float(boxes[column, 0].min()) - 4.0, top - min(line, max(0.5 * pitch + 4.0, _CLEAR)))
-                found.append((_FAMILIES.get(family, family), *place))
+                text = _FAMILIES.get(family, family).replace("face", shown[index][0].part or "face")
+                found.append((text, *place))
             above = float(boxes[index, 3])
     return found
 

@@ -18,6 +18,7 @@ from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.view import directions, lettering, overlay, shading
 from usdrigui.view.complexion import complexion
+from usdrigui.view.sections import main_layout, sections
 from usdrigui.view.shading import Body, Camera, Complexion
 
 VIEWS = {
@@ -63,6 +64,8 @@ def render(
 ) -> Image.Image:
     """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels.
 
+    A character in several parts has a close-up of that size for each part, one below the other, unless ``views`` are
+    given.
     ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
     default the view that the layout was made for, and of front and three-quarter views the nearest two that
     show what it sees.  Elements on the board are drawn and named in the layout's own view only; ``labels``
@@ -72,7 +75,15 @@ def render(
     """
     _check(views, size)
     posed = evaluate(prepare(rig, layout), values)
-    return _page(rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title)
+    if views is not None or len(layout.parts) < 2:
+        return _page(rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title)
+    pages, colours = [], complexion(rig, main_layout(layout))
+    for each in sections(layout, posed, rig.up):
+        scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, colours)
+        name = title or rig.root.strip("/") or "character"
+        held = len(each.layout.controls)
+        pages.append(_page(rig, each.layout, each.posed, scene, size, f"{name}: {each.title}", held))
+    return _stacked(pages)
 
 
 def film(
@@ -101,15 +112,36 @@ class _Scene:
     complexion: Complexion
 
 
+def _stacked(pages: Sequence[Image.Image]) -> Image.Image:
+    """Pages below each other."""
+    whole = Image.new("RGB", (pages[0].width, sum(page.height for page in pages)), _PAPER)
+    for number, page in enumerate(pages):
+        whole.paste(page, (0, sum(each.height for each in pages[:number])))
+    return whole
+
+
 def _set_up(
-    rig: Rig, layout: Layout, posed: PosedLayout, views: Sequence[str] | None, size: tuple[int, int], labels: bool
+    rig: Rig,
+    layout: Layout,
+    posed: PosedLayout,
+    views: Sequence[str] | Sequence[Floats] | None,
+    size: tuple[int, int],
+    labels: bool,
+    colours: Complexion | None = None,
 ) -> _Scene:
-    """Panels for ``views``, or by default for the layout's own view and its companions."""
+    """Panels for ``views``, names or directions, or by default for the layout's own view and its companions.
+
+    ``colours`` are by default those that the layout's own main part shows.
+    """
     skin, ahead = _skin(rig, posed), directions.ahead_of(rig, layout)
     if views is None:
         shown = [(layout.view, True), *((each, False) for each in directions.companions(layout.view, ahead, rig.up))]
     else:
-        shown = [(directions.turned(layout.view, rig.up, VIEWS[view]), VIEWS[view] == 0.0) for view in views]
+        azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
+        shown = [
+            (directions.turned(layout.view, rig.up, at), at == 0.0) if at is not None else (np.asarray(view), i == 0)
+            for i, (view, at) in enumerate(zip(views, azimuths, strict=True))
+        ]
     panels = tuple(
         _framed(
             layout, posed, skin, shading.look(at, rig.up), directions.caption(at, ahead, rig.up), own, own and labels
@@ -117,12 +149,19 @@ def _set_up(
         for at, own in shown
     )
     cameras, corners = _arranged(panels, size)
-    return _Scene(panels, tuple(cameras), tuple(corners), complexion(rig, layout))
+    return _Scene(panels, tuple(cameras), tuple(corners), colours or complexion(rig, main_layout(layout)))
 
 
 def _page(
-    rig: Rig, layout: Layout, posed: PosedLayout, scene: _Scene, size: tuple[int, int], title: str
+    rig: Rig,
+    layout: Layout,
+    posed: PosedLayout,
+    scene: _Scene,
+    size: tuple[int, int],
+    title: str,
+    controls: int | None = None,
 ) -> Image.Image:
+    """One page; ``controls`` is how many the title tells of, by default those of the rig."""
     subject = shading.body(rig, posed.points, scene.complexion)
     page = Image.new("RGB", size, _PAPER)
     for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
@@ -131,7 +170,11 @@ def _page(
         type_ = lettering.font(13)
         caption = lettering.cut(panel.caption, type_, float(camera.width))
         ImageDraw.Draw(page).text(middle, caption, fill=_QUIET, font=type_, anchor="mm")
-    _title(page, title or rig.root.strip("/") or "character", _numbers(rig, layout, size[0] - 2 * _EDGE))
+    _title(
+        page,
+        title or rig.root.strip("/") or "character",
+        _numbers(controls or len(rig.controls), layout, size[0] - 2 * _EDGE),
+    )
     _legend(page, layout)
     return page
 
@@ -312,7 +355,7 @@ def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, ca
     shaded = shading.shade(subject, camera)
     picture = _developed(shaded)
     shown = [
-        (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width))
+        (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width_of(element)))
         for element, at in zip(layout.elements, posed.elements, strict=True)
         if panel.board or not element.anchor.on_board
     ]
@@ -339,11 +382,13 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
 # --- title and legend --------------------------------------------------------------------------------
 
 
-def _numbers(rig: Rig, layout: Layout, width: float) -> str:
-    """What the layout holds, as far as it goes into a line of so many pixels."""
+def _numbers(controls: int, layout: Layout, width: float) -> str:
+    """What the layout of so many controls holds, as far as it goes into a line of so many pixels."""
     on_face = sum(not element.anchor.on_board for element in layout.elements)
     board = len(layout.elements) - on_face
-    parts = [f"{len(rig.controls)} controls", f"{on_face} elements on the face"]
+    held = {part for part in (element.part for element in layout.elements) if part}
+    place = held.pop() if len(held) == 1 else "character" if held else "face"
+    parts = [f"{controls} controls", f"{on_face} elements on the {place}"]
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(layout.bound) and np.isfinite(layout.cost):

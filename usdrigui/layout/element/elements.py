@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -33,7 +34,7 @@ from usdrigui.model import (
 )
 from usdrigui.settings import Settings
 
-_CROWDED = "moved off the face: too crowded; this control lost the least displacement"
+_CROWDED = "too crowded; this control lost the least displacement"
 _ON_PLANE = 1e-3
 """An anchor nearer to the mirror plane than this share of the face size lies in the middle."""
 
@@ -46,10 +47,12 @@ def layout(
     settings: Settings,
     left_off: tuple[LeftOff, ...],
     base_values: Floats,
+    part: str,
 ) -> Layout:
     """The elements of every group, on the face where the assignment says so and on the board otherwise.
 
-    `left_off` are the controls without an element, `base_values` (controls,) the base pose.
+    `left_off` are the controls without an element, `base_values` (controls,) the base pose, `part` the name of what is
+    laid out.
     """
     elements: list[Element] = []
     board = [
@@ -61,14 +64,14 @@ def layout(
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
         if label < 0:
-            reason = _CROWDED if len(choice.anchors) else "no place on the face"
+            reason = f"moved off the {part}: {_CROWDED}" if len(choice.anchors) else f"no place on the {part}"
             board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group))
         else:
             elements.extend(_on_face(face, group, choice, int(label), requests, settings))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     return Layout(
         root=face.rig.root,
-        elements=with_inner(elements, placement.groups, face.rig),
+        elements=tuple(replace(each, part=part) for each in with_inner(elements, placement.groups, face.rig)),
         left_off=left_off,
         handle_width=face.handle_width,
         space=settings.candidates.space,

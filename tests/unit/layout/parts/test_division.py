@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import chain
 import limbs
 import makers
 import numpy as np
@@ -9,10 +10,9 @@ import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
-from usdrigui.pipeline.stages import LaidPart, divided, joined, joined_assignment, layout_of, part_problem
+from usdrigui.pipeline.stages import divided, joined, joined_assignment, part_problem
 from usdrigui.rotation import rotations
 from usdrigui.settings import Settings, load
-from usdrigui.solve import solve
 
 BODY = limbs.whole_body()
 
@@ -53,36 +53,24 @@ def test_joints_are_told_apart_into_face_hands_and_body(rig):
     assert len(found["hands"]) == 16
 
 
-def laid_out(rig):
-    """Every part of a rig, laid out one after the other."""
-    character, laid = divided(rig, Settings()), []
-    for part in character.parts:
-        inputs = part_problem(character, part, [element for each in laid for element in each.layout.elements])
-        found = solve(inputs.placement.problem, inputs.settings.solve)
-        laid.append(LaidPart(inputs, layout_of(inputs, found), found))
-    return laid
-
-
-def width_of_face(rig):
-    """Handle width of the first part of a rig."""
-    character = divided(rig, Settings())
-    return part_problem(character, character.parts[0]).face.handle_width
-
-
-def test_a_body_does_not_change_the_handles_of_its_face():
-    alone = replace(BODY, controls=tuple(c for c in BODY.controls if c.name in named(BODY)["face"]))
-    assert width_of_face(BODY) == width_of_face(alone)
+def test_a_body_does_not_change_the_scale_of_its_face():
+    facial = named(BODY)["face"]
+    alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
+    character = divided(BODY, Settings())
+    face = part_problem(character, character.parts[0]).face
     sizes = [trajectories(rig, Settings().trajectories).face_size for rig in (BODY, alone)]
+    assert face.trajectories.face_size == sizes[1]
     assert sizes[0] > 5.0 * sizes[1]
 
 
 def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
-    laid = laid_out(BODY)
+    laid = chain.laid_parts(BODY)
     whole, sums = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
     assert [part.name for part in whole.parts] == ["face", "hands", "body"]
     assert whole.cost == pytest.approx(sum(part.cost for part in whole.parts)) == sums.cost
     standing = [element for element in whole.elements if not element.anchor.on_board]
     assert {element.part for element in standing} == {"face", "hands", "body"}
+    assert all(" face" not in element.reason for element in whole.elements if element.part != "face")
     for number, one in enumerate(standing):
         for other in standing[number + 1 :]:
             apart = np.linalg.norm(one.anchor.position - other.anchor.position)

@@ -1,0 +1,97 @@
+"""The close-ups of a character in several parts: one section a part, and one a side where a part lies on both sides."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from usdrigui.model import Element, Floats, Layout, LayoutPart, Side
+from usdrigui.pose.evaluate import PosedLayout
+from usdrigui.view import directions
+
+_APART = 1.0
+"""Two sides are apart when the gap between them is this many times the extent of either."""
+_QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
+"""Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """What one close-up shows."""
+
+    title: str
+    layout: Layout
+    """Of the elements shown, at their own handle width."""
+    posed: PosedLayout
+    views: tuple[Floats, ...]
+    """Directions to the viewer, the first with the board; empty for the layout's own and its companions."""
+
+
+def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, ...]:
+    """One section a part, in the order of `Layout.parts`; `up` (3,) is that of the rig."""
+    found: list[Section] = []
+    for part in layout.parts:
+        own = [i for i, element in enumerate(layout.elements) if element.part == part.name]
+        sides = _sides(layout, own)
+        if not sides:
+            found.append(_section(layout, posed, part, own, part.name, ()))
+        for side, chosen in sides:
+            views = _best_views(part, side, [layout.elements[i] for i in chosen], up)
+            found.append(_section(layout, posed, part, chosen, f"{part.name}, character's {side}", views))
+    return tuple(found)
+
+
+def main_layout(layout: Layout) -> Layout:
+    """The elements of the first part, which is the face where there is one; all of a character in one part."""
+    if not layout.parts:
+        return layout
+    return replace(layout, elements=tuple(each for each in layout.elements if each.part == layout.parts[0].name))
+
+
+def _section(
+    layout: Layout, posed: PosedLayout, part: LayoutPart, chosen: list[int], title: str, views: tuple[Floats, ...]
+) -> Section:
+    shown = replace(
+        layout,
+        elements=tuple(layout.elements[i] for i in chosen),
+        left_off=(),
+        handle_width=part.handle_width,
+        view=views[0] if views else part.view,
+        status=part.status,
+        cost=part.cost,
+        bound=part.bound,
+        parts=(),
+    )
+    return Section(title, shown, replace(posed, elements=tuple(posed.elements[i] for i in chosen)), views)
+
+
+def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
+    """The elements of either side of a part that has nothing between them; the board goes with the left."""
+    standing = [i for i in own if not layout.elements[i].anchor.on_board]
+    sides: list[tuple[Side, list[int]]] = []
+    boxes = []
+    for side in ("left", "right"):
+        chosen = [i for i in standing if layout.elements[i].side == side]
+        places = np.array([layout.elements[i].anchor.position for i in chosen])
+        if not len(places):
+            return []
+        boxes.append((places.min(axis=0), places.max(axis=0)))
+        sides.append((side, chosen))
+    extent = max(float((high - low).max()) for low, high in boxes)
+    gap = max(float(np.maximum(boxes[0][0] - boxes[1][1], boxes[1][0] - boxes[0][1]).max()), 0.0)
+    if len(standing) != len(sides[0][1]) + len(sides[1][1]) or gap < _APART * extent:
+        return []
+    board = [i for i in own if layout.elements[i].anchor.on_board]
+    return [("left", sorted(sides[0][1] + board)), sides[1]]
+
+
+def _best_views(part: LayoutPart, side: Side, elements: list[Element], up: Floats) -> tuple[Floats, ...]:
+    """The two level directions of its side that together face the most handles, the better one first."""
+    normals = np.array([element.anchor.normal for element in elements if not element.anchor.on_board])
+    views = [directions.turned(part.view, up, degrees) for degrees in _QUARTERS[side]]
+    facing = np.array([np.maximum(normals @ view, 0.0) for view in views])
+    first = int(np.argmax(np.round(facing.sum(axis=1), 6)))
+    added = np.maximum(facing, facing[first]).sum(axis=1)
+    added[first] = -1.0
+    return views[first], views[int(np.argmax(np.round(added, 6)))]
