@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
+import zlib
 from dataclasses import replace
 
 import numpy as np
@@ -96,7 +97,7 @@ def _reordered(mesh, order):
         face_indices=place[mesh.face_indices],
         shapes=tuple(_in_order(shape, place) for shape in mesh.shapes),
         skin=skin,
-        topology_hash="reordered " + mesh.topology_hash,
+        topology_hash=f"{mesh.topology_hash} in the order {zlib.crc32(order.tobytes())}",
         subsets=(),
     )
 

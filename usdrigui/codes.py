@@ -594,6 +594,16 @@ _CODES: dict[str, Code] = {
         "A control of the earlier layout may have another name now, but that is not sure: it counts as gone.",
         "If it is the same control, call it as before, or give the earlier layout the new name.",
     ),
+    "PIN_CARRIED": Code(
+        "warning",
+        "An element that a person pinned stands on other points now, at a place that is not quite the same.",
+        "Look whether it stands where it should; else give the control an `anchor`.",
+    ),
+    "PIN_LOST": Code(
+        "warning",
+        "What a person decided about an element cannot be kept on this rig.",
+        "Decide again, with an `anchor` or `place` of the control.",
+    ),
     "LAYOUT_MESH_GONE": Code(
         "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
     ),

@@ -11,13 +11,15 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from usdrigui.animation import performances
+from usdrigui.deform import posed
 from usdrigui.errors import issue, meant, refuse
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
 from usdrigui.layout.reuse.partial_layout import fixed_by
+from usdrigui.layout.reuse.pinned import Pins, pins_of
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
-from usdrigui.layout.reuse.renaming import element_names, with_names
+from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
 from usdrigui.settings import ReadSettings, Settings
@@ -48,8 +50,6 @@ class Examples:
 
     fixed: Mapping[str, Layout] = field(default_factory=dict)
     previous: Mapping[str, Layout] = field(default_factory=dict)
-    edited: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """Elements of `previous` that a stronger layer has corrected: they are fixed."""
     like: tuple[tuple[Rig, Layout], ...] = ()
     """Other characters with their layouts."""
     clips: tuple[Performance, ...] = ()
@@ -80,8 +80,7 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
     like, theirs = _characters(layers.like, settings) if layers.like else ((), ())
     sources = (*theirs, *(source for each in (base, fixed, previous) if each for source in each.sources))
-    edited = previous.edited if previous else {}
-    return Examples(_by_root(fixed), _by_root(previous), edited, like, clips, base, sources)
+    return Examples(_by_root(fixed), _by_root(previous), like, clips, base, sources)
 
 
 def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
@@ -96,9 +95,8 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
     layout = layout_of((before,), rig)
     if layout is None:
         return examples, rigs
-    edited = {rig.root: examples.edited[before.root]} if before.root in examples.edited else {}
     renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
-    return replace(examples, previous={rig.root: layout}, edited=edited), (replace(rig, issues=(*rig.issues, renamed)),)
+    return replace(examples, previous={rig.root: layout}), (replace(rig, issues=(*rig.issues, renamed)),)
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...], settings: Settings) -> tuple[Rig, ...]:
@@ -146,8 +144,6 @@ class OwnExamples:
 
     fixed: Layout | None = None
     previous: Layout | None = None
-    edited: frozenset[str] = frozenset()
-    """Elements of `previous` that a stronger layer has corrected."""
     like: tuple[Rig, Trajectories, Layout] | None = None
     """Another character and its layout, by the names that it has there."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
@@ -165,14 +161,10 @@ def own_examples(examples: Examples, rig: Rig, trajectories: Trajectories, setti
     earlier = {"fixed": examples.fixed.get(rig.root), "previous": examples.previous.get(rig.root)}
     found = {which: match_layout(each, rig, trajectories) for which, each in earlier.items() if each is not None}
     here = {which: with_names(each, found[which].renamed) for which, each in earlier.items() if each is not None}
-    edited = frozenset(examples.edited.get(rig.root, ()))
-    if edited:
-        names = element_names(examples.previous[rig.root], found["previous"].renamed)
-        edited = frozenset(names[each] for each in edited)
     like = _to_imitate(examples, rig, settings)
     if like is not None:
         found["like"] = match_rigs(like[:2], (rig, trajectories), settings.like.names)
-    return OwnExamples(here.get("fixed"), here.get("previous"), edited, like, found)
+    return OwnExamples(here.get("fixed"), here.get("previous"), like, found)
 
 
 def with_fixed(examples: OwnExamples, rig: Rig, settings: Settings) -> Settings:
@@ -180,11 +172,15 @@ def with_fixed(examples: OwnExamples, rig: Rig, settings: Settings) -> Settings:
 
     Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
     """
-    if examples.fixed is not None:
-        settings = fixed_by(examples.fixed, rig, settings)
-    if examples.previous is not None and examples.edited and settings.objective.keep_penalty > 0.0:
-        settings = fixed_by(_known(examples.previous, rig), rig, settings, examples.edited)
-    return settings
+    return fixed_by(examples.fixed, rig, settings) if examples.fixed is not None else settings
+
+
+def decisions(examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Pins:
+    """What a person has decided in the layouts that the new one succeeds; nothing at ``objective.keep_penalty = 0``."""
+    before = examples.previous or examples.fixed
+    if before is None or settings.objective.keep_penalty <= 0.0:
+        return Pins()
+    return pins_of(before, rig, posed(rig, None).points, trajectories)
 
 
 def prior_layout_of(examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
@@ -232,13 +228,6 @@ def _characters(layer: Path, settings: Settings) -> tuple[tuple[tuple[Rig, Layou
     layouts = _by_root(found)
     characters = tuple((rig, layouts[rig.root]) for rig in read.rigs if rig.root in layouts)
     return characters, read.sources
-
-
-def _known(layout: Layout, rig: Rig) -> Layout:
-    """The layout without the controls that the rig has lost: a correction of those has nothing left to hold."""
-    names = {control.name for control in rig.controls}
-    whole = [each for each in layout.elements if all(member.control in names for member in each.members)]
-    return replace(layout, elements=tuple(whole))
 
 
 def _by_root(found: LayoutsResult | None) -> Mapping[str, Layout]:

@@ -175,14 +175,21 @@ _OTHER_NAMES = (
 )
 
 
-def _laid_out_again(*edits: tuple[str, str]) -> Trigger:
-    """The smallest character changed since its layout was made."""
+def _laid_out_again(*edits: tuple[str, str], over: str = "") -> Trigger:
+    """The smallest character changed since its layout was made, the smile of which a stronger layer corrects."""
 
     def trigger(folder: Path, _: Any) -> Found:
-        earlier = _edited(*edits, of="char.usda")(folder).rename(folder / "earlier.rigui.usda")
-        return command("process", folder / "char.usda", "--dry-run", "--previous", earlier)
+        _edited(*edits, of="char.usda")(folder).rename(folder / "earlier.rigui.usda")
+        smile = 'over "Char"\n{\nover "RigUI"\n{\nover "smile"\n{\n' + over + "}\n}\n}"
+        corrected = folder / "corrected.usda"
+        corrected.write_text(f"#usda 1.0\n(subLayers = [@./earlier.rigui.usda@])\n{smile}\n")
+        return command("process", folder / "char.usda", "--dry-run", "--previous", corrected)
 
     return trigger
+
+
+_CORRECTED = "uniform int rigUI:anchor:pointIndex = 1\n"
+_TURNED = ("1, 4, 5, 2]", "1, 4, 5, 3]")
 
 
 def _checked(made: Callable[[Path], Path], *arguments: object) -> Trigger:
@@ -591,6 +598,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     "LAYOUT_STALE": _viewed(_renamed),
     "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
     "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
+    "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),
+    "PIN_LOST": _laid_out_again(_TURNED, over=_CORRECTED),
     "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
     "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),
     "LAYOUT_ANCHOR_MOVED": _checked(_edited((r"anchor:position = \([^)]*\)", "anchor:position = (9, 9, 9)"))),

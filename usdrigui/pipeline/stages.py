@@ -14,8 +14,9 @@ import numpy as np
 
 from usdrigui import animation
 from usdrigui.conventions import meanings
-from usdrigui.errors import Issue, meant, refuse
-from usdrigui.examples import Examples, OwnExamples, own_examples, prior_layout_of, with_fixed
+from usdrigui.deform import posed
+from usdrigui.errors import Issue, RigUIError, meant, refuse
+from usdrigui.examples import Examples, OwnExamples, decisions, own_examples, prior_layout_of, with_fixed
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.control_overrides import control_overrides
@@ -32,6 +33,7 @@ from usdrigui.layout.place.handle_width import handle_width, on_face
 from usdrigui.layout.place.problem import PlacementProblem, placement_problem
 from usdrigui.layout.reuse.existing_layout import of_new_controls, with_drawn_handles
 from usdrigui.layout.reuse.identity import Matching, matching_issues
+from usdrigui.layout.reuse.pinned import Pins, with_decisions, with_pins, with_twins
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.review.review import refuse_stale
@@ -96,13 +98,17 @@ class ProblemInputs:
     """(controls,) the base pose."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
     """By ``fixed``, ``previous`` and ``like``: which control of that layout is which of this rig."""
+    asked: Settings | None = None
+    """The settings as given, before any layout fixed more; None where no layout did."""
+    pins: Pins = field(default_factory=Pins)
+    """Decisions of a person in the layout that the new one succeeds."""
 
     @property
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
         unexplained = (found for each in self.classification for found in each.issues)
         renamed = (found for which, each in self.matchings.items() for found in matching_issues(which, each))
-        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained, *renamed)
+        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained, *renamed, *self.pins.issues)
 
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
@@ -125,7 +131,12 @@ class Divided:
     """A character with its parts, ready to be laid out one part after the other."""
 
     rig: Rig
+    asked: Settings
+    """The settings as given."""
     settings: Settings
+    """Those with the anchors that a layout fixes."""
+    pins: Pins
+    """Decisions of a person in the layout that the new one succeeds."""
     base_values: Floats
     """(controls,) the base pose."""
     trajectories: Trajectories
@@ -154,7 +165,8 @@ def divided(
         found = trajectories(rig, settings.trajectories, base_values)
     _refuse_motionless(rig, found)
     own = own_examples(examples, rig, found, settings)
-    settings = with_fixed(own, rig, settings)
+    asked, settings = settings, with_fixed(own, rig, settings)
+    pins = decisions(own, rig, found, settings)
     existing = examples.existing(rig)
     if existing is not None:
         refuse_stale(rig, found, existing, settings.read)
@@ -163,7 +175,9 @@ def divided(
         symmetry = None
         if len(parts) > 1:
             symmetry = symmetry_at_pose(rig, found, displacement_fields(found), settings, base_values)
-    return Divided(rig, settings, base_values, found, parts, symmetry, camera, own, existing, examples.clips)
+    return Divided(
+        rig, asked, settings, pins, base_values, found, parts, symmetry, camera, own, existing, examples.clips
+    )
 
 
 def part_problem(
@@ -178,10 +192,20 @@ def part_problem(
         settings = with_drawn_handles(character.existing, part.name, found, settings)
     prior = prior_layout_of(character.examples, rig, found, settings)
     references = References(prior, character.existing, character.clips, tuple(neighbours))
-    inputs = problem_at(
-        rig, found, settings, character.base_values, references, clock, character.camera, part.name, character.symmetry
-    )
-    return replace(inputs, matchings=character.examples.matchings)
+    pins, values = character.pins, character.base_values
+    while True:
+        fixed = with_pins(settings, pins)
+        try:
+            inputs = problem_at(
+                rig, found, fixed, values, references, clock, character.camera, part.name, character.symmetry
+            )
+        except RigUIError as error:
+            fewer = pins.without(error)
+            if fewer is None:
+                raise
+            pins = fewer
+        else:
+            return replace(inputs, matchings=character.examples.matchings, asked=character.asked, pins=pins)
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +282,7 @@ def measure(
                 symmetry = about_plane_of(rig, found, fields, whole, settings)
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
-        requests = _requests(rig, symmetry, settings, references)
+        requests = _requests(rig, found, symmetry, settings, references)
         told = meanings([control.name for control in rig.controls])
         requests = replace(requests, meanings=told, expected=expectations(found, symmetry, views, told))
         alike = similarity(fields)
@@ -272,7 +296,7 @@ def measure(
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     """The layout that a solution of the problem means."""
     left_off = (*inputs.face.rig.left_off, *inputs.left_off)
-    return layout(
+    found = layout(
         inputs.face,
         inputs.placement,
         assignment,
@@ -282,6 +306,8 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
         inputs.base_values,
         inputs.part,
     )
+    rig, asked = inputs.face.rig, inputs.asked or inputs.settings
+    return with_decisions(found, rig, posed(rig, None).points, asked, inputs.pins, inputs.requests.overrides)
 
 
 def joined(laid: Sequence[LaidPart]) -> Layout:
@@ -333,9 +359,11 @@ def issues_of(laid: Sequence[ProblemInputs]) -> tuple[Issue, ...]:
     return tuple(dict.fromkeys(found for inputs in laid for found in inputs.issues))
 
 
-def _requests(rig: Rig, symmetry: Symmetry, settings: Settings, references: References) -> Requests:
+def _requests(
+    rig: Rig, found: Trajectories, symmetry: Symmetry, settings: Settings, references: References
+) -> Requests:
     """The configuration and the existing layouts, as what they ask of each control."""
-    overrides = control_overrides(rig, settings)
+    overrides = with_twins(rig, found, symmetry, control_overrides(rig, settings))
     overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
     return Requests(overrides, references.prior, references.existing, neighbours=references.neighbours)
 

@@ -33,6 +33,9 @@ class ControlSettings:
         bounds=(0.0, 1000000.0),
     )
     anchor: str = setting("", "``MESH_PATH#POINT``: fixed anchor of a partial layout.")
+    follow_twin: bool = setting(
+        True, "Whether it moves when its twin's anchor is corrected and nothing is decided about its own."
+    )
     inner_anchor: str = setting(
         "",
         "The same for the slider that the control has of its own when `levels.groups` makes its element coarse.",

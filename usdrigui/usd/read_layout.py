@@ -7,7 +7,7 @@ the schema's own file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, get_args
 
@@ -20,16 +20,12 @@ from usdrigui.usd import author, schema
 from usdrigui.usd.arrays import value_at
 from usdrigui.usd.stage import open_stage
 
-_DECISIONS = tuple(
-    author.properties(api)[name].name
-    for api, name in (
-        (schema.ANCHOR, "prim"),
-        (schema.ANCHOR, "pointIndex"),
-        (schema.ELEMENT, "controls"),
-        (schema.ELEMENT, "elementType"),
-    )
-)
-"""Properties in which a layout's decisions stand: which controls share an element, and where it is."""
+_DECIDED: Mapping[Decision, frozenset[str]] = {
+    "anchor": frozenset(author.properties(schema.ANCHOR)[name].name for name in ("prim", "pointIndex")),
+    "place": frozenset({author.properties(schema.ANCHOR)["carrier"].name}),
+    "grouping": frozenset(author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")),
+}
+"""Properties in which the decisions of a layout stand."""
 _FLATTENED = "Flattened_Prototype_"
 """How USD calls what the instances of a flattened stage refer to."""
 
@@ -81,23 +77,6 @@ def brought_layouts(stage: Usd.Stage) -> dict[str, str]:
         if layers and stage.GetRootLayer() not in layers:
             found[str(scope.GetPath().GetParentPath())] = str(layers[0].realPath or layers[0].identifier)
     return found
-
-
-def edited_elements(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
-    """By SkelRoot, the names of the elements whose place, kind or controls a layer stronger than the one that
-    defines them has an opinion about: what somebody has corrected by hand."""
-    found: dict[str, tuple[str, ...]] = {}
-    for scope in layout_scopes(stage):
-        names = [_element_name(prim) for prim in scope.GetAllChildren() if _has(prim, schema.ELEMENT) and _edited(prim)]
-        if names:
-            found[str(scope.GetPath().GetParentPath())] = tuple(names)
-    return found
-
-
-def _edited(prim: Usd.Prim) -> bool:
-    stack = prim.GetPrimStack()
-    defining = next((number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef), len(stack))
-    return any(name in spec.properties for spec in stack[:defining] for name in _DECISIONS)
 
 
 def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
@@ -242,8 +221,7 @@ def _element(prim: Usd.Prim) -> Element:
         part=str(get("part")),
         reason=str(get("reason")),
         inner=tuple(_element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
-        pinned=_decisions(prim, get("pinned")),
-        pinned_position=tuple(_floats(get("pinnedPosition")).tolist()),
+        **_pinned(prim),
         **_handle(prim),
     )
 
@@ -432,11 +410,34 @@ def _positions(prim: Usd.Prim, values: Any, count: int) -> tuple[int, ...]:
     return positions
 
 
-def _decisions(prim: Usd.Prim, values: Any) -> tuple[Decision, ...]:
+def _pinned(prim: Usd.Prim) -> dict[str, Any]:
+    """The decisions of a person: those on record, or those that a layer says that is stronger than the defining one.
+
+    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other points.
+    """
+    values = value_of(prim, schema.ELEMENT, "pinned")
     unknown = sorted(set(_strings(values)) - set(get_args(Decision)))
     if unknown:
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:pinned", f"{unknown[0]!r} is no decision")
-    return tuple(each for each in get_args(Decision) if each in values)
+    said = _said_above(prim)
+    found = set(values)
+    if author.properties(schema.ELEMENT)["pinned"].name not in said:
+        found |= {decision for decision, names in _DECIDED.items() if said & names}
+    place = _floats(value_of(prim, schema.ELEMENT, "pinnedPosition"))
+    if said & _DECIDED["anchor"]:
+        known = author.properties(schema.ANCHOR)["position"].name in said
+        place = _floats(value_of(prim, schema.ANCHOR, "position")) if known else np.full(3, np.nan)
+    return {
+        "pinned": tuple(each for each in get_args(Decision) if each in found),
+        "pinned_position": tuple(place.tolist()),
+    }
+
+
+def _said_above(prim: Usd.Prim) -> set[str]:
+    """Properties of which a layer stronger than the one that defines the prim has an opinion."""
+    stack = prim.GetPrimStack()
+    defining = next((number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef), len(stack))
+    return {str(each) for spec in stack[:defining] for each in spec.properties.keys()}  # noqa: SIM118 (a view of Sdf)
 
 
 def _check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:

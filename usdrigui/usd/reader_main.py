@@ -114,14 +114,13 @@ def _layouts(path: Path) -> LayoutsResult:
 
 
 def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
-    from usdrigui.usd.read_layout import brought_layouts, edited_elements, read_layout, source_of
+    from usdrigui.usd.read_layout import brought_layouts, read_layout, source_of
     from usdrigui.usd.standing import standing_prims
 
     layouts = read_layout(path)
     stage = _stage_of(path, stages)
     sources = _sources(path, stages.GetAllStages(), before)
-    edited, prims = edited_elements(stage), standing_prims(stage)
-    return LayoutsResult(layouts, source_of(path), edited, sources, prims, brought_layouts(stage))
+    return LayoutsResult(layouts, source_of(path), sources, standing_prims(stage), brought_layouts(stage))
 
 
 def _composed(path: Path, settings: Settings) -> Response:

@@ -78,8 +78,6 @@ class LayoutsResult(Record):
     layouts: tuple[Layout, ...]
     source: str
     """The asset it stands over; empty if it has none."""
-    edited: Mapping[str, tuple[str, ...]]
-    """By SkelRoot: names of the elements whose place or controls a stronger layer has changed."""
     sources: tuple[SourceFile, ...]
     prims: tuple[StandingPrim, ...] = ()
     brought: Mapping[str, str] = field(default_factory=dict)

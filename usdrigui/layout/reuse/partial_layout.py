@@ -21,8 +21,8 @@ _SAME = 0.5
 """Earlier places of two twins mirror each other when they are nearer to it than this, in handle widths."""
 
 
-def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] | None = None) -> Settings:
-    """The settings with every anchor of `layout` fixed, or of the elements called `only`.
+def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
+    """The settings with every anchor of `layout` fixed.
 
     A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE where the
     layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that the rig lacks.
@@ -32,8 +32,6 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings, only: frozenset[str] 
     controls = dict(settings.controls)
     placed: set[str] = set()
     for element in outer_first(layout.elements):
-        if only is not None and element.name not in only:
-            continue
         for member in element.members:
             if member.control not in known:
                 where = f"{layout.root} element {element.name}"
@@ -62,6 +60,12 @@ def fixed_anchor(rig: Rig, name: str, override: ControlSettings) -> int | None:
     if not mark or not number.isdigit():
         raise refuse("CONFIG_VALUE", where, f"{override.anchor!r} is not MESH_PATH#POINT")
     return point_index(rig, where, path, int(number))
+
+
+def place_of(rig: Rig, point: int) -> str:
+    """``MESH_PATH#POINT`` of a point among all points of the rig."""
+    mesh, local = rig.mesh_of(point)
+    return f"{rig.meshes[mesh].path}#{local}"
 
 
 def point_index(rig: Rig, where: str, path: str, local: int) -> int:

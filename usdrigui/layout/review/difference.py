@@ -13,7 +13,7 @@ import numpy as np
 
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
-from usdrigui.levels import outer_first
+from usdrigui.levels import inner_names, outer_first
 from usdrigui.model import Element, Layout
 
 ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
@@ -104,9 +104,10 @@ def difference(
 
 
 def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
-    """By control and by how many elements before this one hold it too (doubles in the middle)."""
+    """By control and by how many elements before this one hold it too: of doubled ones the left one comes first."""
     memberships: dict[tuple[str, int], _Membership] = {}
-    for element in outer_first(layout.elements):
+    from_left = sorted(layout.elements, key=lambda each: -float(each.anchor.position @ layout.plane_normal))
+    for element in outer_first(from_left):
         for member in element.members:
             count = 0
             while (member.control, count) in memberships:
@@ -150,7 +151,7 @@ def _compared(
     if kind is None:
         return None
     distance = _distance(before, old, new)
-    why = tuple(_reasons(after, old, new, kind, improvements))
+    why = tuple(_reasons(before, after, old, new, kind, improvements))
     return Change(new.control, kind, new.element.name, distance, _where(old), _where(new), why)
 
 
@@ -182,7 +183,12 @@ def _distance(before: Layout, old: _Membership, new: _Membership) -> float:
 
 
 def _reasons(
-    after: Layout, old: _Membership, new: _Membership, kind: ChangeKind, improvements: Mapping[str, float]
+    before: Layout,
+    after: Layout,
+    old: _Membership,
+    new: _Membership,
+    kind: ChangeKind,
+    improvements: Mapping[str, float],
 ) -> Iterator[str]:
     one, other = old.element.anchor, new.element.anchor
     joined, left = sorted(new.partners - old.partners), sorted(old.partners - new.partners)
@@ -196,8 +202,19 @@ def _reasons(
         yield from _crowd(after, old, new)
     if kind == "board" and new.element.reason:
         yield new.element.reason
+    if "anchor" in set(new.element.pinned) - set(old.element.pinned):
+        yield "its anchor, or its twin's, was decided by a person"
+    handles = [_handles(layout, new.control) for layout in (before, after)]
+    if handles[0] != handles[1]:
+        yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"
     if new.element.name in improvements:
         yield f"gains {improvements[new.element.name]:.2f}"
+
+
+def _handles(layout: Layout, control: str) -> int:
+    """How many elements of the first level a control has: two, where it is doubled across the middle."""
+    inner = inner_names(layout.elements)
+    return sum(control in element.controls for element in layout.elements if element.name not in inner)
 
 
 def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:

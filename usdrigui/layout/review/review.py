@@ -81,14 +81,15 @@ def review(face: Face, candidates: Candidates, requests: Requests, settings: Set
         *_crowded(layout, layout.handle_width or face.handle_width),
     ]
     sound = _sound(face, layout)
-    issues = [*faults, *_hidden(face, sound)]
+    pinned = {element.name for element in layout.elements if "anchor" in element.pinned}
+    issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
     problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
     mates = _mates(face, layout, problem, choices, labels)
     rated = tuple(_rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices)))
     issues += [
         issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
         for each in rated
-        if each.gain > _WORTH
+        if each.gain > _WORTH and each.element not in pinned
     ]
     return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
 

@@ -117,3 +117,11 @@ def test_elements_of_a_layout_take_the_new_names_where_they_refer_to_each_other(
     elements = {each.name: each for each in both.elements}
     assert (elements["a"].mirror, elements["b"].mirror) == ("b", "a")
     assert np.array_equal(elements["a"].anchor.position, chain.by_name(line)["smile_L"].anchor.position)
+
+
+def test_a_doubled_element_is_the_same_whichever_side_comes_first(line):
+    left, right = (chain.by_name(line)[name] for name in ("smile_L", "smile_R"))
+    others = tuple(each for each in line.layout.elements if each not in (left, right))
+    both = [replace(each, name=f"both{n}", members=left.members) for n, each in enumerate((left, right))]
+    layouts = [replace(line.layout, elements=(*others, *pair)) for pair in (both, both[::-1])]
+    assert not difference(*layouts).changes

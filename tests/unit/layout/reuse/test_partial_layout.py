@@ -8,7 +8,8 @@ from usdrigui.errors import RigUIError
 
 
 def test_fixed_anchors_stay_and_unfold_their_pair():
-    line = chain.lay_out(makers.face(), chain.settings(controls={"brow_L": {"anchor": "/Root/mesh#914"}}))
+    controls = {"brow_L": {"anchor": "/Root/mesh#914"}, "brow_R": {"follow_twin": False}}
+    line = chain.lay_out(makers.face(), chain.settings(controls=controls))
     elements = chain.by_name(line)
     assert elements["brow_L"].anchor.point == 914
     assert elements["brow_R"].anchor.point != line.face.symmetry.partner[914]
