@@ -89,6 +89,11 @@ class Viewer:
     def element(self, name):
         return next(each for each in self.page.evaluate("usdrigui.elements()") if each["name"] == name)
 
+    def unfold(self, panel="list"):
+        """Open a panel that is folded away: `list` or `inspector`."""
+        self.page.evaluate("(panel) => usdrigui.app.fold(panel, true)", panel)
+        self.settle()
+
     def option(self, name, value):
         self.page.evaluate("([name, value]) => usdrigui.app.session.setOption(name, value)", [name, value])
         self.settle()

@@ -126,6 +126,7 @@ def test_symmetric_drag_moves_the_twin(viewer):
 
 
 def test_locked_control_does_not_move(viewer):
+    viewer.unfold()
     viewer.page.get_by_role("button", name="Lock brow_L").click()
     element = viewer.element("brow_L")
     viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
@@ -210,6 +211,7 @@ def test_symmetric_pull(viewer):
 
 
 def test_lock_sends_the_pull_to_others(viewer):
+    viewer.unfold()
     viewer.page.get_by_role("button", name="Lock smile_L").click()
     start = skin_point(viewer, 0.4, -0.36)
     viewer.drag(start, [start[0] + 14, start[1] - 14])
@@ -284,6 +286,7 @@ def test_search_filters_and_selects(viewer):
 
 
 def test_number_is_entered(viewer):
+    viewer.unfold()
     field = viewer.page.get_by_label("pucker, value")
     field.fill("0.625")
     field.press("Enter")
@@ -294,6 +297,7 @@ def test_number_is_entered(viewer):
 
 
 def test_list_slider_is_the_baseline(viewer):
+    viewer.unfold()
     slider = viewer.page.locator(".row[data-control=pucker] input[type=range]")
     slider.focus()
     slider.press("End")

@@ -79,6 +79,7 @@ def test_a_member_works_like_any_handle(viewer):
 def test_the_list_finds_a_member_and_tab_passes_by_what_is_not_shown(viewer):
     stops = ".stops [data-element=chin]"
     assert viewer.page.locator(stops).is_hidden()
+    viewer.unfold()
     viewer.page.locator("[data-control=chin] .name").click()
     assert "chin" in shown(viewer)
     assert not viewer.page.locator(stops).evaluate("(node) => node.hidden")

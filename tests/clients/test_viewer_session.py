@@ -159,6 +159,7 @@ def test_space_plays_and_stops(viewer):
 def test_keys_override_the_animation_and_are_undone(viewer):
     viewer.page.get_by_role("slider", name="Frame").focus()
     viewer.page.keyboard.press("End")
+    viewer.unfold()
     field = viewer.page.get_by_label("pucker, value")
     field.fill("0.75")
     field.press("Enter")
@@ -220,6 +221,7 @@ def test_numbers_of_the_selection_are_entered_and_undone(viewer):
 
 
 def test_what_is_no_number_changes_nothing(viewer):
+    viewer.unfold()
     field = viewer.page.get_by_label("pucker, value")
     field.fill("much")
     field.press("Enter")
@@ -275,6 +277,7 @@ def test_hidden_elements_are_neither_drawn_nor_caught_until_shown_again(viewer):
 
 
 def test_a_long_name_keeps_its_end_and_says_the_whole_when_pointed_at(viewer):
+    viewer.unfold()
     name = viewer.page.locator(".row[data-control=sneer_L] .name")
     assert LONG in name.get_attribute("title")
     start, end = name.locator("span.long-name > span").all()
@@ -302,25 +305,12 @@ def test_the_left_is_the_characters_own_seen_from_behind(viewer):
 
 def test_face_and_board_are_both_in_the_picture(viewer):
     elements = viewer.page.evaluate("usdrigui.elements()")
-    width, height = viewer.page.evaluate("[usdrigui.app.view.width, usdrigui.app.view.height]")
+    face, board = viewer.page.evaluate("[usdrigui.app.view.controlsColumn, usdrigui.app.view.overlay.dock.rect]")
     for each in elements:
+        room = board if each["name"] == "sneer_R" else face
         for x, y in (each["handle"], *(at for track in each["tracks"] for at in track)):
-            assert 0 < x < width
-            assert 0 < y < height
-    edge = viewer.page.evaluate(
-        """() => {
-          const { view, session } = usdrigui.app;
-          const project = view.camera.projector(view.controlsColumn);
-          const points = session.deformer.points;
-          let least = Infinity;
-          for (let i = 0; i < points.length; i += 3) least = Math.min(least, project(points.subarray(i, i + 3))[0]);
-          return least;
-        }"""
-    )
-    assert edge > 0, "the face is cut off at the left"
-    label = viewer.page.evaluate("usdrigui.app.view.overlay.labelWidth('sneer_R')")
-    board = next(each for each in elements if each["name"] == "sneer_R")
-    assert max(at[0] for track in board["tracks"] for at in track) + label < width
+            assert 0 < x - room["left"] < room["width"]
+            assert 0 < y - room["top"] < room["height"]
 
 
 # --- keyboard ----------------------------------------------------------------------------------------
@@ -328,6 +318,7 @@ def test_face_and_board_are_both_in_the_picture(viewer):
 
 def test_tab_reaches_everything_and_comes_round(viewer):
     page = viewer.page
+    viewer.unfold()
     wanted = page.evaluate(
         """() => [...document.querySelectorAll('button, input, select, summary, [tabindex="0"]')]
           .filter((node) => node.tabIndex >= 0 && !node.disabled && node.checkVisibility())

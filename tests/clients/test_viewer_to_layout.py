@@ -103,7 +103,8 @@ def test_an_element_cannot_be_dropped_where_its_control_moves_nothing(viewer):
           for (let i = 0; i < heat.length; i++) {
             const [x, y] = project(points.subarray(3 * i, 3 * i + 3));
             const hit = view.pick({ x, y, column: view.controlsColumn });
-            if (heat[i] === 0 && hit?.nearest === i) return [x, y];
+            const { width, height } = view.controlsColumn;
+            if (x > 0 && y > 0 && x < width && y < height && heat[i] === 0 && hit?.nearest === i) return [x, y];
           }
           return null;
         }"""

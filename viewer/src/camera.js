@@ -24,8 +24,8 @@ export class OrbitCamera {
     this.above = cross(this.towards, this.right);
   }
 
-  /** Fit points (lists of 3) into a column of `width` by `height` pixels, `room` pixels at the right kept free. */
-  frame(points, width, height, room = 0, margin = 1.12) {
+  /** Fit points (lists of 3) into a column of `width` by `height` pixels. */
+  frame(points, width, height, margin = 1.06) {
     if (!points.length) return;
     const spans = [this.right, this.above, this.towards].map((axis) => {
       return points.reduce(
@@ -38,10 +38,9 @@ export class OrbitCamera {
       [0, 0, 0],
     );
     const [wide, high, deep] = spans.map(([low, top]) => top - low);
-    const half = 0.5 * margin * Math.max(high, (wide * height) / Math.max(1, width - room), 1e-6);
+    const half = 0.5 * margin * Math.max(high, (wide * height) / Math.max(1, width), 1e-6);
     this.distance = half / Math.tan(FIELD / 2) + 0.5 * deep;
     this.size = Math.max(wide, high, deep);
-    this.pan(-room / 2, 0, height);
   }
 
   zoom(factor) {

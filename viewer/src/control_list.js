@@ -1,7 +1,8 @@
 // The plain list of sliders: every control by name, searchable, and the baseline of the evaluation.
 
+import { familyName } from './dock.js';
 import { longName, make, shownValue } from './dom.js';
-import { COLOURS, familyName } from './overlay.js';
+import { COLOURS } from './overlay.js';
 
 const STEPS = 1000;
 

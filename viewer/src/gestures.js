@@ -1,7 +1,9 @@
 // One gesture system without modes.  A press takes what is under the pointer: a handle, else the skin,
-// else the empty space, which orbits.  Moves are handled once per drawn frame.
+// else the empty space, which orbits.  One finger does what the mouse does; two pan, pinch and turn.  Moves are
+// handled once per drawn frame.
 
 import { beginDrag, dragTo, movedAlong } from './drag.js';
+import { FINGER } from './overlay.js';
 import { Pull } from './pull.js';
 
 const SLOP = 3; // pixels that a click may wander
@@ -13,11 +15,13 @@ export class Gestures {
     this.session = view.session;
     this.active = null;
     this.pending = null;
+    this.reach = 0; // pixels around a fingertip
+    this.fingers = new Map(); // pointer -> its latest place
     const surface = view.surface;
     surface.addEventListener('pointerdown', (event) => this.press(event));
     surface.addEventListener('pointermove', (event) => this.move(event));
     surface.addEventListener('pointerup', (event) => this.release(event));
-    surface.addEventListener('pointercancel', () => this.cancel());
+    surface.addEventListener('pointercancel', (event) => this.lose(event));
     surface.addEventListener('pointerleave', () => this.leave());
     surface.addEventListener('dblclick', (event) => this.doubleClick(event));
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -27,19 +31,60 @@ export class Gestures {
   // --- events ----------------------------------------------------------------------------------------
 
   press(event) {
-    if (this.active) return;
     const at = this.view.locate(event);
+    if (event.pointerType === 'touch') {
+      this.fingers.set(event.pointerId, at);
+      if (this.fingers.size === 2) return this.beginTwo();
+    }
+    if (this.active) return undefined;
     this.view.surface.focus({ preventScroll: true });
     this.view.surface.setPointerCapture(event.pointerId);
     this.view.freshen();
+    this.reach = event.pointerType === 'touch' ? FINGER / 2 : 0;
     this.active = { start: at, last: at, hand: at, moved: false, ...this.chooseGesture(event, at) };
     this.active.begin?.();
     event.preventDefault();
+    return undefined;
   }
 
   move(event) {
-    this.pending = { at: this.view.locate(event), fine: event.ctrlKey || event.metaKey };
-    this.view.request();
+    const at = this.view.locate(event);
+    if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, at);
+    if (this.active?.isOfTwo) return this.moveTwo();
+    if (event.pointerType !== 'touch') this.reach = 0;
+    this.pending = { at, fine: event.ctrlKey || event.metaKey };
+    return this.view.request();
+  }
+
+  // --- two fingers -----------------------------------------------------------------------------------
+
+  /** Take back what the first finger has begun; the two of them hold the camera. */
+  beginTwo() {
+    this.cancel();
+    this.active = { isOfTwo: true, ...this.grip() };
+  }
+
+  /** Where two fingers are: their middle, how far apart, and how they are turned. */
+  grip() {
+    const [a, b] = [...this.fingers.values()];
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.hypot(b.x - a.x, b.y - a.y) || 1, angle: Math.atan2(b.y - a.y, b.x - a.x) };
+  }
+
+  moveTwo() {
+    if (this.fingers.size < 2) return;
+    const { camera } = this.view;
+    const [before, now] = [this.active, this.grip()];
+    camera.pan(now.x - before.x, now.y - before.y, this.view.height);
+    camera.zoom(before.apart / now.apart);
+    const turned = Math.atan2(Math.sin(now.angle - before.angle), Math.cos(now.angle - before.angle));
+    camera.turn(camera.azimuth + turned, camera.elevation);
+    Object.assign(this.active, now);
+    this.view.changed('camera');
+  }
+
+  lose(event) {
+    this.fingers.delete(event.pointerId);
+    this.cancel();
   }
 
   /** Act on the latest move; called once before each frame. */
@@ -68,6 +113,8 @@ export class Gestures {
   }
 
   release(event) {
+    this.fingers.delete(event.pointerId);
+    if (this.active?.isOfTwo) this.active = null;
     if (!this.active) return;
     this.move(event);
     this.flush();
@@ -76,6 +123,7 @@ export class Gestures {
     if (active.moved) active.drop?.(active.last);
     else active.click?.();
     this.session.affected = new Map();
+    this.session.quiet ||= active.moved;
     this.setDragging(null);
     this.view.changed('pose');
   }
@@ -97,17 +145,31 @@ export class Gestures {
   doubleClick(event) {
     const at = this.view.locate(event);
     const element = this.view.controlsAt(at) ? this.view.overlay.elementAt(at.x, at.y) : null;
+    const hit = element ? null : this.view.pick(at);
     if (element) this.session.reset(element.members.map(({ control }) => control));
+    else if (hit) this.view.dive(hit);
   }
 
   wheel(event) {
     event.preventDefault();
+    if (this.view.overlay.dock.contains(this.view.locate(event))) return this.scroll(event.deltaY);
     this.view.camera.zoom(Math.exp(0.0012 * Math.max(-300, Math.min(300, event.deltaY))));
-    this.view.changed('camera');
+    return this.view.changed('camera');
+  }
+
+  /** Scroll the board. */
+  scroll(by) {
+    const { view } = this;
+    if (!view.overlay.dock.scrollBy(by)) return;
+    view.arrange();
+    view.changed('overlay');
   }
 
   hover(at) {
-    const element = this.view.controlsAt(at) ? this.view.overlay.elementAt(at.x, at.y) : null;
+    const { overlay } = this.view;
+    const on = this.view.controlsAt(at);
+    if (on && at.column && !this.reach && overlay.point(at.x, at.y)) this.view.changed('overlay');
+    const element = on ? overlay.elementAt(at.x, at.y) : null;
     this.session.setHover(element);
     const onSkin = !element && at.column?.kind !== 'target' && this.view.pick(at);
     this.view.setCursor(element ? 'grab' : onSkin && this.session.options.skinDrag ? 'crosshair' : 'default');
@@ -118,8 +180,13 @@ export class Gestures {
   chooseGesture(event, at) {
     const { view, session } = this;
     if (event.button === 1 || event.button === 2) return this.panning();
-    if (event.altKey || !at.column || at.column.kind === 'target') return this.orbiting();
-    const element = view.controlsAt(at) ? view.overlay.elementAt(at.x, at.y) : null;
+    const { reach } = this;
+    const coarse = view.controlsAt(at) ? view.overlay.badgeAt(at.x, at.y, reach ? reach / 2 : undefined) : null;
+    if (coarse) return { click: () => session.openOrClose([coarse]) };
+    if (reach && at.column && view.overlay.isAmbiguous(at.x, at.y, reach)) return this.opening(at);
+    const element = view.controlsAt(at) ? view.overlay.elementAt(at.x, at.y, reach) : null;
+    if (!element && view.overlay.dock.contains(at)) return { drag: (_, [, dy]) => this.scroll(-dy) };
+    if (event.altKey || !(element || at.column) || at.column?.kind === 'target') return this.orbiting();
     if (element && session.options.rearrange) return view.rearranging.gesture(element);
     if (element) return event.shiftKey ? this.adding(element) : this.handling(element);
     const pin = view.controlsAt(at) ? view.overlay.pinAt(at.x, at.y) : null;
@@ -150,6 +217,16 @@ export class Gestures {
     };
   }
 
+  /** A fingertip on several handles: they move apart, for the next press to choose. */
+  opening(at) {
+    return {
+      begin: () => {
+        this.view.overlay.point(at.x, at.y, FINGER);
+        this.view.changed('overlay');
+      },
+    };
+  }
+
   adding(element) {
     return { click: () => this.session.select([element], 'toggle') };
   }
@@ -166,8 +243,8 @@ export class Gestures {
         view.setCursor('grabbing');
       },
       grab: () => {
-        const project = view.camera.projector(this.active.start.column);
-        drag = beginDrag(element, session.controls, session.rest, session.values, project);
+        const [held, map] = view.overlay.draggable(element, view.camera.projector(view.controlsColumn));
+        drag = beginDrag(held, session.controls, session.rest, session.values, map);
       },
       drag: (hand) => {
         const changed = dragTo(drag, hand.x - this.active.start.x, hand.y - this.active.start.y);

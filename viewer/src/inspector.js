@@ -2,8 +2,9 @@
 // layout in and out.
 
 import { keysFromLayer, poseLayer } from './animation_layer.js';
+import { familyName } from './dock.js';
 import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
-import { COLOURS, familyName } from './overlay.js';
+import { COLOURS } from './overlay.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
 import { sideName } from './view.js';
 

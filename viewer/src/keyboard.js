@@ -82,15 +82,40 @@ export class Stops {
   }
 }
 
-/** Shortcuts of the page; `actions` maps names of keys to functions. */
-export function listenToKeys(actions) {
+const TAP = 250; // milliseconds: a key held longer than this is over when it is let go
+
+/**
+ * Shortcuts of the page; `actions` maps names of keys to functions, `held` to functions of whether the key is down.
+ * A key in both acts when it was but tapped.
+ */
+export function listenToKeys(actions, held = {}) {
+  const down = new Map();
+  const free = (event) => {
+    const target = /** @type {Element} */ (event.target);
+    return !target.matches('input[type=text], input[type=number], input[type=search], textarea');
+  };
   document.addEventListener('keydown', (event) => {
     const target = /** @type {Element} */ (event.target);
-    const typing = target.matches('input[type=text], input[type=number], input[type=search], textarea');
     const name = [event.ctrlKey || event.metaKey ? 'Ctrl+' : '', event.shiftKey ? 'Shift+' : '', event.key.length === 1 ? event.key.toLowerCase() : event.key].join('');
+    if (!free(event) && name !== 'Escape') return;
+    if (held[name]) {
+      if (!event.repeat && !down.has(name)) down.set(name, performance.now());
+      if (!event.repeat) held[name](true);
+      event.preventDefault();
+      return;
+    }
     const action = actions[name];
-    if (!action || (typing && name !== 'Escape')) return;
+    if (!action) return;
     if (target.matches('button, summary, a') && (name === ' ' || name === 'Enter')) return;
     if (action() !== false) event.preventDefault();
   });
+  const release = (name) => {
+    const since = down.get(name);
+    if (since === undefined) return;
+    down.delete(name);
+    held[name](false);
+    if (performance.now() - since < TAP) actions[name]?.();
+  };
+  document.addEventListener('keyup', (event) => release(event.key.toLowerCase()));
+  window.addEventListener('blur', () => [...down.keys()].forEach(release));
 }

@@ -14,6 +14,8 @@ import { Timeline } from './timeline.js';
 import { View } from './view.js';
 import { resume } from './work.js';
 
+const ROOMY = 1200; // pixels of width from which the panel is open at first
+
 const SHORTCUTS = [
   ['Drag a handle', 'its control; Ctrl for fine steps'],
   ['Drag the skin', 'best fit of the controls that act there'],
@@ -24,6 +26,9 @@ const SHORTCUTS = [
   ['Double-click a handle', 'reset it'],
   ['Tab, arrow keys', 'go through the handles, and move them (Shift: more, Ctrl: less)'],
   ['S  H  L', 'symmetry, show or hide handles, all labels'],
+  ['Hold H, B, I', 'hide all elements, show the pose before, show what the selection moves'],
+  ['C  P', 'the list of controls, the panel'],
+  ['Double-click the skin', 'look at a region closely, and back'],
   ['M', 'open the selected coarse element into its members, or close it'],
   ['0  R  K', 'zero, reset, key the selection'],
   ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection'],
@@ -43,7 +48,11 @@ class App {
     this.kept = scene.characters.map(() => null);
     this.open(0);
     for (const event of ['pagehide', 'beforeunload']) window.addEventListener(event, (leaving) => this.leave(leaving));
-    listenToKeys(this.shortcuts());
+    listenToKeys(this.shortcuts(), {
+      h: (on) => this.view.hold('bare', on),
+      b: (on) => this.session.compare(on),
+      i: (on) => this.view.hold('showsInfluence', on),
+    });
   }
 
   /** Show one of the scene's characters, as it was left. */
@@ -65,9 +74,12 @@ class App {
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();
     this.view.node.append(this.evaluation.panel, this.help, this.offer, this.notice);
-    const middle = make('div', { class: 'middle' }, this.list.node, this.view.node, this.inspector.node);
-    this.node.replaceChildren(this.makeBar(), middle, this.timeline.node);
+    // The view comes first for the keyboard, wherever it is on the screen.
+    const middle = make('div', { class: 'middle' }, this.view.node, this.list.node, this.inspector.node);
+    this.node.replaceChildren(middle, this.makeBar(), this.timeline.node);
     this.node.className = 'ready';
+    this.fold('list', false);
+    this.fold('inspector', window.innerWidth >= ROOMY);
     this.offerWork(autosave);
   }
 
@@ -129,6 +141,8 @@ class App {
       option('handles', 'Handles', 'Show or hide the handles (H)'),
       option('rearrange', 'Rearrange', 'Drag elements to other points of the face'),
     ];
+    const panel = (name, label, title) => toggle(label, title, () => !this[name].node.hidden, () => this.fold(name));
+    parts.push(panel('list', 'List', 'All controls as sliders (C)'), panel('inspector', 'Panel', 'Selection, display, poses, layout (P)'));
     session.on('options', () => parts.forEach((part) => part.update()));
     const act = (label, title, onclick, name = label) => make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
     /** @type {[string, number, number][]} */
@@ -149,6 +163,14 @@ class App {
         : null,
       act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden), 'Shortcuts'),
     );
+  }
+
+  /** Fold a panel away or open it: 'list' or 'inspector'; narrow pages have room for one. */
+  fold(panel, open = this[panel].node.hidden) {
+    const other = panel === 'list' ? 'inspector' : 'list';
+    if (open && window.innerWidth < ROOMY) this[other].node.hidden = true;
+    this[panel].node.hidden = !open;
+    this.session.emit('options');
   }
 
   makeChooser() {
@@ -198,6 +220,8 @@ class App {
       'Ctrl+a': () => this.session.select(this.view.overlay.elementsIn([-1e9, -1e9, 1e9, 1e9])),
       s: flip('symmetric'),
       h: flip('handles'),
+      c: () => this.fold('list'),
+      p: () => this.fold('inspector'),
       l: () => this.session.setOption('labels', this.session.options.labels === 'all' ? 'hover' : 'all'),
       0: () => this.session.zero(this.session.chosenControls),
       r: () => this.session.reset(this.session.chosenControls),
@@ -209,7 +233,10 @@ class App {
       4: look(Math.PI, 0),
       f: () => this.view.frameClosely(),
       ' ': () => this.timeline.toggle(),
-      '/': () => this.list.search.focus(),
+      '/': () => {
+        this.fold('list', true);
+        this.list.search.focus();
+      },
       Escape: () => this.escape(),
     };
   }

@@ -1,15 +1,20 @@
 // Tracks, handles, labels and marks, drawn on a plain canvas above the picture: crisp at any resolution,
 // and half-hidden parts can be shown as ghosts.
 
-import { lastWord } from './dom.js';
+import { Dock } from './dock.js';
 import { alongTrack } from './elements.js';
+import { lensAt } from './spread.js';
 
 // As in pictures (`usdrigui/view/overlay.py`, docs/decisions/114).
 export const COLOURS = { left: '#4da3ff', right: '#f21420', middle: '#bcf000', none: '#7a5cff' };
 const AFFECTED = '#5fd6ff';
-const LEAST_HANDLE = 9;
+const LEAST_HANDLE = 11;
 const MOST_HANDLE = 22;
-const BESIDE_FONT = '11px system-ui, sans-serif';
+const LEAST_TRACK = 30; // pixels: shorter tracks are drawn longer, and moved so
+const MOST_GAIN = 8;
+const STAY = 2; // least distances that the pointer may go before the lens comes after it
+const BADGE = 6; // pixels of the sign at a coarse element, and at its open members
+export const FINGER = 44; // pixels that fingertips need
 
 export class Overlay {
   constructor(canvas, session) {
@@ -18,6 +23,10 @@ export class Overlay {
     this.session = session;
     this.marquee = null;
     this.placing = null;
+    this.dock = new Dock(session);
+    this.lens = null;
+    this.look = '';
+    this.gains = new Map();
   }
 
   resize(width, height, ratio) {
@@ -29,8 +38,9 @@ export class Overlay {
   }
 
   /**
-   * Project all elements into a column; call when pose or camera have changed.  `hides` tells whether the
-   * skin covers a projected point; null keeps what was covered before (while dragging).
+   * Project all elements into a column, and those of the board into its strip; call when pose or camera have changed.
+   * `hides` tells whether the skin covers a projected point; null keeps what was covered, how much tracks are
+   * lengthened and what the lens has moved, as they were (while dragging).
    */
   arrange(column, camera, hides) {
     const { session } = this;
@@ -39,16 +49,106 @@ export class Overlay {
     const width = Math.min(MOST_HANDLE, Math.max(LEAST_HANDLE, session.elements.width * perUnit));
     this.enlarged = width / (session.elements.width * perUnit);
     const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
+    if (hides) this.gains = new Map();
+    const { azimuth, elevation, distance, target } = camera;
+    const look = [azimuth, elevation, distance, ...target, column.left, column.width, column.height].join();
+    if (look !== this.look) this.lens = null; // it stood over other places
+    this.look = look;
     this.drawn = session.elements.list
-      .filter((element) => session.isShown(element))
+      .filter((element) => session.isShown(element) && (!element.onBoard || this.dock.mapOf(element)))
       .map((element) => {
+        if (element.onBoard) return this.docked(element);
         const away = hides && this.facesAway(element, camera);
         return this.arranged(element, project, away ? () => true : hides, width, before.get(element));
       });
-    this.names = this.families(this.drawn);
     this.pinned = session.pins.map((pin) => project(session.shown(pin)));
     this.column = column;
     this.leftward = Math.sign(session.character.layout.planeNormal.reduce((sum, value, axis) => sum + value * camera.right[axis], 0));
+    if (this.lens) this.shift();
+  }
+
+  /** From an element's scene units to pixels: a short track is lengthened about the place of its handle at rest. */
+  mapOf(element, project) {
+    const origin = project(element.origin);
+    if (!this.gains.has(element)) this.gains.set(element, gainOf(element.tracks.map((track) => track.map(project))));
+    const gain = this.gains.get(element);
+    const [dx, dy] = this.lens?.offsets.get(element) ?? [0, 0];
+    return (point) => {
+      const [x, y, depth] = project(point);
+      return [origin[0] + gain * (x - origin[0]) + dx, origin[1] + gain * (y - origin[1]) + dy, depth];
+    };
+  }
+
+  /** What `beginDrag` needs: an element and the map of its points to pixels. */
+  draggable(element, project) {
+    const map = this.dock.mapOf(element);
+    return element.onBoard && map ? [this.dock.heldStill(element), map] : [element, this.mapOf(element, project)];
+  }
+
+  docked(element) {
+    const map = this.dock.mapOf(element);
+    const { tracks } = this.dock.heldStill(element);
+    const screen = element.members.map((member, m) => this.screenTrack(member, tracks[m], map, () => false));
+    const at = this.dock.handleOf(element);
+    const still = element.members[0];
+    const origin = map(alongTrack(still.values, tracks[0], this.session.rest[still.control]));
+    const [handle, width] = [map(at), LEAST_HANDLE + 1];
+    const scale = width / (this.session.elements.width * this.enlarged);
+    const corners = element.glyph && element.glyph.points.map((point) => {
+      const [x, y] = this.dock.seen(point);
+      return [handle[0] + scale * x, handle[1] + scale * y, 1];
+    });
+    return { element, handle, tracks: screen, width, hidden: false, corners, origin };
+  }
+
+  // --- the lens --------------------------------------------------------------------------------------
+
+  /** Open, move or close the lens for a pointer at (x, y); true when something has moved.  `apart` for fingers. */
+  point(x, y, apart = null) {
+    const { lens } = this;
+    if (lens && Math.hypot(x - lens.at[0], y - lens.at[1]) < STAY * lens.apart && (apart ?? 0) <= lens.apart) return false;
+    const reachable = (this.drawn ?? []).filter((each) => !each.element.onBoard && this.isReachable(each));
+    const wide = apart ?? (reachable[0]?.width ?? 0) + 2;
+    const aimed = reachable.findIndex((each) => Math.hypot(each.handle[0] - x, each.handle[1] - y) <= each.width / 2);
+    const held = aimed < 0 ? null : reachable[aimed].handle; // what is pointed at does not run away
+    const had = this.closeLens();
+    if (!this.session.options.handles) return had;
+    const homes = reachable.map(({ handle }) => handle);
+    const found = lensAt(homes.map((home, i) => (i === aimed ? held : home)), [x, y], wide, aimed);
+    if (!found) return had;
+    const offsets = new Map([...found].map(([i, [dx, dy]]) => {
+      const [hx, hy] = i === aimed ? [held[0] - homes[i][0], held[1] - homes[i][1]] : [0, 0];
+      return [reachable[i].element, [dx + hx, dy + hy]];
+    }));
+    this.lens = { offsets, at: [x, y], apart: wide };
+    this.shift();
+    return true;
+  }
+
+  closeLens() {
+    if (!this.lens) return false;
+    this.shift(-1);
+    this.lens = null;
+    return true;
+  }
+
+  /** Move what is under the lens by its offsets, or back. */
+  shift(sign = 1) {
+    const { offsets } = this.lens;
+    for (const each of this.drawn) {
+      const [dx, dy] = offsets.get(each.element) ?? [0, 0];
+      if (!dx && !dy) continue;
+      const move = ([x, y, depth]) => [x + sign * dx, y + sign * dy, depth];
+      each.home = sign > 0 ? each.handle : null;
+      each.handle = move(each.handle);
+      each.origin = move(each.origin);
+      each.corners = each.corners && each.corners.map(move);
+      each.tracks = each.tracks.map((track) => track.map(({ at, covered }) => ({ at: move(at), covered })));
+    }
+  }
+
+  isReachable({ handle, hidden }) {
+    return handle[2] > 0 && (!hidden || this.session.options.occlusion === 'overlay');
   }
 
   /** True when an element on the face is seen from behind, which no depth tells where the skin is a thin sheet. */
@@ -59,13 +159,19 @@ export class Overlay {
   }
 
   arranged(element, project, hides, width, before) {
-    const handle = project(element.handle);
+    const lens = this.lens;
+    this.lens = null; // which moves what is drawn afterwards
+    const map = this.mapOf(element, project);
+    this.lens = lens;
+    const handle = map(element.handle);
     const tracks = element.tracks.map((track, m) => {
       const kept = hides ? null : before?.tracks[m];
-      return this.screenTrack(element.members[m], track, project, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
+      return this.screenTrack(element.members[m], track, map, (at, k) => hides?.(at) ?? kept?.[k]?.covered ?? false);
     });
     const hidden = hides ? hides(handle) && mostlyCovered(tracks) : (before?.hidden ?? false);
-    const corners = element.glyph && element.outline.map(project);
+    const bare = project(element.handle);
+    const moved = ([x, y, depth]) => [x + handle[0] - bare[0], y + handle[1] - bare[1], depth];
+    const corners = element.glyph && element.outline.map((corner) => moved(project(corner)));
     return { element, handle, tracks, width, hidden, corners, origin: project(element.origin) };
   }
 
@@ -84,36 +190,89 @@ export class Overlay {
     });
   }
 
-  /** Headings of the groups beside the face: above the first element of each family. */
-  families(drawn) {
-    const groups = new Map();
-    for (const { element, handle, tracks } of drawn) {
-      if (!element.onBoard || !element.category) continue;
-      const corners = [handle, ...tracks.flatMap((track) => track.map(({ at }) => at))];
-      const left = Math.min(...corners.map(([x]) => x));
-      const top = Math.min(...corners.map(([, y]) => y));
-      if (!groups.has(element.category)) groups.set(element.category, { left, top });
-    }
-    return groups;
-  }
-
   draw() {
     const { pen, session, ratio } = this;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.width, this.height);
     if (session.options.handles && this.drawn) {
       this.clipTo(this.column);
-      const order = [...this.drawn].sort((a, b) => b.handle[2] - a.handle[2]);
-      order.forEach((each) => this.drawTracks(each));
-      order.forEach((each) => this.drawHandle(each));
-      this.drawFamilies();
-      this.drawBesideLabels();
+      const order = this.drawn.filter(({ element }) => !element.onBoard).sort((a, b) => b.handle[2] - a.handle[2]);
+      this.drawElements(order);
       if (session.options.labels === 'all') this.drawLabels(order);
       pen.restore();
+      if (this.dock.rect) this.drawDock();
     }
     this.drawPins();
     this.drawPlacing();
     if (this.marquee) this.drawMarquee(this.marquee);
+  }
+
+  drawElements(order) {
+    order.forEach((each) => this.drawLeader(each));
+    order.forEach((each) => this.drawTracks(each));
+    order.forEach((each) => this.drawHandle(each));
+    order.forEach((each) => this.drawBadge(each));
+  }
+
+  drawDock() {
+    this.clipTo(this.dock.rect);
+    this.dock.draw(this.pen);
+    this.drawElements(this.drawn.filter(({ element }) => element.onBoard));
+    this.pen.restore();
+  }
+
+  /** From a handle that the lens has moved to its place on the skin. */
+  drawLeader({ element, home, handle, hidden }) {
+    if (!home || Math.hypot(home[0] - handle[0], home[1] - handle[1]) < 3) return;
+    const { pen } = this;
+    pen.globalAlpha = 0.5 * this.strength(element, hidden);
+    pen.lineWidth = 1;
+    pen.strokeStyle = '#f4f5f7';
+    pen.beginPath();
+    pen.moveTo(home[0], home[1]);
+    pen.lineTo(handle[0], handle[1]);
+    pen.stroke();
+  }
+
+  /** The sign of a second level: plus at what can be opened, minus at the members of what is open. */
+  drawBadge(drawn) {
+    const at = this.badgeOf(drawn);
+    if (!at) return;
+    const { pen } = this;
+    const strength = this.strength(drawn.element, drawn.hidden);
+    if (strength < 0.3) return;
+    pen.globalAlpha = strength;
+    pen.beginPath();
+    pen.arc(at[0], at[1], BADGE, 0, 7);
+    pen.fillStyle = '#f4f5f7';
+    pen.fill();
+    pen.lineWidth = 1.6;
+    pen.strokeStyle = '#16181b';
+    pen.beginPath();
+    pen.moveTo(at[0] - 3, at[1]);
+    pen.lineTo(at[0] + 3, at[1]);
+    if (drawn.element.inner.length) {
+      pen.moveTo(at[0], at[1] - 3);
+      pen.lineTo(at[0], at[1] + 3);
+    }
+    pen.stroke();
+    pen.globalAlpha = 1;
+  }
+
+  badgeOf({ element, handle, width }) {
+    const { session } = this;
+    const told = element.inner.length || (session.levels.coarseOf(element).length && (session.hover === element || session.selection.has(element.index)));
+    return told ? [handle[0] + width / 2 + 4, handle[1] + width / 2 + 4] : null;
+  }
+
+  /** The element whose sign of a second level is at (x, y). */
+  badgeAt(x, y, reach = BADGE + 2) {
+    if (!this.session.options.handles) return null;
+    const found = (this.drawn ?? []).filter((each) => this.isReachable(each)).find((each) => {
+      const at = this.badgeOf(each);
+      return at && Math.hypot(at[0] - x, at[1] - y) <= reach;
+    });
+    return found?.element ?? null;
   }
 
   clipTo({ left, top, width, height }) {
@@ -294,53 +453,6 @@ export class Overlay {
     pen.stroke();
   }
 
-  drawFamilies() {
-    const { pen } = this;
-    pen.font = '600 11px system-ui, sans-serif';
-    pen.textAlign = 'left';
-    pen.fillStyle = '#9aa0a8';
-    const rows = this.drawn.filter(({ element }) => element.onBoard);
-    for (const [family, { left, top }] of this.names) {
-      // Seen from afar there is no room between the rows of the board for its headings.
-      const taken = rows.some(({ element, handle }) => element.category !== family && Math.abs(handle[1] - top + 20) < 12);
-      if (taken) continue;
-      pen.globalAlpha = 0.9 * this.session.options.opacity;
-      pen.fillText(familyName(family).toUpperCase(), left - 6, top - 16);
-    }
-    pen.globalAlpha = 1;
-  }
-
-  /** Pixels across that the name of an element on the board takes. */
-  labelWidth(text) {
-    this.pen.font = BESIDE_FONT;
-    return this.pen.measureText(text).width;
-  }
-
-  /** Names of the elements on the board, whose place does not tell what they do. */
-  drawBesideLabels() {
-    const { pen, session } = this;
-    const rows = this.drawn.filter(({ element, handle }) => element.onBoard && handle[2] > 0);
-    pen.font = BESIDE_FONT;
-    pen.textAlign = 'left';
-    const extents = rows.map(({ handle, tracks }) => {
-      const xs = [handle[0], ...tracks.flatMap((track) => track.map(({ at }) => at[0]))];
-      return { left: Math.min(...xs) - 7, right: Math.max(...xs) + 9 };
-    });
-    for (const [i, { element, handle, tracks }] of rows.entries()) {
-      const x = extents[i].right;
-      const y = element.axes.length > 1 ? handle[1] : tracks[0][0].at[1];
-      const next = rows.reduce((least, other, k) => {
-        const level = Math.abs(other.handle[1] - y) < 12 && extents[k].left > x;
-        return level ? Math.min(least, extents[k].left) : least;
-      }, this.column.left + this.column.width - 4);
-      const marked = session.hover === element || session.selection.has(element.index);
-      pen.globalAlpha = (marked ? 1 : 0.75) * this.strength(element, false);
-      pen.fillStyle = marked ? '#f4f5f7' : '#b4bac2';
-      pen.fillText(shortened(pen, element.label, next - x), x, y + 4);
-    }
-    pen.globalAlpha = 1;
-  }
-
   /** Labels of all visible handles, left out where they would cover one another. */
   drawLabels(order) {
     const { pen } = this;
@@ -417,16 +529,27 @@ export class Overlay {
   // --- picking ---------------------------------------------------------------------------------------
 
   /** The element whose handle is nearest to (x, y) and within reach; covered handles only when drawn. */
-  elementAt(x, y) {
-    const { session } = this;
+  elementAt(x, y, reach = 0) {
+    const { session, dock } = this;
     if (!session.options.handles || !this.drawn) return null;
+    const inDock = dock.contains({ x, y });
     let best = null;
-    for (const { element, handle, width, hidden } of this.drawn) {
-      if (handle[2] <= 0 || (hidden && session.options.occlusion !== 'overlay')) continue;
+    for (const each of this.drawn) {
+      const { element, handle, width } = each;
+      if (!this.isReachable(each) || element.onBoard !== inDock) continue;
       const off = Math.hypot(handle[0] - x, handle[1] - y);
-      if (off <= width / 2 + 4 && (!best || off < best.off)) best = { element, off };
+      if (off <= Math.max(reach, width / 2 + 4) && (!best || off < best.off)) best = { element, off };
     }
     return best?.element ?? null;
+  }
+
+  /** Whether a fingertip covers handles of several elements that the lens has not moved apart for it. */
+  isAmbiguous(x, y, reach) {
+    if (!this.session.options.handles || (this.lens && this.lens.apart >= 2 * reach)) return false;
+    const covered = (this.drawn ?? []).filter((each) => {
+      return !each.element.onBoard && this.isReachable(each) && Math.hypot(each.handle[0] - x, each.handle[1] - y) <= reach;
+    });
+    return covered.length > 1;
   }
 
   pinAt(x, y) {
@@ -441,38 +564,18 @@ export class Overlay {
   }
 }
 
-/** As in pictures (`usdrigui/view/lettering.py`). */
-const FAMILIES = {
-  global: 'Whole character',
-  hidden: 'Hidden',
-  interior: 'Inside the mouth',
-  composite: 'Composite',
-  viseme: 'Visemes',
-  emotion: 'Emotions',
-  combination: 'Combinations',
-  identity: 'Identity',
-  requested: 'By request',
-  crowded: 'No room on the face',
-};
-
-/** The heading of a family of elements on the board. */
-export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
-
 /** A handle behind a fold of the skin whose track can be seen is still within reach. */
 function mostlyCovered(tracks) {
   const corners = tracks.flat();
   return corners.filter(({ covered }) => covered).length > 0.6 * corners.length;
 }
 
-/** A text cut to a width in the middle, so that its last word, mostly a side, stays; '' where nothing fits. */
-function shortened(pen, text, width) {
-  if (pen.measureText(text).width <= width) return text;
-  for (const end of [lastWord(text), '']) {
-    let kept = text.length - end.length - 1;
-    while (kept > 1 && pen.measureText(`${text.slice(0, kept)}…${end}`).width > width) kept--;
-    if (kept > 1) return `${text.slice(0, kept)}…${end}`;
-  }
-  return '';
+/** How much longer short tracks are drawn; those seen from their end stay as they are. */
+function gainOf(tracks) {
+  const longest = Math.max(...tracks.map((track) => {
+    return track.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - track[k][0], y - track[k][1]), 0);
+  }));
+  return longest < LEAST_TRACK / MOST_GAIN ? 1 : Math.max(1, LEAST_TRACK / longest);
 }
 
 /** Circle for one axis, diamond for two, triangle for a fan. */

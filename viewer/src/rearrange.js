@@ -17,7 +17,7 @@ export class Rearranging {
   gesture(element) {
     const { view, session } = this;
     const { overlay } = view;
-    const from = view.camera.projector(view.controlsColumn)(element.handle);
+    const from = overlay.drawn.find((each) => each.element === element).handle;
     let place = null;
     return {
       begin: () => session.select([element]),
@@ -32,7 +32,7 @@ export class Rearranging {
         view.changed('overlay');
         if (place && !this.holds(element, place.nearest)) view.say?.(`${element.label} does not move this point: drop it on the coloured area`);
         else if (place) this.moveToSkin(element, place.nearest);
-        else if (to.column) this.moveBeside(element, from, to);
+        else this.moveBeside(element, to);
       },
       undo: () => {
         overlay.placing = null;
@@ -62,10 +62,11 @@ export class Rearranging {
     this.moved.set(element.index, { anchor: `${path}#${local}` });
   }
 
-  moveBeside(element, from, to) {
+  moveBeside(element, to) {
     const { camera } = this.view;
-    const start = camera.unproject(to.column, from[0], from[1], from[2]);
-    const offset = minus(camera.unproject(to.column, to.x, to.y, from[2]), start);
+    const column = to.column ?? this.view.controlsColumn;
+    const start = camera.projector(column)(element.handle);
+    const offset = minus(camera.unproject(column, to.x, to.y, start[2]), element.handle);
     this.change(`Move ${element.label} beside the face`, [element], () => {
       this.session.elements.putBeside(element, offset);
       this.moved.set(element.index, { place: 'board' });

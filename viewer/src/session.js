@@ -52,8 +52,10 @@ export class Session {
     this.locks = new Set();
     this.pins = [];
     this.hover = null;
+    this.quiet = false; // influence stays away after a release, until something else is pointed at
     this.affected = new Map();
     this.dragging = null;
+    this.present = null; // the values, while those before are shown
     this.listeners = new Map();
     this.reshape();
   }
@@ -115,6 +117,7 @@ export class Session {
   }
 
   beginEdit() {
+    this.compare(false);
     this.emit('editing');
     return Float64Array.from(this.values);
   }
@@ -163,6 +166,7 @@ export class Session {
 
   /** All that undo gives back. */
   snapshot() {
+    this.compare(false);
     const { frame, neutral, keys, standing } = this;
     return { frame, neutral, keys, standing, values: Float64Array.from(this.values), given: this.given };
   }
@@ -207,6 +211,7 @@ export class Session {
    * without keys end with the frame, as one undoable step.  Returns their control indices.
    */
   go(frame) {
+    this.compare(false);
     const lost = this.unkeyed();
     const before = lost.length ? this.snapshot() : null;
     this.standing = this.stood();
@@ -280,6 +285,16 @@ export class Session {
     this.reshape();
   }
 
+  /** Show the frame as it was before any change here while `on`, and the present values again. */
+  compare(on) {
+    if (on === Boolean(this.present)) return;
+    if (on) this.emit('editing');
+    const shown = on ? this.given : this.present;
+    this.present = on ? Float64Array.from(this.values) : null;
+    this.values.set(shown);
+    this.reshape();
+  }
+
   /** Follow elements that stand elsewhere now. */
   relayout() {
     this.showBase(); // finding where elements stand has put the base pose there
@@ -318,6 +333,7 @@ export class Session {
   setHover(element) {
     if (this.hover === element) return;
     this.hover = element;
+    this.quiet = false;
     this.emit('hover');
   }
 

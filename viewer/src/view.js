@@ -9,7 +9,6 @@ import { Stage } from './stage.js';
 import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
-const MOST_LABEL = 150; // pixels kept at most for the names of elements on the board
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
@@ -32,6 +31,8 @@ export class View {
     this.gestures = new Gestures(this);
     this.kinds = null;
     this.say = null;
+    this.showsInfluence = false; // while its key is held
+    this.bare = false; // while all elements are hidden by theirs
     this.onInfluences = null;
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
@@ -84,17 +85,24 @@ export class View {
 
   /** Lay out the columns: those of the evaluation, or the face alone, or the controls' copy and the clean face. */
   arrange() {
+    if (!this.width) return; // not on the page yet
     const { arrangement, handles } = this.session.options;
+    const { dock } = this.overlay;
     const kinds = this.kinds ?? (arrangement === 'beside' && handles ? ['controls', 'clean'] : ['controls']);
-    const width = Math.floor(this.width / kinds.length);
+    const rect = kinds.includes('controls') ? dock.place(this.width, this.height) : null;
+    dock.arrange(rect);
+    const [wide, high] = rect && rect.width < this.width ? [rect.left, this.height] : [this.width, rect ? rect.top : this.height];
+    const width = Math.floor(wide / kinds.length);
     const names = { controls: 'Controls', clean: 'Clean face', target: 'Target' };
-    this.columns = kinds.map((kind, i) => ({ kind, left: i * width, top: 0, width, height: this.height }));
+    this.columns = kinds.map((kind, i) => ({ kind, left: i * width, top: 0, width, height: high }));
     this.controlsColumn = this.columns.find((column) => column.kind === 'controls') ?? null;
     this.captions.replaceChildren(
       ...(kinds.length > 1 ? kinds : []).map((kind, i) =>
         make('span', { style: { left: `${i * width}px`, width: `${width}px` } }, this.captionOf?.(kind) ?? names[kind]),
       ),
     );
+    this.sides.forEach((node) => (node.style.bottom = `${this.height - high + 12}px`));
+    this.sides[1].style.right = `${this.width - wide + 14}px`;
     this.picker.invalidate();
   }
 
@@ -106,13 +114,12 @@ export class View {
     this.home();
   }
 
-  /** Look at the face from the layout's view: all elements in the picture, or in several columns the whole head. */
+  /** Look at the face: from the front, or from an azimuth and elevation off it. */
   home(azimuth = 0, elevation = 0) {
     this.camera.turn(azimuth, elevation);
     const column = this.columns[0] ?? { width: 1, height: 1 };
-    const shown = this.shownElements();
-    const room = this.controlsColumn ? this.labelRoom(shown.filter((element) => element.onBoard)) : 0;
-    this.camera.frame(this.framed(shown), column.width, column.height, room);
+    this.camera.frame(this.framed(this.shownElements()), column.width, column.height);
+    this.closeness = this.camera.distance;
     this.changed('camera');
   }
 
@@ -120,24 +127,13 @@ export class View {
     return this.session.elements.list.filter((element) => this.session.isShown(element));
   }
 
-  /** Points to be in the picture. */
+  /** Points to be in the picture: the elements on the face and what of the head is around them. */
   framed(shown) {
     const on = shown.filter((element) => !element.onBoard).flatMap((element) => element.tracks.flat());
-    const beside = shown.filter((element) => element.onBoard).flatMap((element) => element.tracks.flat());
     const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
-    if (!on.length) return beside.length ? [...beside, ...skin] : skin;
-    if (this.columns.length > 1) on.push(...this.surroundings(on, skin, 0.5, 0.5));
-    else if (beside.length) on.push(...this.surroundings(on, skin, 0.35, 0.08));
-    return this.controlsColumn ? [...on, ...beside] : on;
-  }
-
-  /** Pixels that the names at the right end of the board need. */
-  labelRoom(beside) {
-    const along = (element) => Math.max(...element.tracks.flat().map((point) => dot(point, this.camera.right)));
-    const ends = beside.map(along);
-    const [least, most] = [Math.min(...ends), Math.max(...ends)];
-    const last = beside.filter((_, i) => ends[i] >= most - 0.25 * (most - least));
-    return Math.min(MOST_LABEL, Math.max(0, ...last.map(({ label }) => this.overlay.labelWidth(label) + 14)));
+    if (!on.length) return skin;
+    const [sideways, upright] = this.columns.length > 1 ? [0.5, 0.5] : [0.25, 0.12];
+    return [...on, ...this.surroundings(on, skin, sideways, upright)];
   }
 
   /** The skin around some points, as far as these shares of their height to the sides and up and down. */
@@ -159,22 +155,34 @@ export class View {
   frameClosely() {
     const { session } = this;
     const onFace = this.shownElements().filter((element) => !element.onBoard);
-    const chosen = session.selection.size ? session.selectedElements : onFace;
+    const selected = session.selectedElements.filter((element) => !element.onBoard);
+    const chosen = selected.length ? selected : onFace;
     const column = this.columns[0];
     const points = chosen.flatMap((element) => element.tracks.flat());
-    this.camera.frame(points, column.width, column.height, 0, session.selection.size ? 3 : 1.2);
+    this.camera.frame(points, column.width, column.height, selected.length ? 3 : 1.2);
     this.changed('camera');
   }
 
   locate(event) {
     const box = this.surface.getBoundingClientRect();
     const at = { x: event.clientX - box.left, y: event.clientY - box.top };
-    const column = this.columns.find(({ left, width }) => at.x >= left && at.x < left + width) ?? null;
-    return { ...at, column };
+    const within = ({ left, top, width, height }) => at.x >= left && at.x < left + width && at.y >= top && at.y < top + height;
+    return { ...at, column: this.overlay.dock.contains(at) ? null : (this.columns.find(within) ?? null) };
   }
 
-  controlsAt({ column }) {
-    return column !== null && column === this.controlsColumn;
+  /** Whether elements can be there: on the face that shows them, or on the board. */
+  controlsAt(at) {
+    return this.overlay.dock.contains(at) || (at.column !== null && at.column === this.controlsColumn);
+  }
+
+  /** Look at a region of the skin as closely as to tell what is there apart, or at the whole face again. */
+  dive({ corners, shares }) {
+    const { points } = this.session.deformer;
+    const { camera } = this;
+    if (camera.distance < 0.7 * this.closeness) return this.home(camera.azimuth, camera.elevation);
+    camera.target = [0, 1, 2].map((axis) => corners.reduce((sum, corner, k) => sum + shares[k] * points[3 * corner + axis], 0));
+    camera.zoom(0.4);
+    return this.changed('camera');
   }
 
   pick({ x, y, column }) {
@@ -264,11 +272,20 @@ export class View {
   paint() {
     const { session } = this;
     const busy = session.dragging !== null;
-    const subjects = session.hover ? [session.hover] : session.selectedElements;
+    const subjects = this.showsInfluence ? [...session.selectedElements, session.hover].filter(Boolean) : session.hover && !session.quiet ? [session.hover] : [];
     const controls = this.pointedControl ?? subjects.flatMap((element) => element.members.map(({ control }) => control));
     const list = Array.isArray(controls) ? controls : [controls];
     const wanted = session.options.heat && !busy && list.length;
     this.stage.paint(wanted ? session.influence.ofControls(list) : null);
+  }
+
+  /** What holds while a key is down: 'bare' hides all elements, 'showsInfluence' colours what the selection moves. */
+  hold(what, on) {
+    this[what] = on;
+    this.overlay.canvas.style.visibility = this.bare ? 'hidden' : '';
+    this.tip.style.visibility = this.bare ? 'hidden' : '';
+    this.repaint = true;
+    this.request();
   }
 
   /** Show the heat map of one control, whatever is hovered; null ends it. */
@@ -308,7 +325,7 @@ export class View {
       if (!name) return;
       node.textContent = i === 0 ? `◂ Character’s ${name}` : `Character’s ${name} ▸`;
       node.style.color = COLOURS[name];
-      node.style[i === 0 ? 'left' : 'right'] = '14px';
+      if (i === 0) node.style.left = '14px';
     });
   }
 

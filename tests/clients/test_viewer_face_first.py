@@ -1,0 +1,150 @@
+"""The face fills the view, the board is a strip beside it, nothing overlaps under the pointer, fingers pose."""
+
+from __future__ import annotations
+
+import makers
+import pytest
+from browser_pages import Viewer
+from viewer_layouts import peak_layout
+
+from usdrigui.view.page import page_html
+
+SIZES = {"desk": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
+BOARD = ("chin", "jawLeft")
+
+
+@pytest.fixture(scope="module")
+def page_path(tmp_path_factory):
+    rig = makers.face()
+    path = tmp_path_factory.mktemp("viewer") / "face.html"
+    path.write_text(page_html([(rig, peak_layout(rig, beside=BOARD))], "face"))
+    return path
+
+
+@pytest.fixture
+def opened(browser, page_path):
+    made = []
+
+    def at(size):
+        made.append(Viewer(browser, page_path, SIZES[size]))
+        return made[-1]
+
+    yield at
+    for each in made:
+        assert each.trouble == []
+        each.close()
+
+
+def on_face(viewer):
+    return [each for each in viewer.page.evaluate("usdrigui.elements()") if each["name"] not in BOARD]
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_face_fills_what_the_board_leaves(opened, size):
+    viewer = opened(size)
+    dock, column = viewer.page.evaluate("[usdrigui.app.view.overlay.dock.rect, usdrigui.app.view.columns[0]]")
+    if size == "desk":
+        assert dock["left"] == column["width"]
+    else:
+        assert dock["top"] == column["height"]
+    points = [point for each in on_face(viewer) for point in (each["handle"], *each["tracks"][0])]
+    spans = [max(p[axis] for p in points) - min(p[axis] for p in points) for axis in (0, 1)]
+    assert all(0 <= x <= column["width"] and 0 <= y <= column["height"] for x, y in points)
+    assert max(spans[0] / column["width"], spans[1] / column["height"]) > 0.5
+    assert not viewer.page.locator(".list").is_visible()
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_a_handle_of_the_board_is_dragged_where_it_is_drawn(opened, size):
+    viewer = opened(size)
+    element = viewer.element("chin")
+    (start, *_, end) = element["tracks"][0]
+    target = [a + 0.5 * (b - a) for a, b in zip(start, end, strict=True)]
+    viewer.drag(element["handle"], target)
+    assert viewer.moved() == pytest.approx({"chin": 0.5}, abs=0.02)
+    assert viewer.element("chin")["handle"] == pytest.approx(target, abs=0.5)
+
+
+def test_the_first_handle_is_two_tab_stops_away(opened):
+    viewer = opened("desk")
+    viewer.page.keyboard.press("Tab")
+    viewer.page.keyboard.press("Tab")
+    assert viewer.page.evaluate("document.activeElement.dataset.element")
+
+
+def test_keys_hide_elements_and_show_the_pose_before_while_they_are_held(opened):
+    viewer = opened("desk")
+    viewer.set(pucker=0.7)
+    shown = "getComputedStyle(document.querySelector('.marks')).visibility"
+    viewer.page.keyboard.down("h")
+    assert viewer.page.evaluate(shown) == "hidden"
+    viewer.page.wait_for_timeout(300)
+    viewer.page.keyboard.up("h")
+    assert viewer.page.evaluate(shown) == "visible"
+    assert viewer.page.evaluate("usdrigui.app.session.options.handles")
+    viewer.page.keyboard.down("b")
+    assert viewer.moved() == {}
+    viewer.page.keyboard.up("b")
+    assert viewer.moved() == {"pucker": 0.7}
+
+
+def test_influence_is_gone_after_a_release_until_something_is_pointed_at(opened):
+    viewer = opened("desk")
+    element = viewer.element("brow_L")
+    heated = "Boolean(usdrigui.app.view.stage.heated)"
+    viewer.page.mouse.move(*viewer.on_page(element["handle"]))
+    viewer.settle()
+    assert viewer.page.evaluate(heated)
+    viewer.drag(element["handle"], [element["handle"][0], element["handle"][1] - 8])
+    assert not viewer.page.evaluate(heated)
+    viewer.page.keyboard.down("i")
+    viewer.settle()
+    assert viewer.page.evaluate(heated)
+    viewer.page.keyboard.up("i")
+    viewer.settle()
+    assert not viewer.page.evaluate(heated)
+
+
+def test_a_double_click_looks_closely_and_another_back(opened):
+    viewer = opened("desk")
+    distance = "usdrigui.app.view.camera.distance"
+    far = viewer.page.evaluate(distance)
+    middle = viewer.page.evaluate(
+        "[usdrigui.app.view.columns[0].width / 2, usdrigui.app.view.columns[0].height * 0.45]"
+    )
+    viewer.page.mouse.dblclick(*viewer.on_page(middle))
+    assert viewer.page.evaluate(distance) < 0.5 * far
+    viewer.page.mouse.dblclick(*viewer.on_page(middle))
+    assert viewer.page.evaluate(distance) == pytest.approx(far)
+
+
+# --- fingers -----------------------------------------------------------------------------------------
+
+
+def touch(session, viewer, kind, *places):
+    points = [dict(zip(("x", "y"), viewer.on_page(at), strict=True), id=i) for i, at in enumerate(places)]
+    session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    viewer.settle()
+
+
+def test_one_finger_poses_and_two_hold_the_camera(opened):
+    viewer = opened("phone")
+    session = viewer.page.context.new_cdp_session(viewer.page)
+    element = viewer.element("brow_L")
+    end = element["tracks"][0][-1]
+    touch(session, viewer, "touchStart", [element["handle"][0] + 9, element["handle"][1] + 9])
+    for share in (0.25, 0.5):
+        touch(
+            session, viewer, "touchMove", [h + 9 + share * (e - h) for h, e in zip(element["handle"], end, strict=True)]
+        )
+    touch(session, viewer, "touchEnd")
+    moved = viewer.moved(0.01)
+    assert moved == pytest.approx({"brow_L": 0.5}, abs=0.02)
+    far = viewer.page.evaluate("usdrigui.app.view.camera.distance")
+    touch(session, viewer, "touchStart", [150, 200])
+    touch(session, viewer, "touchStart", [150, 200], [250, 200])
+    touch(session, viewer, "touchMove", [100, 200], [300, 200])
+    touch(session, viewer, "touchEnd", [100, 200])
+    touch(session, viewer, "touchEnd")
+    assert viewer.page.evaluate("usdrigui.app.view.camera.distance") == pytest.approx(far / 2, rel=0.02)
+    assert viewer.moved(0.01) == moved

@@ -1,0 +1,199 @@
+// The board as a strip at the edge of the view: rows of short tracks with names, in pixels, wherever the camera looks.
+
+import { OrbitCamera, dot } from './camera.js';
+import { lastWord } from './dom.js';
+import { alongTrack } from './elements.js';
+
+const WIDE = 184; // pixels of a column of rows
+const CELL = 46; // of them for a track
+const ROW = 26;
+const SQUARE = 50; // height of a row whose element has several axes
+const FINGER = 44; // height of a row for fingertips
+const HEAD = 24;
+const PAD = 10;
+const FONT = '11.5px system-ui, sans-serif';
+
+export class Dock {
+  constructor(session) {
+    this.session = session;
+    this.scroll = 0;
+    this.cells = new Map(); // element -> {left, top, height, map, tracks}
+    this.headings = [];
+    const { up, layout } = session.character;
+    this.front = new OrbitCamera(up, layout.view);
+  }
+
+  get elements() {
+    return this.session.elements.list.filter((element) => element.onBoard && this.session.isShown(element));
+  }
+
+  /**
+   * What of a view of this size the strip takes: to the right of a wide one, below a tall one; null without a board.
+   * It is kept free while elements are hidden, so that the face does not jump.
+   */
+  place(width, height) {
+    const rows = this.elements.length;
+    if (!rows) return null;
+    if (height > width) {
+      const high = Math.min(0.32 * height, this.tall(width) + PAD);
+      return { left: 0, top: height - high, width, height: high };
+    }
+    const columns = Math.min(Math.ceil(this.tall(WIDE) / height), Math.max(1, Math.floor((0.36 * width) / WIDE)));
+    return { left: width - columns * WIDE, top: 0, width: columns * WIDE, height };
+  }
+
+  /** Height of all rows in as many columns as a width holds. */
+  tall(width) {
+    const columns = Math.max(1, Math.floor(width / WIDE));
+    const groups = new Set(this.elements.map(({ category }) => category)).size;
+    return PAD + (groups * HEAD + this.elements.reduce((sum, element) => sum + heightOf(element), 0)) / columns + ROW;
+  }
+
+  /** Give every element of the board its cell in a rectangle of the view. */
+  arrange(rect) {
+    this.rect = rect;
+    this.cells = new Map();
+    this.headings = [];
+    if (!rect) return;
+    const columns = Math.max(1, Math.floor(rect.width / WIDE));
+    const share = Math.max(rect.height, this.tall(rect.width));
+    const at = { column: 0, top: PAD };
+    const step = (height) => {
+      if (at.top + height > share && at.column + 1 < columns) Object.assign(at, { column: at.column + 1, top: PAD });
+      at.top += height;
+      return { left: rect.left + (at.column * rect.width) / columns + PAD, top: rect.top + at.top - height - this.scroll };
+    };
+    let category = null;
+    for (const element of [...this.elements].sort(byCategory)) {
+      if (element.category !== category || !this.cells.size) this.headings.push({ ...step(HEAD), text: familyName(element.category) });
+      category = element.category;
+      const height = heightOf(element);
+      this.cells.set(element, { ...step(height), height, ...this.shape(element) });
+    }
+    this.most = Math.max(0, Math.max(0, ...[...this.cells.values()].map((cell) => cell.top + cell.height)) + this.scroll - rect.top - rect.height);
+    for (const cell of this.cells.values()) cell.map = mapInto(cell);
+  }
+
+  /** An element's tracks at rest, seen from the front: offsets from its handle's place there, in scene units. */
+  shape(element) {
+    const { rest } = this.session;
+    const { right, above } = this.front;
+    const tracks = element.members.map((member) => member.track);
+    const origins = element.members.map((member, m) => alongTrack(member.values, tracks[m], rest[member.control]));
+    // A slider lies level, whichever way it went on the face; several axes stay as they are seen from the front.
+    const long = (k) => (track) => dot(track.at(-1).map((value, axis) => value - track[0][axis]), [right, above][k]);
+    const turn = element.axes.length > 1 ? 0 : Math.atan2(long(1)(tracks.at(-1)), long(0)(tracks.at(-1)));
+    const [cosine, sine] = [Math.cos(turn), Math.sin(turn)];
+    const flat = (point) => {
+      const [x, y] = [dot(point, right), dot(point, above)];
+      return [cosine * x + sine * y, sine * x - cosine * y];
+    };
+    const points = tracks.flatMap((track, m) => track.map((point) => flat(point.map((value, axis) => value - origins[m][axis]))));
+    return { points, origin: flat(origins[0]), flat, likeness: { members: element.members, tracks, origins } };
+  }
+
+  /** An offset in scene units as it is seen from the front: to the right and down. */
+  seen(offset) {
+    return [dot(offset, this.front.right), -dot(offset, this.front.above)];
+  }
+
+  /** Pixels of a point of an element's tracks, as they are at rest; undefined off the board. */
+  mapOf(element) {
+    return this.cells.get(element)?.map;
+  }
+
+  /** An element as drags see it: with its tracks at rest. */
+  heldStill(element) {
+    const { tracks } = this.cells.get(element).likeness;
+    return { ...element, tracks };
+  }
+
+  /** Where an element's handle is at the present values, in scene units. */
+  handleOf(element) {
+    const { members, tracks, origins } = this.cells.get(element).likeness;
+    return this.session.elements.handleAt({ members, tracks }, this.session.values, origins);
+  }
+
+  contains({ x, y }) {
+    const { rect } = this;
+    return Boolean(rect) && x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
+  }
+
+  /** Scroll by pixels; false where there is nothing more. */
+  scrollBy(by) {
+    const before = this.scroll;
+    this.scroll = Math.min(this.most ?? 0, Math.max(0, this.scroll + by));
+    return this.scroll !== before;
+  }
+
+  draw(pen) {
+    const { rect, session } = this;
+    if (!rect) return;
+    pen.globalAlpha = 1;
+    pen.fillStyle = 'rgba(36, 39, 43, 0.96)';
+    pen.fillRect(rect.left, rect.top, rect.width, rect.height);
+    pen.textAlign = 'left';
+    pen.font = '600 10.5px system-ui, sans-serif';
+    pen.fillStyle = '#979da6';
+    for (const { left, top, text } of this.headings) pen.fillText(text.toUpperCase(), left, top + 15);
+    pen.font = FONT;
+    for (const [element, { left, top, height }] of this.cells) {
+      const marked = session.hover === element || session.selection.has(element.index);
+      pen.fillStyle = marked ? '#f4f5f7' : '#b4bac2';
+      pen.fillText(shortened(pen, element.label, WIDE - CELL - 2.6 * PAD), left + CELL + PAD, top + height / 2 + 4);
+    }
+    if (this.most > 0) this.drawBar(pen);
+  }
+
+  drawBar(pen) {
+    const { rect, most, scroll } = this;
+    const length = (rect.height * rect.height) / (rect.height + most);
+    pen.fillStyle = 'rgba(255, 255, 255, 0.25)';
+    pen.fillRect(rect.left + rect.width - 4, rect.top + (scroll / most) * (rect.height - length), 3, length);
+  }
+}
+
+/** As in pictures (`usdrigui/view/lettering.py`). */
+const FAMILIES = {
+  global: 'Whole character',
+  hidden: 'Hidden',
+  interior: 'Inside the mouth',
+  composite: 'Composite',
+  viseme: 'Visemes',
+  emotion: 'Emotions',
+  combination: 'Combinations',
+  identity: 'Identity',
+  requested: 'By request',
+  crowded: 'No room on the face',
+};
+
+/** The heading of a family of elements on the board. */
+export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
+
+const FINGERS = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+const heightOf = (element) => (element.axes.length > 1 ? SQUARE : FINGERS ? FINGER : ROW);
+const byCategory = (a, b) => (a.category < b.category ? -1 : a.category > b.category ? 1 : a.index - b.index);
+
+/** From scene units to the pixels of a cell: the tracks' box in its middle, as large as it goes. */
+function mapInto({ left, top, height, points, origin, flat }) {
+  const span = (axis) => [Math.min(0, ...points.map((point) => point[axis])), Math.max(0, ...points.map((point) => point[axis]))];
+  const [[x0, x1], [y0, y1]] = [span(0), span(1)];
+  const room = Math.min(CELL - 12, height === SQUARE ? height - 14 : CELL);
+  const scale = Math.min(room / Math.max(x1 - x0, 1e-12), (height === SQUARE ? room : CELL) / Math.max(y1 - y0, 1e-12), 1e12);
+  const [cx, cy] = [left + CELL / 2 - (scale * (x0 + x1)) / 2, top + height / 2 - (scale * (y0 + y1)) / 2];
+  return (point) => {
+    const [x, y] = flat(point);
+    return [cx + scale * (x - origin[0]), cy + scale * (y - origin[1]), 1];
+  };
+}
+
+/** A text cut to a width in the middle, so that its last word, mostly a side, stays; '' where nothing fits. */
+function shortened(pen, text, width) {
+  if (pen.measureText(text).width <= width) return text;
+  for (const end of [lastWord(text), '']) {
+    let kept = text.length - end.length - 1;
+    while (kept > 1 && pen.measureText(`${text.slice(0, kept)}…${end}`).width > width) kept--;
+    if (kept > 1) return `${text.slice(0, kept)}…${end}`;
+  }
+  return '';
+}
