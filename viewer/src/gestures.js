@@ -286,7 +286,10 @@ export class Gestures {
         const to = view.camera.unproject(column, hand.x, hand.y, hit.depth);
         pull.to(pull.origin.map((value, axis) => value + to[axis] - from[axis]));
       },
-      drop: () => session.endEdit('Pull the skin', before),
+      drop: () => {
+        if (before.every((value, i) => value === session.values[i])) view.say?.('No control that is free moves the skin here that way');
+        session.endEdit('Pull the skin', before);
+      },
       click: () => view.showInfluences(hit),
       undo: () => before && session.set([...before.entries()]),
     };

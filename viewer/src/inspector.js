@@ -17,6 +17,7 @@ export class Inspector {
     this.timeline = timeline;
     this.say = say;
     this.updates = [];
+    this.kept = null;
     this.chosen = make('div', { class: 'chosen' });
     this.ranked = make('div', { class: 'ranked' });
     this.influences = section('Acts here', this.ranked, false);
@@ -263,6 +264,11 @@ export class Inspector {
       { class: 'actions' },
       act('Zero all', 'Every control to its default', () => session.zero()),
       act('Reset all', 'Every control to the pose of the layout', () => session.reset()),
+      act('Copy', 'Keep the values of the selection, or of all controls', () => (this.kept = session.copy())),
+      act('Paste', 'Give the controls the values that were kept', () => this.kept && session.paste(this.kept)),
+      act('Flip', 'The pose seen in a mirror', () => session.flip()),
+      act('Left to right', 'The pose of the character’s left on its right, too', () => session.mirror('left')),
+      act('Right to left', 'The pose of the character’s right on its left, too', () => session.mirror('right')),
       act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
       act('Save JSON', 'Download the pose', () => {
         download('pose.json', poseToJson(session), 'application/json');

@@ -33,6 +33,8 @@ const SHORTCUTS = [
   ['0  R  K', 'zero, reset, key the selection'],
   ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection'],
   ['Space', 'play'],
+  ['D', 'all keys in rows: drag moves, Ctrl-drag copies, Delete takes away'],
+  ['Ctrl+C, Ctrl+V', 'copy and paste the pose of the selection, or of all'],
   ['/', 'search'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],
   ['Esc', 'cancel the drag, clear the selection'],
@@ -76,7 +78,7 @@ class App {
     this.view.node.append(this.evaluation.panel, this.help, this.offer, this.notice);
     // The view comes first for the keyboard, wherever it is on the screen.
     const middle = make('div', { class: 'middle' }, this.view.node, this.list.node, this.inspector.node);
-    this.node.replaceChildren(middle, this.makeBar(), this.timeline.node);
+    this.node.replaceChildren(middle, this.makeBar(), this.timeline.sheet.node, this.timeline.node);
     this.node.className = 'ready';
     this.fold('list', false);
     this.fold('inspector', window.innerWidth >= ROOMY);
@@ -227,6 +229,9 @@ class App {
       r: () => this.session.reset(this.session.chosenControls),
       m: () => this.session.openOrClose() || this.say('Nothing selected has members'),
       k: () => this.timeline.key(),
+      d: () => this.timeline.openSheet(),
+      'Ctrl+c': () => (this.inspector.kept = this.session.copy()),
+      'Ctrl+v': () => this.inspector.kept && this.session.paste(this.inspector.kept),
       1: look(0, 0),
       2: look(0.7, 0.05),
       3: look(Math.PI / 2, 0),

@@ -6,6 +6,7 @@ import { Deformer } from './deform.js';
 import { Elements } from './elements.js';
 import { Influence } from './heat.js';
 import { History } from './history.js';
+import { flipped, mirroredFrom, tweened } from './keying.js';
 import { Levels } from './levels.js';
 
 export const DEFAULT_OPTIONS = {
@@ -102,8 +103,8 @@ export class Session {
   }
 
   /** The twin's value for this control's: the same share of its own range about rest. */
-  mirrored(index, twin) {
-    const away = this.values[index] - this.rest[index];
+  mirrored(index, twin, values = this.values) {
+    const away = values[index] - this.rest[index];
     const span = (control, end) => Math.abs(this.controls[control][end] - this.rest[control]) || 1;
     const end = away < 0 ? 'minimum' : 'maximum';
     return this.rest[twin] + (away * span(twin, end)) / span(index, end);
@@ -263,6 +264,59 @@ export class Session {
     this.step(`Delete keys at frame ${this.frame}`, before);
     return true;
   }
+
+  /** Other keys at this frame, as one undoable step. */
+  rekey(label, keys) {
+    const before = this.snapshot();
+    this.takeKeys(keys, this.standing);
+    this.step(label, before);
+  }
+
+  // --- poses -----------------------------------------------------------------------------------------
+
+  /** Values of the chosen controls, for `paste`. */
+  copy() {
+    return new Map(this.chosenControls.map((index) => [index, this.values[index]]));
+  }
+
+  paste(pose) {
+    this.asWritten('Paste the pose', pose);
+  }
+
+  /** The pose seen in a mirror. */
+  flip() {
+    this.asWritten('Flip the pose', flipped({ ...this.sides, crosses: (index) => this.crosses(index) }));
+  }
+
+  /** The pose of one of the character's sides on the other, too. */
+  mirror(side) {
+    this.asWritten(`Mirror the ${side}`, mirroredFrom(side, this.sides));
+  }
+
+  /** The chosen controls between their keys before and after this frame; false where none has both. */
+  tween(share) {
+    const found = tweened(this.keys, this.chosenControls, this.frame, share);
+    if (found.length) this.edit('Tween', () => this.set(found), 'tween');
+    return found.length > 0;
+  }
+
+  get sides() {
+    const values = Float64Array.from(this.values);
+    const { controls, rest, twins, opposites } = this;
+    const sideOf = (index) => this.elements.byControl.get(index)?.side;
+    const mirrored = (from, to) => this.mirrored(from, to, values);
+    return { values, controls, rest, twins, opposites, sideOf, mirrored };
+  }
+
+  /** Set values as they are, whatever symmetry says. */
+  asWritten(label, values) {
+    const { symmetric } = this.options;
+    this.options.symmetric = false;
+    this.edit(label, () => this.set(values));
+    this.options.symmetric = symmetric;
+  }
+
+  // --- keys from elsewhere ---------------------------------------------------------------------------
 
   /** Other keys and standing values, as one undoable step; shows the first frame keyed, or the present one. */
   load(label, keys, standing) {

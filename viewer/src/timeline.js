@@ -1,7 +1,8 @@
 // Time: plays the rig's animation with one's own keys over it (animation.js says how), sets keys and saves them.
 
 import { animationLayer } from './animation_layer.js';
-import { download, make } from './dom.js';
+import { DopeSheet } from './dope_sheet.js';
+import { download, make, toggle } from './dom.js';
 
 export class Timeline {
   constructor(session, say) {
@@ -9,6 +10,7 @@ export class Timeline {
     this.say = say;
     this.rate = session.animation.rate;
     this.playing = false;
+    this.sheet = new DopeSheet(session, say);
     this.node = this.build();
     session.on('editing', () => this.stop());
     session.on('time', () => this.update());
@@ -27,6 +29,7 @@ export class Timeline {
     this.autoButton = button('Auto-key', 'Every drag sets keys at this frame', () =>
       this.session.setOption('autoKey', !this.session.options.autoKey),
     );
+    this.sheetButton = toggle('Keys', 'All keys in rows: drag moves them, Ctrl-drag copies, Delete takes them away (D)', () => !this.sheet.node.hidden, () => this.openSheet());
     this.slider = make('input', {
       type: 'range',
       step: 1,
@@ -48,6 +51,8 @@ export class Timeline {
       button('Key', 'Key the selected controls, or all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
       this.autoButton,
+      this.tween(),
+      this.sheetButton,
       button('Save animation layer', 'Download the keys over the clip as a USD layer', () => this.save()),
     );
   }
@@ -65,6 +70,26 @@ export class Timeline {
     this.unkeyed.textContent = loose ? `${loose} not keyed` : '';
     this.autoButton.setAttribute('aria-pressed', String(session.options.autoKey));
     this.ticks.replaceChildren(...this.keyFrames().map((frame) => make('i', { style: { left: along(frame) } })));
+  }
+
+  openSheet(open) {
+    this.sheet.toggle(open);
+    this.sheetButton.update();
+  }
+
+  /** Between the keys before and after this frame: left is the one before, right the one after, and a little beyond. */
+  tween() {
+    const input = make('input', {
+      type: 'range',
+      class: 'tween',
+      min: -25,
+      max: 125,
+      value: 50,
+      title: 'Tween: between the keys before and after',
+      'aria-label': 'Tween between the keys before and after',
+      oninput: () => this.session.tween(Number(input.value) / 100) || this.say('No control here has a key before and one after'),
+    });
+    return input;
   }
 
   keyFrames() {

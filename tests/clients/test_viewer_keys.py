@@ -1,0 +1,95 @@
+"""Keys and poses by hand: rows of keys, tweens, one side on the other; undo takes everything back."""
+
+from __future__ import annotations
+
+import makers
+import pytest
+from browser_pages import Viewer
+from viewer_layouts import peak_layout
+
+from usdrigui.view.page import page_html
+
+MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
+
+
+@pytest.fixture(scope="module")
+def page_path(tmp_path_factory):
+    rig = makers.face()
+    path = tmp_path_factory.mktemp("viewer") / "face.html"
+    path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face"))
+    return path
+
+
+@pytest.fixture
+def viewer(browser, page_path):
+    made = Viewer(browser, page_path)
+    yield made
+    assert made.trouble == []
+    made.close()
+
+
+def keyed(viewer):
+    """Frames and values of each control's keys."""
+    return viewer.page.evaluate(
+        """() => {
+          const { keys, controls } = usdrigui.app.session;
+          return Object.fromEntries([...keys].map(([control, track]) => [controls[control].name, track]));
+        }"""
+    )
+
+
+def key(viewer, frame, **values):
+    viewer.page.evaluate("(frame) => usdrigui.app.timeline.go(frame)", frame)
+    viewer.set(**values)
+    viewer.page.keyboard.press("k")
+
+
+def test_keys_are_dragged_copied_deleted_and_come_back(viewer):
+    key(viewer, 1, brow_L=0.25)
+    key(viewer, 11, brow_L=0.75)
+    viewer.page.keyboard.press("d")
+    row = viewer.page.locator(".dope-row", has_text="brow_L")
+    mark, line = row.locator(".dope-key").nth(1), row.locator(".dope-line").bounding_box()
+    box, per_frame = mark.bounding_box(), line["width"] / 47
+    start = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    viewer.page.mouse.move(*start)
+    viewer.page.mouse.down()
+    viewer.page.mouse.move(start[0] + 10 * per_frame, start[1], steps=4)
+    viewer.page.mouse.up()
+    assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75]]}
+    viewer.page.keyboard.press("Control+ArrowRight")
+    assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75], [22, 0.75]]}
+    viewer.page.keyboard.press("Delete")
+    assert keyed(viewer) == {"brow_L": [[1, 0.25], [21, 0.75]]}
+    for _ in range(3):
+        viewer.page.keyboard.press("Control+z")
+    assert keyed(viewer) == {"brow_L": [[1, 0.25], [11, 0.75]]}
+
+
+def test_a_tween_lies_between_the_keys_around(viewer):
+    key(viewer, 1, brow_L=0.2)
+    key(viewer, 11, brow_L=0.6)
+    viewer.page.evaluate("usdrigui.app.timeline.go(4)")
+    tween = viewer.page.get_by_label("Tween between the keys before and after")
+    tween.fill("75")
+    assert viewer.moved() == pytest.approx({"brow_L": 0.5})
+    viewer.page.keyboard.press("Control+z")
+    assert viewer.moved() == pytest.approx({"brow_L": 0.32})
+
+
+def test_a_pose_is_copied_pasted_flipped_and_mirrored(viewer):
+    def act(name):
+        viewer.page.get_by_role("button", name=name, exact=True).click()
+
+    pose = {"brow_L": 0.3, "smile_R": 0.6, "pucker": 0.5}
+    viewer.set(**pose)
+    act("Copy")
+    act("Flip")
+    assert viewer.moved() == pytest.approx({"brow_R": 0.3, "smile_L": 0.6, "pucker": 0.5})
+    act("Left to right")
+    assert viewer.moved() == pytest.approx({"smile_L": 0.6, "smile_R": 0.6, "pucker": 0.5})
+    act("Paste")
+    assert viewer.moved() == pytest.approx(pose)
+    for _ in range(3):
+        viewer.page.keyboard.press("Control+z")
+    assert viewer.moved() == pytest.approx(pose)

@@ -1,0 +1,46 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { flipped, mirroredFrom, movedKeys, removedKeys, tweened } from '../src/keying.js';
+
+const sorted = (keys) => [...keys].sort(([a], [b]) => a - b);
+const KEYS = new Map([[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
+
+test('keys are moved over what is there, copied, and taken away; those given stay as they are', () => {
+  assert.deepEqual(sorted(movedKeys(KEYS, [[0, 1], [2, 5]], 4)), [[0, [[5, 0.1]]], [2, [[9, 0.9]]]]);
+  assert.deepEqual(sorted(movedKeys(KEYS, [[0, 1], [0, 5]], 4)), [[0, [[5, 0.1], [9, 0.5]]], [2, [[5, 0.9]]]]);
+  assert.deepEqual(movedKeys(KEYS, [[0, 1]], 2, true).get(0), [[1, 0.1], [3, 0.1], [5, 0.5]]);
+  assert.deepEqual([...removedKeys(KEYS, [[2, 5], [0, 1], [1, 1]])], [[0, [[5, 0.5]]]]);
+  assert.deepEqual(KEYS.get(0), [[1, 0.1], [5, 0.5]]);
+});
+
+test('a tween lies between the keys on both sides, and needs both', () => {
+  assert.deepEqual(tweened(KEYS, [0, 1, 2], 3, 0.25), [[0, 0.1 + 0.25 * 0.4]]);
+  assert.deepEqual(tweened(KEYS, [0], 5, 0.5), []);
+});
+
+/** 0 and 1 are twins, 2 and 3 the ends of an axis to the sides, 4 goes both ways by itself, 5 is in the middle. */
+function sides(values) {
+  const opposites = [[], [], [3], [2], [], []];
+  return {
+    values,
+    controls: values.map((_, i) => ({ minimum: i === 4 ? -1 : 0, maximum: 1 })),
+    rest: values.map(() => 0),
+    twins: Int32Array.from([1, 0, -1, -1, -1, -1]),
+    opposites,
+    crosses: (i) => i >= 2 && i <= 4,
+    sideOf: (i) => ['left', 'right'][i],
+    mirrored: (from) => values[from],
+  };
+}
+
+test('a flip swaps sides and turns what goes to one side; twice it is the pose itself', () => {
+  const values = [0.2, 0.7, 0.4, 0, 0.3, 0.6];
+  const apply = (given) => given.map((value, i) => new Map(flipped(sides(given))).get(i) ?? value);
+  assert.deepEqual(apply(values), [0.7, 0.2, 0, 0.4, -0.3, 0.6]);
+  assert.deepEqual(apply(apply(values)), values);
+});
+
+test('one side is mirrored on the other', () => {
+  assert.deepEqual(mirroredFrom('left', sides([0.2, 0.7, 0, 0, 0, 0])), [[1, 0.2]]);
+  assert.deepEqual(mirroredFrom('right', sides([0.2, 0.7, 0, 0, 0, 0])), [[0, 0.7]]);
+});
