@@ -41,7 +41,7 @@ from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import load_problem, save_problem, solve
 from usdrigui.solve.assignment import assignment, forbidden_price
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import Labels, Pool, all_labels, block_pool, singles
+from usdrigui.solve.label_geometry import Labels, LabelSet, all_labels, block_set, singles
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_matrix
 from usdrigui.solve.paper import solve_by_clusters
@@ -236,8 +236,8 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
     labels = all_labels(problem)
     if len(labels.label) > FEW:
         return {"note": f"{len(labels.label)} candidates: too large to write down"}
-    pool, pairs, price = _written_down(problem, labels, budget)
-    left = ReducedProblem(pool.variable, np.arange(len(pool.cost)), pool.cost.copy(), pairs)
+    label_set, pairs, price = _written_down(problem, labels, budget)
+    left = ReducedProblem(label_set.variable, np.arange(len(label_set.cost)), label_set.cost.copy(), pairs)
     left.normalize()
     found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget, budget.work_left)
     cost = None if found.chosen is None else total_cost(problem, labels.label[found.chosen])
@@ -261,7 +261,7 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     labels = all_labels(problem)
     if len(labels.label) + len(problem.variables) > FREE_CPLEX:
         raise CannotRunError(f"{len(labels.label)} candidates: beyond the free size")
-    pool, pairs, price = _written_down(problem, labels, budget)
+    label_set, pairs, price = _written_down(problem, labels, budget)
     program = cplex.Cplex()
     program.set_results_stream(None)
     program.set_log_stream(None)
@@ -269,8 +269,8 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     program.parameters.threads.set(1)
     program.parameters.timelimit.set(budget.seconds_left)
     program.parameters.mip.tolerances.mipgap.set(1e-4)
-    program.variables.add(obj=pool.cost.tolist(), types="B" * len(pool.cost))
-    for a, b in zip(pool.start[:-1].tolist(), pool.start[1:].tolist(), strict=True):
+    program.variables.add(obj=label_set.cost.tolist(), types="B" * len(label_set.cost))
+    for a, b in zip(label_set.start[:-1].tolist(), label_set.start[1:].tolist(), strict=True):
         program.linear_constraints.add([[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0])
     rows, columns = np.nonzero(pairs)
     costs = np.minimum(pairs[rows, columns], price)
@@ -278,16 +278,18 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     program.objective.set_quadratic_coefficients(terms)
     program.solve()
     values = np.array(program.solution.get_values())
-    chosen = np.array([a + values[a:b].argmax() for a, b in zip(pool.start[:-1], pool.start[1:], strict=True)])
+    chosen = np.array(
+        [a + values[a:b].argmax() for a, b in zip(label_set.start[:-1], label_set.start[1:], strict=True)]
+    )
     budget.found("cplex", bound=program.solution.MIP.get_best_objective())
     return assignment(problem, labels, labels.label[chosen], budget, "cplex")
 
 
-def _written_down(problem: LayoutProblem, labels: Labels, budget: Budget) -> tuple[Pool, Floats, float]:
+def _written_down(problem: LayoutProblem, labels: Labels, budget: Budget) -> tuple[LabelSet, Floats, float]:
     """Every label by itself, the costs of all pairs, and what stands for a pair that is forbidden."""
-    pool = block_pool(labels, singles(labels))
-    pairs = pair_matrix(problem, pool, near_blocks(problem, pool, budget), labels.label)
-    return pool, pairs, forbidden_price(problem, labels)
+    label_set = block_set(labels, singles(labels))
+    pairs = pair_matrix(problem, label_set, near_blocks(problem, label_set, budget), labels.label)
+    return label_set, pairs, forbidden_price(problem, labels)
 
 
 _SOLVERS = {"ours": _ours, "paper": _paper, "mccormick": _mccormick, "toulbar2": _toulbar2, "cplex": _cplex}

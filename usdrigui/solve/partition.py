@@ -39,8 +39,8 @@ def affordable_at_once(labels: Labels, budget: Budget) -> bool:
     different variables be near."""
     if len(labels.label) > ONE_BY_ONE:
         return False
-    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
-    elements = np.bincount(labels.pool.variable[owners])
+    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.label_set.geometries)])
+    elements = np.bincount(labels.label_set.variable[owners])
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
     in_time = pairs <= FIRST_LOOK * min(budget.work_left, PAIRS_A_SECOND * budget.seconds_left)
     return in_time and planned(len(labels.label), pairs) <= budget.settings.memory_limit
