@@ -98,11 +98,11 @@ def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest
 
 @cache
 def layouts(problem: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
-    """(n, count) choices of labels (label_set indices) of a small problem, up to 1000, and (n,) what each costs."""
+    """(n, count) choices of labels (label_set indices) of a small problem, up to 100, and (n,) what each costs."""
     labels = all_labels(problem)
     ends = itertools.pairwise(labels.label_set.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
-    every = every[:: max(1, len(every) // 500)]
+    every = every[:: max(1, len(every) // 50)]
     return every, np.array([total_cost(problem, labels.label[each]) for each in every])
 
 

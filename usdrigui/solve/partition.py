@@ -17,7 +17,7 @@ PAIRS_A_SECOND = 200_000
 """Pairs of elements that a slow machine looks at."""
 BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys while those of two rounds are held."""
-MATRICES = 6
+MATRICES = 7
 """Matrices of the costs of all pairs that are held at a time, at most."""
 
 
