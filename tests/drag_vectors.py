@@ -361,11 +361,12 @@ def _seen(stage, name, turn):
     from pxr import UsdGeom
 
     from usdrigui.usd import schema
-    from usdrigui.usd.read_layout import layout_scopes, read_layout, value_of
+    from usdrigui.usd.properties import value_of
+    from usdrigui.usd.read_layout import element_prims, layout_scopes, read_layout
 
     (layout,), (scope,) = read_layout(stage), layout_scopes(stage)
     element = next(each for each in layout.elements if each.name == name)
-    prim = next(each for each in scope.GetChildren() if each.GetName() == name)
+    prim = next(each for each in element_prims(scope) if each.GetName() == name)
     up = np.eye(3)["XYZ".index(UsdGeom.GetStageUpAxis(stage))]
     right = np.cross(up, layout.view)
     across = np.cos(turn) * right + np.sin(turn) * layout.view

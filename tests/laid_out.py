@@ -8,6 +8,8 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.deform import channel_state, knots, posed, sweep
 from usdrigui.model import Anchor, Element, Layout, LeftOff, Member
+from usdrigui.usd.properties import element_name
+from usdrigui.usd.read_layout import element_prims, points_of_subset
 
 
 def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="deform", only=None):
@@ -132,6 +134,31 @@ def _key(stage, rig, skeleton, poses):
                 strict=True,
             ):
                 attribute.Set(part, time)
+
+
+def handle(stage, root, element, time):
+    """(n, 3) the drawn handle of an element, in the space of the SkelRoot."""
+    prim = element_prim(stage, root, element)
+    return root_points(stage, str(prim.GetParent().GetPath()), root, time)[points_of_subset(prim)[0]]
+
+
+def tracks(stage, root, element, time):
+    """Per member (k, 3) the middle of its drawn track, in the space of the SkelRoot."""
+    prim = element_prim(stage, root, element)
+    subsets = [each.GetChild(prim.GetName()) for each in scope_of(stage, root).GetChildren()]
+    subset = max((each for each in subsets if each), key=lambda each: len(points_of_subset(each)[1]))
+    drawn = root_points(stage, str(subset.GetParent().GetPath()), root, time)[points_of_subset(subset)[1]]
+    ends = np.cumsum([2 * len(member.values) - 1 for member in element.members])
+    tracks = np.split(drawn[: ends[-1]], ends[:-1])
+    return [0.5 * (each[::2] + np.concatenate([each[1::2], each[-1:]])) for each in tracks]
+
+
+def element_prim(stage, root, element):
+    return next(prim for prim in element_prims(scope_of(stage, root)) if element_name(prim) == element.name)
+
+
+def scope_of(stage, root):
+    return stage.GetPrimAtPath(root).GetChild("RigUI")
 
 
 def root_points(stage, path, root, time):

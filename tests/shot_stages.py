@@ -8,6 +8,8 @@ import makers
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
+from usdrigui.usd.read_layout import element_prims, layout_scopes
+
 
 def shot(path: Path, asset: str, mesh: str, shapes: dict[str, tuple], *, at: str = "", root: str = "/World") -> Path:
     """A shot that sublayers `asset`, or references it at the path `at`, and adds `shapes` to `mesh`.
@@ -72,6 +74,4 @@ def second_best(asset: Path, shape: str) -> int:
 
 def layout_prims(stage: Usd.Stage) -> list[Sdf.Path]:
     """Elements of the layouts on a stage."""
-    return [
-        child.GetPath() for prim in stage.TraverseAll() if prim.GetName() == "RigUI" for child in prim.GetAllChildren()
-    ]
+    return [prim.GetPath() for scope in layout_scopes(stage) for prim in element_prims(scope)]

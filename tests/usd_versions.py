@@ -43,14 +43,22 @@ for prim in stage.Traverse():
         attribute.GetAllMetadata()
 assert UsdSkel.BakeSkinning(UsdSkel.Root(root))
 found = {}
-for element in root.GetChild("RigUI").GetChildren():
-    handle = element.GetChild("handle")
-    for time in range(int(stage.GetEndTimeCode()) + 1):
-        cache = UsdGeom.XformCache(time)
-        matrix = cache.GetLocalToWorldTransform(handle) * cache.GetLocalToWorldTransform(root).GetInverse()
-        points = [matrix.Transform(point) for point in handle.GetAttribute("points").Get(time)]
-        centre = [sum(point[axis] for point in points) / len(points) for axis in range(3)]
-        found.setdefault(element.GetName(), []).append(centre)
+for mesh in root.GetChild("RigUI").GetChildren():
+    counts, corners = (list(mesh.GetAttribute("faceVertex" + each).Get()) for each in ("Counts", "Indices"))
+    starts = [sum(counts[:face]) for face in range(len(counts))]
+    for element in mesh.GetChildren():
+        count = element.GetAttribute("rigUI:handle:faceCount").Get()
+        if not count:
+            continue
+        faces = list(element.GetAttribute("indices").Get())[:count]
+        handle = {corners[starts[face] + corner] for face in faces for corner in range(counts[face])}
+        for time in range(int(stage.GetEndTimeCode()) + 1):
+            cache = UsdGeom.XformCache(time)
+            matrix = cache.GetLocalToWorldTransform(mesh) * cache.GetLocalToWorldTransform(root).GetInverse()
+            drawn = mesh.GetAttribute("points").Get(time)
+            points = [matrix.Transform(drawn[point]) for point in handle]
+            centre = [sum(point[axis] for point in points) / len(points) for axis in range(3)]
+            found.setdefault(element.GetName(), []).append(centre)
 print(json.dumps({"version": ".".join(map(str, Usd.GetVersion()[1:])), "handles": found}))
 """
 

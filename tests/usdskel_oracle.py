@@ -102,6 +102,30 @@ class Oracle:
         return _placed(points, xforms.GetLocalToWorldTransform(prim) * world_to_root)
 
 
+def deformed_points(stage, root, path, time):
+    """(n, 3) points of any gprim in the space of its SkelRoot, as the stage animates it; instance proxies, too."""
+    root, prim, everything = UsdSkel.Root(stage.GetPrimAtPath(root)), stage.GetPrimAtPath(path), _PROXIES
+    cache, xforms = UsdSkel.Cache(), UsdGeom.XformCache(time)
+    cache.Populate(root, everything)
+    points = Vt.Vec3fArray(UsdGeom.PointBased(prim).GetPointsAttr().Get(time))
+    for binding in cache.ComputeSkelBindings(root, everything):
+        for query in binding.GetSkinningTargets():
+            if query.GetPrim().GetPath() == prim.GetPath():
+                skel_query, shapes = cache.GetSkelQuery(binding.GetSkeleton()), _shapes(query)
+                if shapes is not None:
+                    assert _blend(skel_query, query, shapes, points, time)
+                if query.HasJointInfluences():
+                    matrices = skel_query.ComputeSkinningTransforms(time)
+                    assert query.ComputeSkinnedPoints(matrices, points, time)
+                    prim = binding.GetSkeleton().GetPrim()
+                break
+    to_root = xforms.GetLocalToWorldTransform(root.GetPrim()).GetInverse()
+    return _placed(points, xforms.GetLocalToWorldTransform(prim) * to_root)
+
+
+_PROXIES = Usd.TraverseInstanceProxies()
+
+
 def _mesh_points(stage, path):
     attribute = UsdGeom.Mesh(stage.GetPrimAtPath(path)).GetPointsAttr()
     points = attribute.Get()
@@ -115,9 +139,9 @@ def _shapes(query):
     return shapes, shapes.ComputeBlendShapePointIndices(), shapes.ComputeSubShapePointOffsets()
 
 
-def _blend(skel_query, query, shapes, points):
+def _blend(skel_query, query, shapes, points, time=None):
     shape_query, indices, offsets = shapes
-    authored = skel_query.GetAnimQuery().ComputeBlendShapeWeights(Usd.TimeCode.Default())
+    authored = skel_query.GetAnimQuery().ComputeBlendShapeWeights(Usd.TimeCode.Default() if time is None else time)
     mapper = query.GetBlendShapeMapper()
     weights = mapper.Remap(authored) if mapper is not None else authored
     sub = shape_query.ComputeSubShapeWeights(weights)

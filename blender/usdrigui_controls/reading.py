@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pxr import Usd, UsdGeom, UsdSkel
 
+from . import drawn, first_format
 from .layout import (
     Area,
     Control,
@@ -21,9 +22,10 @@ from .layout import (
     ShapeDrive,
     SkeletonRest,
 )
+from .properties import applied, floats, get, targets
 
-VERSION = 1
-"""The latest version of the contract that is understood."""
+LAYOUT = "RigUILayoutAPI_1"
+"""The mark of a layout, with the version of it that is understood; the first format has no number."""
 
 
 def read_layouts(stage):
@@ -34,33 +36,38 @@ def read_layouts(stage):
 def _scopes(stage):
     walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), Usd.PrimAllPrimsPredicate))
     for prim in walk:
-        if "RigUILayoutAPI" in _applied(prim):
+        if _mark(prim):
             walk.PruneChildren()
             if prim.IsActive() and prim.GetParent().IsDefined():
                 yield prim
 
 
+def _mark(prim):
+    """The applied schema that marks a layout, of whichever version; empty if there is none."""
+    return next((name for name in applied(prim) if name.partition("_")[0] == "RigUILayoutAPI"), "")
+
+
 def _layout(scope):
-    version = _get(scope, "rigUI:layout:version", VERSION)
-    if version > VERSION:
-        raise LayoutError(f"{scope.GetPath()} keeps version {version} of the contract; this add-on knows {VERSION}")
-    names, values = (_get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues"))
-    if len(names) != len(values):
+    mark = _mark(scope)
+    if mark not in (LAYOUT, "RigUILayoutAPI") or get(scope, "rigUI:layout:version", 1) > 1:
+        raise LayoutError(f"{scope.GetPath()} keeps a later version of the contract than {LAYOUT}")
+    names, values = (get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues"))
+    if len(values) not in (0, len(names)):
         raise LayoutError(f"{scope.GetPath()} names {len(names)} controls and {len(values)} values of the base pose")
-    base = dict(zip((str(name) for name in names), values, strict=True))
+    base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
     root = scope.GetParent()
+    parts = first_format if mark != LAYOUT else drawn
     controls, elements = {}, []
-    for prim in scope.GetAllChildren():
-        if "RigUIElementAPI" in _applied(prim) and prim.IsActive():
-            instances = _instances(prim)
-            for instance in instances:
-                control = _control(prim, instance, base)
-                controls[control.name] = control
-            elements.append(_element(prim, instances))
+    for prim in _elements(scope):
+        instances = _instances(prim)
+        for instance in instances:
+            control = _control(prim, instance, base, parts)
+            controls[control.name] = control
+        elements.append(_element(prim, instances, parts))
     skeletons = [_skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)]
     return Layout(
         root=str(root.GetPath()),
-        handle_width=_get(scope, "rigUI:layout:handleWidth", 0.0) or _drawn_width(scope),
+        handle_width=get(scope, "rigUI:layout:handleWidth", 0.0) or parts.drawn_width(scope),
         controls=tuple(controls.values()),
         elements=tuple(elements),
         meshes=_meshes(root, scope),
@@ -68,55 +75,62 @@ def _layout(scope):
     )
 
 
+def _elements(scope):
+    """The elements that the layout lists, in that order, and then the others below it."""
+    listed = [scope.GetStage().GetPrimAtPath(path) for path in targets(scope, "rigUI:layout:elements")]
+    walk = Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate)
+    found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
+    return [prim for prim in found if "RigUIElementAPI" in applied(prim) and prim.IsActive()]
+
+
 # --- controls ----------------------------------------------------------------------------------------
 
 
-def _control(prim, instance, base):
-    def get(name, fallback):
-        return _get(prim, f"rigUI:control:{instance}:{name}", fallback)
+def _control(prim, instance, base, parts):
+    def of(name, fallback):
+        return get(prim, f"rigUI:control:{instance}:{name}", fallback)
 
-    name = str(get("name", "")) or instance
-    keys = _floats(get("keys", ()))
-    default = get("default", 0.0)
+    name = str(of("name", "")) or instance
+    keys = floats(of("keys", ()))
+    default = of("default", 0.0)
     return Control(
         name=name,
-        label=str(get("label", "")) or name,
-        kind=str(get("kind", "blendShape")),
-        minimum=get("minimum", 0.0),
+        label=str(of("label", "")) or name,
+        kind=str(of("kind", "blendShape")),
+        minimum=of("minimum", 0.0),
         default=default,
-        maximum=get("maximum", 1.0),
+        maximum=of("maximum", 1.0),
         base=float(base.get(name, default)),
         keys=keys,
-        shapes=_shapes(get, keys, name),
-        joints=_joints(prim, instance, get, keys),
+        shapes=_shapes(of, keys, name),
+        joints=_joints(prim, instance, of, keys, parts),
     )
 
 
-def _shapes(get, keys, name):
-    tokens = [str(token) for token in get("blendShapes", ())]
-    weights = _floats(get("blendShapeWeights", ()))
+def _shapes(of, keys, name):
+    tokens = [str(token) for token in of("blendShapes", ())]
+    weights = floats(of("blendShapeWeights", ()))
     if len(weights) != len(keys) * len(tokens) and keys:
         raise LayoutError(f"the control {name} has {len(weights)} weights for {len(keys)} keys")
     columns = [weights[i :: len(tokens)] if keys else () for i in range(len(tokens))]
     return tuple(ShapeDrive(token, column) for token, column in zip(tokens, columns, strict=True))
 
 
-def _joints(prim, instance, get, keys):
-    joints = [str(joint) for joint in get("joints", ())]
-    skeletons = [str(path) for path in _targets(prim, f"rigUI:control:{instance}:skeleton")]
-    which = list(get("jointSkeletons", ())) or [0] * len(joints)
-    tables = [_table(get(name, ()), len(keys), len(joints)) for name in _TABLES]
+def _joints(prim, instance, of, keys, parts):
+    joints = [str(joint) for joint in of("joints", ())]
+    skeletons = [str(path) for path in targets(prim, f"rigUI:control:{instance}:skeleton")]
+    which = list(of("jointSkeletons", ())) or [0] * len(joints)
+    tables = [
+        _table(parts.joint_table(of, name), len(keys), len(joints)) for name in ("Rotation", "Translation", "Scale")
+    ]
     return tuple(
         JointDrive(skeletons[which[j]], joint, *(table[j] for table in tables)) for j, joint in enumerate(joints)
     )
 
 
-_TABLES = ("jointRotations", "jointTranslations", "jointScales")
-
-
-def _table(flat, keys, joints):
+def _table(rows, keys, joints):
     """Per joint, one vector per key; zeros where the layer says nothing."""
-    rows = [_floats(vector) for vector in flat] or [(0.0, 0.0, 0.0)] * (keys * joints)
+    rows = rows or [(0.0, 0.0, 0.0)] * (keys * joints)
     if len(rows) != keys * joints:
         raise LayoutError(f"{len(rows)} joint vectors for {keys} keys of {joints} joints")
     return [tuple(rows[j::joints]) for j in range(joints)]
@@ -125,42 +139,38 @@ def _table(flat, keys, joints):
 # --- elements ----------------------------------------------------------------------------------------
 
 
-def _element(prim, instances):
-    children = prim.GetAllChildren()
-    drawn = [child for child in children if "RigUITrackAPI" in _applied(child)]
-    tracks = [_track_of(prim, drawn, instance, len(instances)) for instance in instances]
-    on_face = _targets(prim, "rigUI:anchor:prim")
-    handles = [child for child in children if "RigUIHandleAPI" in _applied(child)]
-    adapt = _get(handles[0], "rigUI:handle:adapt", "deform") if handles else "deform"
-    mirror = _targets(prim, "rigUI:element:mirror")
-    carriers, skeleton = _carriers(tracks[0])
+def _element(prim, instances, parts):
+    on_face = targets(prim, "rigUI:anchor:prim")
+    mirror = targets(prim, "rigUI:element:mirror")
+    tracks = [parts.track(prim, instance, len(instances)) for instance in instances]
+    carriers, skeleton = parts.carriers(prim, instances)
+    members = [_member(prim, instance, *track) for instance, track in zip(instances, tracks, strict=True)]
     name = _name(prim)
     return Element(
         name=name,
-        label=prim.GetMetadata("displayName") or name,
-        kind=str(_get(prim, "rigUI:element:elementType", "slider")),
-        members=tuple(_member(prim, track, each) for track, each in zip(tracks, instances, strict=True)),
-        areas=tuple(_area(child) for child in drawn if child.IsA(UsdGeom.Mesh)),
+        label=prim.GetMetadata("displayName") or prim.GetName(),
+        kind=str(get(prim, "rigUI:element:elementType", "slider")),
+        members=tuple(members),
+        areas=tuple(Area(*area) for area in parts.areas(prim, [points for points, _ in tracks])),
         mesh=str(on_face[0]) if on_face else "",
-        point=_get(prim, "rigUI:anchor:pointIndex", -1),
-        position=_floats(_get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
-        normal=_floats(_get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
-        follows=bool(on_face) and adapt != "static",
+        point=get(prim, "rigUI:anchor:pointIndex", -1),
+        position=floats(get(prim, "rigUI:anchor:position", (0.0, 0.0, 0.0))),
+        normal=floats(get(prim, "rigUI:anchor:normal", (0.0, 0.0, 0.0))),
+        follows=bool(on_face) and parts.adapt(prim) != "static",
         carriers=carriers,
         skeleton=skeleton,
-        side=str(_get(prim, "rigUI:element:side", "none")),
+        side=str(get(prim, "rigUI:element:side", "none")),
         mirror=_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
-        reversed=tuple(int(i) for i in _get(prim, "rigUI:element:reversed", ())),
-        inner=tuple(_name(prim.GetStage().GetPrimAtPath(path)) for path in _targets(prim, "rigUI:element:members")),
-        family=str(_get(prim, "rigUI:element:family", "")),
-        reason=str(_get(prim, "rigUI:element:reason", "")),
-        axes=_axes(prim, len(instances)),
+        reversed=parts.reversed_members(prim, instances),
+        inner=tuple(_name(prim.GetStage().GetPrimAtPath(path)) for path in targets(prim, "rigUI:element:members")),
+        family=parts.category(prim),
+        reason=parts.reason(prim),
+        axes=_axes(prim, parts.opposed(prim, instances), len(instances)),
     )
 
 
-def _axes(prim, count):
+def _axes(prim, opposed, count):
     """Positions of each axis: opposed pairs, negative end first, and all others alone."""
-    opposed = [(int(a), int(b)) for a, b in _get(prim, "rigUI:element:opposed", ())]
     ends = [end for pair in opposed for end in pair]
     if len(set(ends)) < len(ends) or not set(ends) <= set(range(count)):
         raise LayoutError(f"{prim.GetPath()} opposes {opposed} of {count} controls")
@@ -168,74 +178,27 @@ def _axes(prim, count):
 
 
 def _name(prim):
-    return (str(_get(prim, "rigUI:element:name", "")) or prim.GetName()) if prim else ""
+    return (str(get(prim, "rigUI:element:name", "")) or prim.GetName()) if prim else ""
 
 
 def _instances(prim):
-    applied = [name.split(":", 1)[1] for name in _applied(prim) if name.startswith("RigUIControlAPI:")]
-    listed = [str(name) for name in _get(prim, "rigUI:element:controls", ())] or applied
-    if not listed or set(listed) - set(applied):
+    known = [name.split(":", 1)[1] for name in applied(prim) if name.startswith("RigUIControlAPI:")]
+    listed = [str(name) for name in get(prim, "rigUI:element:controls", ())] or known
+    if not listed or set(listed) - set(known):
         raise LayoutError(f"{prim.GetPath()} lists controls that it does not apply")
     return listed
 
 
-def _track_of(prim, drawn, instance, count):
-    for target in _targets(prim, f"rigUI:control:{instance}:track"):
-        return prim.GetStage().GetPrimAtPath(target)
-    for track in drawn:
-        shown = [str(name) for name in _get(track, "rigUI:track:controls", ())]
-        if shown == [instance] or (not shown and count == 1):
-            return track
-    raise LayoutError(f"{prim.GetPath()} has no track for {instance}")
-
-
-def _member(prim, track, instance):
-    points = _base_points(track)
+def _member(prim, instance, points, values):
     control = f"rigUI:control:{instance}"
-    values = _floats(_get(track, "rigUI:track:weights", ()))
     if not values:
-        low, high = _get(prim, f"{control}:minimum", 0.0), _get(prim, f"{control}:maximum", 1.0)
-        values = tuple(low + (high - low) * i / (len(points) - 1) for i in range(len(points)))
+        low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
+        values = tuple(low + (high - low) * i / max(len(points) - 1, 1) for i in range(len(points)))
     if len(values) != len(points) or len(points) < 2:
-        raise LayoutError(f"{track.GetPath()} has {len(points)} points and {len(values)} values")
-    name = str(_get(prim, f"{control}:name", "")) or instance
-    return Member(name, values, points, _get(prim, f"{control}:gain", 1.0))
-
-
-def _base_points(prim):
-    points = _get(prim, "rigUI:track:basePoints", ()) or _get(prim, "points", ())
-    return tuple(_floats(point) for point in points)
-
-
-def _area(prim):
-    triangles, start = [], 0
-    indices = _get(prim, "faceVertexIndices", ())
-    for count in _get(prim, "faceVertexCounts", ()):
-        corner = [int(index) for index in indices[start : start + count]]
-        triangles += [(corner[0], corner[i], corner[i + 1]) for i in range(1, count - 1)]
-        start += count
-    return Area(_base_points(prim), tuple(triangles))
-
-
-def _carriers(track):
-    """Joints and weights of a track's first point, and the skeleton they belong to."""
-    skeleton = _targets(track, "skel:skeleton")
-    tokens = [str(joint) for joint in _get(track, "skel:joints", ())]
-    primvars = UsdGeom.PrimvarsAPI(track)
-    indices, weights = (primvars.GetPrimvar(f"skel:joint{name}") for name in ("Indices", "Weights"))
-    if not (skeleton and tokens and indices and weights):
-        return (), str(skeleton[0]) if skeleton else ""
-    width = max(1, indices.GetElementSize())
-    pairs = zip(list(indices.Get() or ())[:width], list(weights.Get() or ())[:width], strict=True)
-    return tuple((tokens[index], float(weight)) for index, weight in pairs if weight), str(skeleton[0])
-
-
-def _drawn_width(scope):
-    for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
-        extent = _get(prim, "extent", ()) if "RigUIHandleAPI" in _applied(prim) else ()
-        if len(extent) == 2:
-            return max(extent[1][axis] - extent[0][axis] for axis in range(3))
-    raise LayoutError(f"{scope.GetPath()} does not say how wide its handles are")
+        raise LayoutError(f"{prim.GetPath()} has {len(points)} points and {len(values)} values on a track")
+    name = str(get(prim, f"{control}:name", "")) or instance
+    enlarged = get(prim, f"{control}:magnification", 1.0) * get(prim, f"{control}:gain", 1.0)
+    return Member(name, values, points, enlarged)
 
 
 # --- the character -----------------------------------------------------------------------------------
@@ -281,28 +244,6 @@ def _skeleton(prim, root):
         local = bind[i] * bind[order.index(parent)].GetInverse() if parent in order else bind[i]
         joints.append(JointRest(path, _rows(local), _rows(rest[i] if len(rest) == len(order) else local)))
     return SkeletonRest(str(prim.GetPath()), _rows(_relative(prim, root, UsdGeom.XformCache())), tuple(joints))
-
-
-# --- properties --------------------------------------------------------------------------------------
-
-
-def _applied(prim):
-    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
-
-
-def _get(prim, name, fallback):
-    attribute = prim.GetAttribute(name)
-    value = attribute.Get() if attribute and attribute.HasAuthoredValue() else None
-    return fallback if value is None else value
-
-
-def _targets(prim, name):
-    relationship = prim.GetRelationship(name)
-    return relationship.GetTargets() if relationship else []
-
-
-def _floats(values):
-    return tuple(float(value) for value in values)
 
 
 def _rows(matrix):

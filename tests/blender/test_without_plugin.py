@@ -8,7 +8,7 @@ import usd_versions
 from PIL import Image
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.read_layout import element_prims, points_of_subset, read_layout
 
 CLOSE = 1e-5
 FRAMES = [1, 9, 24, 37, 48]
@@ -28,7 +28,8 @@ def test_imported_handles_stay_on_the_face_through_the_animation(run_inside, usd
         for element in shown_at_first(layer)
         if not element.anchor.on_board
     }
-    found = run_inside([usd_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where)
+    drawn = handles(layer, rig, where)
+    found = run_inside([usd_python], "plain_import", layer=str(layer), frames=FRAMES, anchors=where, handles=drawn)
     place = characters.to_world(source, rig)
     close = CLOSE * characters.diagonal([place(mesh.points) for mesh in rig.meshes])
     assert found["frames"].tolist() == [1, 48]
@@ -52,6 +53,17 @@ def shown_at_first(layer):
     inner = {name for element in elements for name in element.inner}
     assert inner
     return [element for element in elements if element.name not in inner]
+
+
+def handles(layer, rig, names):
+    """By prim name, the mesh that draws a handle, and its points."""
+    stage = Usd.Stage.Open(str(layer))
+    prims = element_prims(stage.GetPrimAtPath(rig.root).GetChild("RigUI"))
+    return {
+        prim.GetName(): (prim.GetParent().GetName(), points_of_subset(prim)[0].tolist())
+        for prim in prims
+        if prim.GetName() in names
+    }
 
 
 def anchors(layer, rig, frames):

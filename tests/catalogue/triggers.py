@@ -166,7 +166,6 @@ def _edited(*edits: tuple[str, str], of: str = "char.rigui.usda") -> Callable[[P
     return made
 
 
-_WIDTH = "uniform double rigUI:layout:handleWidth"
 _WORSE = "uniform point3f rigUI:anchor:position = (2, 0, 0)\nuniform int rigUI:anchor:pointIndex = 1"
 _INVISIBLE = 'token visibility = "invisible"\npoint3f[] points'
 _OTHER_NAMES = (
@@ -593,9 +592,10 @@ TRIGGERS: Mapping[str, Trigger] = {
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
     ),
     "LAYOUT_INVALID": _checked(_edited((r"uniform int rigUI:anchor:pointIndex = \d+\n", ""))),
-    "LAYOUT_VERSION": _checked(_edited((_WIDTH, "uniform int rigUI:layout:version = 99\n" + _WIDTH))),
+    "LAYOUT_VERSION": _checked(_edited(("RigUILayoutAPI_1", "RigUILayoutAPI_99"))),
     "SOURCE_MISSING": _viewed(_bare),
     "LAYOUT_STALE": _viewed(_renamed),
+    "CONVERT_COMPOSED": lambda folder, _: command("convert", _shot_over(_laid_out(folder))),
     "CONTROL_RENAMED": _laid_out_again(_OTHER_NAMES),
     "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
     "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),

@@ -6,6 +6,7 @@ import pytest
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
+from usdrigui.usd.read_layout import element_prims
 
 
 def codes(layer, capsys, expected_exit=0, *options):
@@ -17,7 +18,7 @@ def codes(layer, capsys, expected_exit=0, *options):
 
 def elements(stage):
     scope = next(prim for prim in stage.TraverseAll() if prim.GetName() == "RigUI")
-    return [prim for prim in scope.GetChildren() if prim.GetRelationship("rigUI:anchor:prim").GetTargets()]
+    return [prim for prim in element_prims(scope) if prim.GetRelationship("rigUI:anchor:prim").GetTargets()]
 
 
 def test_a_fresh_layout_is_silent(layer, capsys):

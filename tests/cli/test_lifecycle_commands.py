@@ -10,7 +10,8 @@ import pytest
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
-from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.properties import instances_applied
+from usdrigui.usd.read_layout import element_prims, read_layout
 
 
 @pytest.fixture
@@ -70,7 +71,7 @@ def corrected(folder, element, point):
     """A stronger layer that moves one anchor, as an artist would, and paints its handle."""
     over = Usd.Stage.CreateNew(str(folder / "corrections.usda"))
     over.GetRootLayer().subLayerPaths.append("./old.rigui.usda")
-    (prim,) = [scope.GetChild(element) for scope in over.TraverseAll() if scope.GetName() == "RigUI"]
+    (prim,) = [prim for prim in over.TraverseAll() if prim.GetName() == element and prim.GetTypeName() == "GeomSubset"]
     prim.GetAttribute("rigUI:anchor:pointIndex").Set(point)
     prim.SetDisplayName("corrected by hand")
     over.GetRootLayer().Save()
@@ -155,7 +156,7 @@ def test_a_correction_in_a_stronger_layer_survives(folder, capsys):
     layer.subLayerPaths[:] = ["./new.rigui.usda"]
     layer.Save()
     stage = Usd.Stage.Open(str(corrections))
-    (prim,) = [scope.GetChild("smile_L") for scope in stage.TraverseAll() if scope.GetName() == "RigUI"]
+    prim = stage.GetPrimAtPath("/World/Char/RigUI/Controls/smile_L")
     assert prim.GetDisplayName() == "corrected by hand"
     assert anchors(corrections)["smile_L"] == (point, False)
 
@@ -214,8 +215,8 @@ def test_layouts_without_a_common_control_say_so(folder, capsys):
     other = folder / "other.rigui.usda"
     shutil.copy(folder / "old.rigui.usda", other)
     stage, numbers = Usd.Stage.Open(str(other)), itertools.count()
-    for prim in stage.GetPrimAtPath("/World/Char/RigUI").GetAllChildren():
-        for each in prim.GetAttribute("rigUI:element:controls").Get() or ():
+    for prim in element_prims(stage.GetPrimAtPath("/World/Char/RigUI")):
+        for each in instances_applied(prim):
             name = prim.CreateAttribute(f"rigUI:control:{each}:name", Sdf.ValueTypeNames.Token)
             name.Set(f"other {next(numbers)}")
         prim.GetAttribute("rigUI:anchor:position").Set((99, 99, 99))

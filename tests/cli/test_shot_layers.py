@@ -10,7 +10,7 @@ import skinned_stages
 from pxr import Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdrigui.cli import main
-from usdrigui.usd.read_layout import read_layout
+from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset, read_layout
 
 SHAPES = {
     "browCrease": ((0.0, 0.55), (0, 0.3, 1), 0.25, 0.12),
@@ -46,13 +46,13 @@ def elements(layer):
 
 
 def handles(stage):
-    """Anchor point and path of every handle on the face."""
-    found = []
-    for path in shot_stages.layout_prims(stage):
-        prim = stage.GetPrimAtPath(path)
-        if prim.GetRelationship("rigUI:anchor:prim").GetTargets():
-            found.append((prim.GetAttribute("rigUI:anchor:pointIndex").Get(), path.AppendChild("handle")))
-    return found
+    """Anchor point, mesh and points of every handle on the face."""
+    prims = [prim for scope in layout_scopes(stage) for prim in element_prims(scope)]
+    return [
+        (prim.GetAttribute("rigUI:anchor:pointIndex").Get(), prim.GetParent().GetPath(), points_of_subset(prim)[0])
+        for prim in prims
+        if prim.GetRelationship("rigUI:anchor:prim").GetTargets()
+    ]
 
 
 def points(stage, path, time):
@@ -73,10 +73,10 @@ def test_the_base_is_kept_to_the_point_and_only_new_controls_are_placed(made):
 
 def test_the_layer_defines_the_new_elements_only(made):
     layer = Sdf.Layer.FindOrOpen(str(made / "shot.rigui.usda"))
-    scope = layer.GetPrimAtPath("/World/Char/RigUI")
-    defined = {child.name for child in scope.nameChildren if child.specifier == Sdf.SpecifierDef}
+    scope = layer.GetPrimAtPath("/World/Char{rigUI=ui}RigUI")
     assert scope.specifier == Sdf.SpecifierOver
-    assert defined == set(SHAPES)
+    (mesh,) = (child for child in scope.nameChildren if child.specifier == Sdf.SpecifierDef)
+    assert {child.name for child in mesh.nameChildren if child.typeName == "GeomSubset"} == set(SHAPES)
 
 
 def test_removed_the_assets_layout_is_bit_for_bit_as_before(folder):
@@ -142,8 +142,8 @@ def test_standing_handles_follow_the_new_shapes_in_any_application(made):
     assert UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath("/World/Char")))
     face = [points(stage, FACE, time) for time in (0.0, 1.0)]
     moved = 0
-    for point, path in placed:
-        handle = [points(stage, path, time).mean(axis=0) for time in (0.0, 1.0)]
+    for point, path, drawn in placed:
+        handle = [points(stage, path, time)[drawn].mean(axis=0) for time in (0.0, 1.0)]
         way = face[1][point] - face[0][point]
         np.testing.assert_allclose(handle[1] - handle[0], way, atol=2e-6)
         moved += np.linalg.norm(way) > 1e-3

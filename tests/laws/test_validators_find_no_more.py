@@ -57,4 +57,5 @@ def layout(request, tmp_path_factory):
 @pytest.mark.parametrize("find", [of_usd, of_nvidia])
 def test_a_layout_adds_no_finding(layout, find):
     source, target = layout
-    assert find(target) - find(source) == {}
+    # NVIDIA's looks at each variant by itself, and finds the faults of the character once for each.
+    assert set(find(target)) - set(find(source)) == set()

@@ -73,13 +73,12 @@ def test_baked_handles_are_centred_on_their_anchors(run):
         stage = laid_out.baked(layer, rig, [laid_out.random_values(rig, rng)])
         points = {mesh.path: laid_out.root_points(stage, mesh.path, rig.root, 0) for mesh in rig.meshes}
         diagonal = np.linalg.norm(np.ptp(np.concatenate(list(points.values())), axis=0))
-        scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
         misses = [
             np.linalg.norm(
-                laid_out.root_points(stage, f"{prim.GetPath()}/handle", rig.root, 0).mean(axis=0)
+                laid_out.handle(stage, rig.root, element, 0).mean(axis=0)
                 - points[element.anchor.mesh][element.anchor.point]
             )
-            for element, prim in zip(layout.elements, scope.GetChildren(), strict=True)
+            for element in layout.elements
             if not element.anchor.on_board
         ]
         assert misses

@@ -16,7 +16,7 @@ import laid_out
 import numpy as np
 import pytest
 import skinned_stages
-from pxr import Sdf, Usd, Vt
+from pxr import Sdf, Usd
 
 import usdrigui
 from usdrigui.clients import blender_extension
@@ -264,7 +264,7 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
 
 @pytest.mark.parametrize(
     ("name", "value", "message"),
-    [("rigUI:layout:version", 99, "version 99"), ("rigUI:layout:baseValues", [1.0], "1 values")],
+    [("rigUI:layout:version", 99, "later version"), ("rigUI:layout:baseValues", [1.0], "1 values")],
 )
 def test_what_cannot_be_understood_is_refused(extension, laid, name, value, message):
     stage = Usd.Stage.Open(str(laid[2]))
@@ -276,12 +276,13 @@ def test_what_cannot_be_understood_is_refused(extension, laid, name, value, mess
         extension["reading"].read_layouts(stage)
 
 
-@pytest.mark.parametrize("opposed", [[(0, 1), (1, 0)], [(0, 0)], [(0, 2)]])
-def test_both_readers_refuse_axes_that_share_an_end_or_have_none(extension, laid, opposed):
+@pytest.mark.parametrize("opposes", [("smile_L", "brow_L"), ("brow_L", ""), ("chin", "")])
+def test_both_readers_refuse_axes_that_share_an_end_or_have_none(extension, laid, opposes):
     stage = Usd.Stage.Open(str(laid[2]))
     stage.SetEditTarget(stage.GetSessionLayer())
-    prim = next(each for each in stage.Traverse() if each.GetAttribute("rigUI:element:opposed").HasAuthoredValue())
-    prim.GetAttribute("rigUI:element:opposed").Set(Vt.Vec2iArray(opposed))
+    prim = laid_out.element_prim(stage, laid[1].root, laid[1].elements[0])
+    for control, other in zip(("brow_L", "smile_L"), opposes, strict=True):
+        prim.CreateAttribute(f"rigUI:control:{control}:opposes", Sdf.ValueTypeNames.Token).Set(other)
     with pytest.raises(extension["layout"].LayoutError, match="opposes"):
         extension["reading"].read_layouts(stage)
     with pytest.raises(RigUIError, match="LAYOUT_INVALID"):

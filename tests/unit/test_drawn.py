@@ -10,7 +10,7 @@ import pytest
 
 from usdrigui.model import Anchor, Element, Layout, Member
 from usdrigui.usd import drawn
-from usdrigui.usd.carry import Carriage
+from usdrigui.usd.carry import Carriage, PointShape
 from usdrigui.usd.drawn import drawn_parts
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
@@ -66,32 +66,69 @@ def test_the_two_ends_of_an_axis_span_no_area_however_bent_it_is():
     assert drawn._neighbours(replace(element(around(0, 174)), kind="patch", opposed=((1, 0),))) == []
 
 
-@pytest.mark.parametrize("degrees", [(0, 90), (90, 0), (0, 90, 180, 270)])
-def test_areas_face_along_the_normal_and_know_their_values(degrees):
+@pytest.mark.parametrize(
+    ("degrees", "areas"),
+    [((0, 90), [3]), ((90, 0), [3]), ((0, 90, 180, 270), [4]), ((0, 180), []), ((0, 60, 120), [4])],
+)
+def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
     rig = makers.face(9, 11)
     fan = element(around(*degrees))
-    area = next(part for part in drawn_parts(Carriage(rig, layout(rig, fan)), fan, 0.1) if part.role == "area")
-    corners = area.points[area.faces]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0])
-    assert (normals[:, 2] > 0.0).all()
-    ends = np.array([each.track[-1] - ORIGIN for each in fan.members])
-    assert np.allclose(area.base_points, ORIGIN + area.values @ ends)
+    _, tracks = drawn_parts(Carriage(rig, layout(rig, fan)), fan, 0.1)
+    assert tracks.faces.counts[len(degrees) :].tolist() == areas
+    assert tracks.areas == len(areas)
+    ends = np.array([ORIGIN, *(each.track[-1] for each in fan.members)])
+    for corners in np.split(tracks.faces.indices, np.cumsum(tracks.faces.counts)[:-1])[len(degrees) :]:
+        points = tracks.points[corners]
+        assert np.cross(points[1] - points[0], points[2] - points[0])[2] > 0.0
+        assert all(1e-3 < np.linalg.norm(ends - point, axis=1).min() < 0.06 for point in points)
+    assert len(np.unique(tracks.faces.indices)) == len(tracks.points)
+    assert tracks.faces.counts.sum() == len(tracks.points), "no point is shared: the mesh is a manifold"
 
 
-def test_long_tracks_make_areas_of_bounded_size():
+def test_two_tracks_through_the_handle_span_an_area_between_their_four_ends():
     rig = makers.face(9, 11)
-    values = np.linspace(0.0, 1.0, 33)
-    fan = element([member("chin", (1, 0, 0), values), member("pucker", (0, 1, 0), values)], "patch")
-    track, _, area, _ = drawn_parts(Carriage(rig, layout(rig, fan)), fan, 0.1)
-    assert (len(track.points), len(area.points), len(area.faces)) == (33, 49, 36)
-    assert {0.0, 1.0} <= set(area.values[:, 0])
+    ways = [member(name, way, (-1.0, 0.0, 1.0)) for name, way in (("chin", (1, 0, 0)), ("pucker", (0, 1, 0)))]
+    stick = element(ways, "patch")
+    _, tracks = drawn_parts(Carriage(rig, layout(rig, stick)), stick, 0.1)
+    assert tracks.faces.counts[-1] == 4
 
 
-def test_sliders_have_no_area():
+def test_a_track_is_a_ribbon_that_ends_in_a_point():
     rig = makers.face(9, 11)
-    slider = element(around(0, 90), "slider")
-    parts = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)
-    assert [part.role for part in parts] == ["track", "track", "handle"]
+    slider = element([member("chin", (1, 0, 0), np.linspace(0.0, 1.0, 5))], "slider")
+    _, tracks = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)
+    assert tracks.areas == 0
+    assert tracks.faces.counts.tolist() == [4, 4, 4, 3]
+    middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
+    assert np.allclose(middle, slider.members[0].track[:-1])
+    assert np.allclose(tracks.points[-1], slider.members[0].track[-1])
+    assert np.allclose(np.linalg.norm(tracks.points[:-1:2] - tracks.points[1::2], axis=1), 0.15 * 0.1)
+    corners = tracks.points[tracks.faces.indices.reshape(-1)[:4]]
+    assert np.cross(corners[1] - corners[0], corners[2] - corners[0])[2] > 0.0
+
+
+def test_a_track_that_turns_back_has_no_faces_that_cross_themselves():
+    line = np.array([[0.0, 0, 0], [1, 0, 0], [0.4, 0, 0], [0.2, 0, 0]])
+    positions, quads = drawn._ribbon(line, np.array([0.0, 0, 1]), 0.2)
+    corners = positions[quads]
+    areas = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])[:, 2]
+    assert (np.abs(areas) > 0.05).all()
+
+
+@pytest.mark.parametrize("direction", [(0, 0, 1), (0, 0, 0)])
+def test_a_track_that_leaves_the_skin_or_stands_still_is_drawn_all_the_same(direction):
+    rig = makers.face(9, 11)
+    slider = element([member("chin", direction)], "slider")
+    _, tracks = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)
+    assert np.isfinite(tracks.points).all()
+    assert np.linalg.norm(tracks.points[0] - tracks.points[1]) == pytest.approx(0.15 * 0.1)
+
+
+def test_what_moves_a_track_by_less_than_a_hair_is_left_out():
+    """All that is left out, taken together, is below a hair; a handle follows what a track does not."""
+    shapes = [PointShape(i, np.ones(1), np.array([[size, 0.0, 0.0]])) for i, size in enumerate((1.0, 0.02, 0.04, 0.05))]
+    assert [shape.channel for shape in drawn._felt(tuple(shapes), 0.07)] == [0, 3]
+    assert len(drawn._felt(tuple(shapes), 0.0)) == 4
 
 
 @pytest.mark.parametrize(
@@ -117,14 +154,14 @@ def test_beside_the_face_the_handle_stands_on_its_track_at_every_weight(keys, we
     slider = replace(slider, anchor=replace(slider.anchor, position=place))
     values = np.array([base if control.name == "chin" else 0.0 for control in controls])
     carriage = Carriage(rig, replace(layout(rig, slider), base_values=values))
-    handle = drawn_parts(carriage, slider, 0.1)[-1]
+    handle = drawn_parts(carriage, slider, 0.1)[0]
     (shape,) = handle.shapes
     assert shape.channel == channel
     assert 1.0 in shape.weights
     assert 0.0 not in shape.weights
     for value in np.linspace(keys[0], keys[-1], 7):
         centre = handle.points.mean(axis=0) + shape.at(float(np.interp(value, keys, weights)))[0]
-        assert np.allclose(centre, ORIGIN + value * np.array([0.3, 0.1, 0]), atol=1e-9), value
+        assert np.allclose(centre, ORIGIN + value * np.array([0.3, 0.1, 0]), atol=1e-6), value
 
 
 def test_controls_of_several_weights_leave_the_handle_of_a_board_alone():
@@ -132,15 +169,16 @@ def test_controls_of_several_weights_leave_the_handle_of_a_board_alone():
     mixed = replace(rig.controls[0], name="mix", drive=makers.drive((0, 1)))
     rig = replace(rig, controls=(*rig.controls, mixed))
     slider = element([member("mix", (1, 0, 0))], "slider", beside=True)
-    handle = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)[-1]
+    handle = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)[0]
     assert handle.shapes == ()
     assert np.allclose(handle.points.mean(axis=0), ORIGIN)
 
 
-def test_the_ball_is_round_centred_and_closed():
-    points, faces = drawn._ball()
+@pytest.mark.parametrize("normal", [(0, 0, 1), (1, 0, 0), (0.6, -0.8, 0), (0, 0, 0)])
+def test_a_handle_is_a_triangle_about_its_anchor_that_faces_outwards(normal):
+    points = drawn._shard(np.array(normal, dtype=np.float64))
     assert np.allclose(np.linalg.norm(points, axis=1), 1.0)
     assert np.allclose(points.mean(axis=0), 0.0)
-    edges = {(face[i], face[(i + 1) % 3]) for face in faces.tolist() for i in range(3)}
-    assert len(points) - len(edges) // 2 + len(faces) == 2
-    assert all((b, a) in edges for a, b in edges)
+    facing = np.cross(points[1] - points[0], points[2] - points[0])
+    outwards = facing @ (normal if any(normal) else (0, 0, 1)) / np.linalg.norm(facing)
+    assert outwards == pytest.approx(np.cos(np.pi / 4))

@@ -20,7 +20,7 @@ from usdrigui.errors import Exit, RigUIError
 from usdrigui.model import LeftOff
 from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd.layer import layer_bytes, layer_for, relative_asset_path, stage_metadata, write_layout
-from usdrigui.usd.read_layout import base_controls, layout_scopes, read_layout, source_of
+from usdrigui.usd.read_layout import base_controls, element_prims, layout_scopes, read_layout, source_of
 from usdrigui.usd.rig import read_rigs
 
 PLAIN = OutputSettings()
@@ -240,26 +240,30 @@ def test_a_control_says_all_that_is_needed_to_drive_it(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    drawing = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChild("Controls")
     controls = {control.name: control for control in rig.controls}
-    brow, jaw, talk, mix = (scope.GetChild(name) for name in ("brow_L", "Jaw_rx", "talk", "mix"))
+    brow, jaw, talk, mix = (drawing.GetChild(name) for name in ("brow_L", "Jaw_rx", "talk", "mix"))
     assert list(drive_values(brow, "brow_L", "blendShapes")) == ["brow_L"]
     assert not drive_values(brow, "brow_L", "keys")
-    assert [str(path) for path in brow.GetRelationship("rigUI:control:brow_L:animation").GetTargets()] == [
-        "/World/Char/Anim"
-    ]
+    assert not brow.HasRelationship("rigUI:control:brow_L:animation"), "the only one goes without saying"
     assert drive_values(jaw, "Jaw_rx", "name") == "Jaw:rx"
-    assert drive_values(jaw, "Jaw_rx", "kind") == "joint"
+    assert (drive_values(jaw, "Jaw_rx", "kind"), drive_values(jaw, "Jaw_rx", "unit")) == ("joint", "degrees")
     for prim, instance, name in ((jaw, "Jaw_rx", "Jaw:rx"), (talk, "talk", "talk"), (mix, "mix", "mix")):
         drive = controls[name].drive
         keys = np.array(drive_values(prim, instance, "keys") or ())
         assert np.allclose(keys, drive.values), name
+        assert keys.tolist() == [round(key, 6) for key in keys.tolist()], "no digits of noise"
+        used = np.flatnonzero(np.abs(drive.weights).max(axis=0, initial=0.0))
         weights = np.array(drive_values(prim, instance, "blendShapeWeights") or ())
-        assert np.allclose(weights.reshape(len(keys), -1), drive.weights)
+        assert np.allclose(weights.reshape(len(keys), -1), drive.weights[:, used])
+        assert list(drive_values(prim, instance, "blendShapes") or ()) == [
+            rig.channels[channel].token for channel in drive.channels[used]
+        ]
+        turning = [j for j in range(len(drive.joints)) if np.abs(drive.rotations[:, j]).max() > 1e-6]
         joints = list(drive_values(prim, instance, "joints") or ())
-        assert joints == [rig.joints[joint].path for joint in drive.joints]
-        turns = np.array(drive_values(prim, instance, "jointRotations") or ()).reshape(len(keys), -1, 3)
-        assert np.allclose(turns, drive.rotations)
+        assert joints == [rig.joints[joint].path for joint in drive.joints[turning]]
+        turns = np.array(drive_values(prim, instance, "jointRotationVectors") or ()).reshape(len(keys), -1, 3)
+        assert np.allclose(turns, np.degrees(drive.rotations[:, turning]), atol=1e-4)
     assert list(drive_values(mix, "mix", "blendShapes")) == [
         rig.channels[channel].token for channel in controls["mix"].drive.channels
     ]
@@ -272,7 +276,7 @@ def test_everything_is_a_guide_below_the_character_and_nothing_is_of_a_type_of_o
     stage = Usd.Stage.Open(str(target))
     scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
     kinds = {prim.GetTypeName() for prim in Usd.PrimRange(scope)}
-    assert kinds == {"Scope", "Xform", "BasisCurves", "Mesh", "BlendShape"}
+    assert kinds == {"Scope", "GeomSubset", "Mesh", "BlendShape"}
     for prim in Usd.PrimRange(scope):
         if prim.IsA(UsdGeom.Gprim):
             assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
@@ -287,14 +291,36 @@ def test_handles_face_outwards(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     stage = Usd.Stage.Open(str(target))
-    for prim in stage.Traverse():
-        if prim.GetName() == "handle":
-            points = np.array(prim.GetAttribute("points").Get(), dtype=np.float64)
-            corners = points[np.array(prim.GetAttribute("faceVertexIndices").Get()).reshape(-1, 3)]
-            assert len(points) == 12
-            assert len(corners) == 20
-            normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-            assert (np.einsum("fi,fi->f", normals, corners.mean(axis=1) - points.mean(axis=0)) > 0.0).all()
+    for element in layout.elements:
+        prim = laid_out.element_prim(stage, rig.root, element)
+        mesh = UsdGeom.Mesh(prim.GetParent())
+        points, faces = np.array(mesh.GetPointsAttr().Get()), list(UsdGeom.Subset(prim).GetIndicesAttr().Get())
+        sides = np.split(mesh.GetFaceVertexIndicesAttr().Get(), np.cumsum(mesh.GetFaceVertexCountsAttr().Get())[:-1])
+        count = prim.GetAttribute("rigUI:handle:faceCount").Get()
+        corners = np.array([points[sides[face]] for face in faces[:count]], dtype=np.float64)
+        assert corners.shape == (1, 3, 3)
+        facing = np.cross(corners[0, 1] - corners[0, 0], corners[0, 2] - corners[0, 0])
+        assert facing @ normal_of(prim) > 0.0
+
+
+def normal_of(prim):
+    """The anchor's normal where the drawing rests: the fixture's base pose turns it by less than a right angle."""
+    return np.array(prim.GetAttribute("rigUI:anchor:normal").Get(), dtype=np.float64)
+
+
+def test_few_prims_draw_all_elements(char, tmp_path):
+    """One mesh for what hangs on the skeleton in one way, a subset per element, a shape per channel."""
+    source, rig, layout = char
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    scope = stage.GetPrimAtPath(rig.root).GetChild("RigUI")
+    kinds = [str(prim.GetTypeName()) for prim in Usd.PrimRange(scope)]
+    assert kinds.count("Mesh") <= 2
+    assert kinds.count("BlendShape") <= len(rig.channels) * kinds.count("Mesh")
+    assert [prim.GetName() for prim in element_prims(scope)] == [
+        "smile_L_sneer_L", "jawLeft_jawRight", "half", "pucker_chin_brow_L", "_25_jaw_rx"
+    ]  # fmt: skip
 
 
 def test_several_characters_in_one_asset(tmp_path):
@@ -316,7 +342,7 @@ def test_several_characters_in_one_asset(tmp_path):
 
 # --- layers by other hands ---------------------------------------------------------------------------
 
-HAND_MADE = """#usda 1.0
+FIRST_FORMAT = """#usda 1.0
 over "Char"
 {
     def Scope "MyControls" (
@@ -348,14 +374,45 @@ over "Char"
 """
 
 
+HAND_MADE = """#usda 1.0
+over "Char"
+{
+    def Scope "MyControls" (
+        prepend apiSchemas = ["RigUILayoutAPI_1"]
+    )
+    {
+        def Mesh "knobs" (
+            prepend apiSchemas = ["RigUIDrawingAPI"]
+        )
+        {
+            point3f[] points = [(-1, -1, 0), (1, -1, 0), (0, 1, 0)]
+            int[] faceVertexCounts = [3]
+            int[] faceVertexIndices = [0, 1, 2]
+            def GeomSubset "smile" (
+                prepend apiSchemas = ["RigUIElementAPI", "RigUIControlAPI:smile"]
+            )
+            {
+                int[] indices = [0]
+                int rigUI:handle:faceCount = 1
+                rel rigUI:anchor:prim = </Char/face>
+                int rigUI:anchor:pointIndex = 7
+                point3f[] rigUI:control:smile:trackPoints = [(0, 0, 0), (0, 1, 0)]
+            }
+        }
+    }
+}
+"""
+
+
 def hand_made(text=HAND_MADE):
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.ImportFromString(text)
     return layer
 
 
-def test_a_layer_written_by_hand_takes_the_fallbacks():
-    (layout,) = read_layout(hand_made())
+@pytest.mark.parametrize("text", [HAND_MADE, FIRST_FORMAT])
+def test_a_layer_written_by_hand_takes_the_fallbacks(text):
+    (layout,) = read_layout(hand_made(text))
     (element,) = layout.elements
     (member,) = element.members
     assert (layout.root, layout.space, layout.status, layout.handle_width) == ("/Char", "object", "stopped", 2.0)
@@ -365,8 +422,42 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
     assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)
-    stage = Usd.Stage.Open(hand_made())
+    stage = Usd.Stage.Open(hand_made(text))
     assert base_controls(next(layout_scopes(stage))) == ()
+
+
+ELEMENT = "int rigUI:handle"
+AT = 'def Mesh "knobs"'
+CONTRADICTIONS = [
+    ('"RigUILayoutAPI_1"', '"SomeAPI"', "LAYOUT_MISSING", "RigUILayoutAPI"),
+    ("int rigUI:anchor:pointIndex = 7", "", "LAYOUT_INVALID", "pointIndex"),
+    (", (0, 1, 0)]\n            }", "]\n            }", "LAYOUT_INVALID", "two points"),
+    ("point3f[] rigUI:control:smile:trackPoints = [(0, 0, 0), (0, 1, 0)]", "", "LAYOUT_INVALID", "two points"),
+    ("[(0, 0, 0), (0, 1, 0)]", "[(0, 0, 0), (0, nan, 0)]", "LAYOUT_INVALID", "NaN"),
+    (AT, f'def Xform "b" (\napiSchemas = ["RigUIElementAPI"]\n) {{}}\n{AT}', "LAYOUT_INVALID", "no control"),
+    ("int rigUI:anchor:pointIndex", "double rigUI:anchor:pointIndex", "LAYOUT_INVALID", "double, not int"),
+    (ELEMENT, f'token rigUI:element:side = "up"\n{ELEMENT}', "LAYOUT_INVALID", "'up'"),
+    (ELEMENT, f'token[] rigUI:element:controls = ["smile", "frown"]\n{ELEMENT}', "LAYOUT_INVALID", "frown"),
+    (ELEMENT, f'token[] rigUI:element:pinned = ["all"]\n{ELEMENT}', "LAYOUT_INVALID", "'all'"),
+    (ELEMENT, f'token rigUI:control:smile:opposes = "frown"\n{ELEMENT}', "LAYOUT_INVALID", "opposes"),
+    (ELEMENT, f'token rigUI:control:smile:opposes = "smile"\n{ELEMENT}', "LAYOUT_INVALID", "opposes"),
+    (ELEMENT, f"double[] rigUI:control:smile:trackValues = [0, 1, 2]\n{ELEMENT}", "LAYOUT_INVALID", "trackValues"),
+    (ELEMENT, f"double[] rigUI:control:smile:trackValues = [0, nan]\n{ELEMENT}", "LAYOUT_INVALID", "NaN"),
+    ("indices = [0]", "indices = [1]", "LAYOUT_INVALID", "faces"),
+    ("RigUILayoutAPI_1", "RigUILayoutAPI_99", "LAYOUT_VERSION", "99"),
+    (AT, f"double[] rigUI:layout:baseValues = [1]\n{AT}", "LAYOUT_INVALID", "baseValues"),
+    ('_1"]\n', '_1"]\ncustomData = {\ndictionary usdrigui = {\ndictionary solution = {\nint cost = 1\n}\n}\n}\n',
+     "LAYOUT_INVALID", "cost"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "code", "told"), CONTRADICTIONS)
+def test_layers_that_contradict_themselves_are_refused(old, new, code, told):
+    assert old in HAND_MADE
+    with pytest.raises(RigUIError) as caught:
+        read_layout(hand_made(HAND_MADE.replace(old, new, 1)))
+    assert caught.value.issue.code == code
+    assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
 
 
 @pytest.mark.parametrize(
@@ -409,28 +500,26 @@ def test_a_layer_written_by_hand_takes_the_fallbacks():
         ),
     ],
 )
-def test_layers_that_contradict_themselves_are_refused(old, new, code, told):
-    assert old in HAND_MADE
+def test_layers_of_the_first_format_that_contradict_themselves_are_refused(old, new, code, told):
+    assert old in FIRST_FORMAT
     with pytest.raises(RigUIError) as caught:
-        read_layout(hand_made(HAND_MADE.replace(old, new, 1)))
+        read_layout(hand_made(FIRST_FORMAT.replace(old, new, 1)))
     assert caught.value.issue.code == code
     assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
 
 
 def test_two_elements_of_one_name_are_refused():
-    layer = hand_made()
-    Sdf.CopySpec(layer, "/Char/MyControls/smile", layer, "/Char/MyControls/grin")
+    layer, mesh = hand_made(), "/Char/MyControls/knobs"
+    Sdf.CopySpec(layer, f"{mesh}/smile", layer, f"{mesh}/grin")
     assert [element.name for element in read_layout(layer)[0].elements] == ["smile", "grin"]
-    name = Sdf.AttributeSpec(
-        layer.GetPrimAtPath("/Char/MyControls/grin"), "rigUI:element:name", Sdf.ValueTypeNames.Token
-    )
+    name = Sdf.AttributeSpec(layer.GetPrimAtPath(f"{mesh}/grin"), "rigUI:element:name", Sdf.ValueTypeNames.Token)
     name.default = "smile"
     with pytest.raises(RigUIError, match="two elements are called 'smile'"):
         read_layout(layer)
 
 
 def test_points_that_have_only_samples_are_read_at_the_earliest():
-    text = HAND_MADE.replace("points = [(0, 0, 0), (0, 1, 0)]", "points.timeSamples = { 5: [(0, 0, 0), (0, 2, 0)] }")
+    text = FIRST_FORMAT.replace("points = [(0, 0, 0), (0, 1, 0)]", "points.timeSamples = { 5: [(0, 0, 0), (0, 2, 0)] }")
     assert read_layout(hand_made(text))[0].elements[0].members[0].track[1].tolist() == [0, 2, 0]
 
 
@@ -445,9 +534,12 @@ over "Char"
 {{
     over "MyControls"
     {{
-        over "smile"
+        over "knobs"
         {{
-            int rigUI:anchor:pointIndex = 9
+            over "smile"
+            {{
+                int rigUI:anchor:pointIndex = 9
+            }}
         }}
     }}
 }}

@@ -5,10 +5,10 @@ import makers
 import numpy as np
 import pytest
 from pxr import Sdf
+from usdrigui.usd.element_prims import author_shape
 
 from usdrigui import ties
 from usdrigui.usd.carry import PointShape
-from usdrigui.usd.element_prims import author_shape
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -17,7 +17,7 @@ from usdrigui.cli.attaching import add_attach, add_detach
 from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
-from usdrigui.cli.reviewing import add_check, add_diff
+from usdrigui.cli.reviewing import add_check, add_convert, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
 from usdrigui.errors import Exit, RigUIError, refuse, sentences
 from usdrigui.version import __version__
@@ -78,6 +78,7 @@ def parser() -> argparse.ArgumentParser:
     add_inspect(commands)
     add_check(commands)
     add_diff(commands)
+    add_convert(commands)
     add_view(commands)
     add_picture(commands)
     add_flat_picker(commands)

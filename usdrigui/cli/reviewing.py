@@ -1,14 +1,15 @@
-"""`check` and `diff`: what became of a layout, and how two differ."""
+"""`check`, `diff` and `convert`: what became of a layout, how two differ, and one in the format of today."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from pathlib import Path
 from typing import Any
 
-from usdrigui.cli.options import add_settings, command, settings_of
-from usdrigui.cli.outcomes import screen_of, strict
+from usdrigui.cli.options import add_configuration, add_settings, command, settings_of
+from usdrigui.cli.outcomes import say, screen_of, strict
 from usdrigui.errors import Exit
 
 
@@ -26,6 +27,14 @@ def add_diff(commands: Any) -> None:
     parser = command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
     parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
     parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
+
+
+def add_convert(commands: Any) -> None:
+    """Add ``convert`` to the commands."""
+    parser = command(commands, "convert", _convert, "write a layout layer of an earlier format in the one of today")
+    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer that an earlier usdrigui wrote")
+    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: the layer itself")
+    add_configuration(parser)
 
 
 def _check(arguments: argparse.Namespace) -> Exit:
@@ -53,3 +62,15 @@ def _diff(arguments: argparse.Namespace) -> Exit:
     else:
         screen_of(arguments).difference(found.before, found.after, found.characters, found.only_in_one)
     return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
+
+
+def _convert(arguments: argparse.Namespace) -> Exit:
+    from usdrigui import pipeline
+
+    target = arguments.output or arguments.layer
+    state = pipeline.convert(arguments.layer, target, settings_of(arguments))
+    if arguments.json:
+        told = {"layer": str(arguments.layer), "output": str(target), "outcome": state, "exit": 0}
+        print(json.dumps({"format": "usdrigui.convert", "version": 1, **told}, indent=2))
+    say(f"usdrigui: {state} {target}", arguments)
+    return Exit.OK

@@ -3,24 +3,17 @@
     Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
 
 `process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer back, `check` and
-`diff` review layers.  Nothing here prints; what a run has to say is in the record that it returns.
+`diff` review layers, `convert` writes one of an earlier format anew.  Nothing here prints; what a run has to say is in
+the record that it returns.
 """
 
 from __future__ import annotations
 
+from usdrigui.pipeline.converting import convert
 from usdrigui.pipeline.inspecting import inspect
-from usdrigui.pipeline.laying_out import process, process_stage
+from usdrigui.pipeline.laying_out import process
 from usdrigui.pipeline.progress import Event, Watch
-from usdrigui.pipeline.reviewing import (
-    LayerDifference,
-    LayerReview,
-    Loaded,
-    check,
-    diff,
-    load_layer,
-    open_layouts,
-    review,
-)
+from usdrigui.pipeline.reviewing import LayerDifference, LayerReview, Loaded, check, diff, load_layer
 from usdrigui.pipeline.stages import ProblemInputs, build_problem
 from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
 
@@ -34,14 +27,12 @@ __all__ = [
     "build_problem",
     "check",
     "check_outputs",
+    "convert",
     "default_output",
     "diff",
     "inspect",
     "load_layer",
-    "open_layouts",
     "process",
-    "process_stage",
-    "review",
     "stage_file",
     "write_file",
 ]

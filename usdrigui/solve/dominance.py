@@ -16,7 +16,9 @@ import itertools
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
-from usdrigui.solve.reduced_problem import NEVER
+
+NEVER = 1e30
+"""Stands for the cost of a pair that handles forbid: infinite costs have no differences."""
 
 
 def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) -> Flags:

@@ -16,23 +16,23 @@ from typing import Any
 import numpy as np
 from pxr import Sdf
 
-from usdrigui.model import Element, Layout, Rig
+from usdrigui.model import Element, Indices, Layout, Rig
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Carriage, PointShape
 from usdrigui.usd.control_api import author_limits
+from usdrigui.usd.drawing import author_shapes
 from usdrigui.usd.drawn import Drawn, drawn_parts
-from usdrigui.usd.element_prims import author_shape
 from usdrigui.usd.layer import (
     account,
-    author_element,
+    author_elements,
     author_metadata,
+    author_variant,
+    books,
     holds_layouts,
-    instances_of,
     layer_bytes,
     relative_asset_path,
-    solution,
 )
-from usdrigui.usd.reader_records import StandingPrim
+from usdrigui.usd.reader_records import StandingPrim, StandingSpan
 from usdrigui.usd.safe_write import State
 
 
@@ -80,77 +80,62 @@ def write_additions(
             elif below and below not in layer.subLayerPaths:
                 layer.subLayerPaths.append(below)
             if each.added:
-                _author(Sdf.CreatePrimInLayer(layer, each.rig.root), each)
+                _author(layer, each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
     roots = [each.rig.root for each in additions if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
-def _author(root: Sdf.PrimSpec, addition: Addition) -> None:
+def _author(layer: Sdf.Layer, addition: Addition) -> None:
     rig, layout = addition.rig, addition.layout
+    as_variant = all(prim.in_variant for prim in addition.prims)
+    root = author_variant(layer, rig.root) if as_variant else Sdf.CreatePrimInLayer(layer, rig.root)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
-    schemas = Sdf.TokenListOp()
-    schemas.prependedItems = [schema.LAYOUT, schema.SOLUTION]
-    scope.SetInfo("apiSchemas", schemas)
+    author.apply(scope, [schema.LAYOUT])
     author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)
-    author.declare(scope, schema.SOLUTION, solution(layout), fallbacks=True)
-    carriage = Carriage(rig, layout)
-    taken = {prim.path.split("/")[-2] for prim in addition.prims}
-    names = {e.name: author.identifier(e.name, taken) for e in layout.elements if e.name in addition.added}
-    for element in layout.elements:
-        if element.name in addition.added:
-            author_element(scope, rig, layout, carriage, element, names)
-        else:
-            _author_new_shapes(root.layer, addition, carriage, element)
+    author.note(scope, books(layout))
+    taken = {name for prim in addition.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
+    added = [element for element in layout.elements if element.name in addition.added]
+    author_elements(scope, rig, layout, added, taken)
+    standing = [element for element in layout.elements if element.name not in addition.added]
+    _author_new_shapes(scope, addition, standing)
 
 
-def _author_new_shapes(layer: Sdf.Layer, addition: Addition, carriage: Carriage, element: Element) -> None:
-    """Let what is drawn of a standing element follow the shapes that its layer does not know."""
-    prims = [prim for prim in addition.prims if prim.element == element.name]
-    known = {token for prim in prims if prim.role == "handle" for token in prim.shapes}
-    if element.anchor.on_board or not any(
-        addition.rig.channels[shape.channel].token not in known for shape in carriage.grip(element).shapes
-    ):
-        return
-    for prim, part in _matched(
-        prims, drawn_parts(carriage, element, addition.layout.handle_width_of(element)), element
-    ):
-        new = [shape for shape in part.shapes if addition.rig.channels[shape.channel].token not in prim.shapes]
-        if new:
-            _extend(layer, addition, prim, new)
-
-
-def _matched(
-    prims: Sequence[StandingPrim], parts: Sequence[Drawn], element: Element
-) -> Iterator[tuple[StandingPrim, Drawn]]:
-    """Every prim with the part that it draws."""
-    instances = instances_of(element)
-    for part in parts:
-        shown = tuple(instances[name] for name in part.controls)
-        for prim in prims:
-            if prim.role == part.role and (part.role != "track" or prim.controls in ((), shown)):
-                yield prim, part
-                break
-
-
-def _extend(layer: Sdf.Layer, addition: Addition, prim: StandingPrim, new: Sequence[PointShape]) -> None:
+def _author_new_shapes(scope: Sdf.PrimSpec, addition: Addition, elements: Sequence[Element]) -> None:
+    """Let what is drawn of standing elements follow the shapes that their layer does not know."""
+    carriage, width = Carriage(addition.rig, addition.layout), addition.layout.handle_width_of
+    parts = {each.name: drawn_parts(carriage, each, width(each)) for each in elements if not each.anchor.on_board}
     prefixes = Sdf.Path(addition.base_root), Sdf.Path(addition.rig.root)
-    path = Sdf.Path(prim.path).ReplacePrefix(*prefixes)
-    targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
-    tokens = [addition.rig.channels[shape.channel].token for shape in new]
-    spec = Sdf.CreatePrimInLayer(layer, path)
-    taken = {target.name for target in targets}
-    for shape, token in zip(new, tokens, strict=True):
-        child = Sdf.PrimSpec(spec, author.identifier(token, taken), Sdf.SpecifierDef, "BlendShape")
-        author_shape(child, _fitted(shape, prim.points))
-        targets.append(child.path)
-    author.put(spec, "skel:blendShapes", "token[]", [*prim.shapes, *tokens], uniform=True)
-    author.link(spec, "skel:blendShapeTargets", targets)
+    for prim in addition.prims:
+        spans = [span for each in prim.spans if each.element in parts for span in _moved(parts[each.element], each)]
+        known = set(prim.shapes)
+        new = [
+            (points, [shape for shape in shapes if addition.rig.channels[shape.channel].token not in known])
+            for points, shapes in spans
+        ]
+        if any(shapes for _, shapes in new):
+            path = (
+                Sdf.Path(prim.path)
+                .ReplacePrefix(*prefixes)
+                .ReplacePrefix(addition.rig.root, scope.path.GetParentPath())
+            )
+            targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
+            existing = list(zip(prim.shapes, targets, strict=True))
+            spec = Sdf.CreatePrimInLayer(scope.layer, path)
+            taken = {target.name for target in targets} | set(prim.names)
+            author_shapes(spec, addition.rig, new, taken, existing)
+
+
+def _moved(parts: Sequence[Drawn], span: StandingSpan) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
+    """The points of a span with the shapes that move them: whoever drew it may draw otherwise than we do."""
+    meant = parts[:1] if span.role == "handle" else parts[1:]
+    ends = np.cumsum([len(part.points) for part in meant])
+    if len(ends) and ends[-1] == len(span.points):
+        yield from zip(np.split(span.points, ends[:-1]), (part.shapes for part in meant), strict=True)
+    elif len(span.points):
+        yield span.points, [_fitted(shape, len(span.points)) for part in meant[:1] for shape in part.shapes]
 
 
 def _fitted(shape: PointShape, count: int) -> PointShape:
-    """The shape for as many points as the prim really has: whoever drew it may draw otherwise than we do."""
-    if shape.offsets.shape[1] == count:
-        return shape
     return PointShape(shape.channel, shape.weights, np.repeat(shape.offsets[:, :1], count, axis=1))

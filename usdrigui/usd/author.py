@@ -35,11 +35,12 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "bool": bool,
 }
 _DIGITS = {
-    **{name: 9 for name in _ARRAYS if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")},
-    **dict.fromkeys(("point3f", "vector3f"), 9),
-    **dict.fromkeys(("vector3d[]", "double[]", "matrix4d", "double"), 12),
+    **{name: 7 for name in _ARRAYS if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")},
+    **dict.fromkeys(("point3f", "vector3f"), 7),
+    **dict.fromkeys(("vector3d[]", "double[]", "double"), 7),
+    "matrix4d": 12,
 }
-"""Significant digits authored of numbers of each type."""
+"""Significant digits authored of numbers of each type: as many as a source in single precision has."""
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
@@ -75,10 +76,32 @@ def prim(parent: Sdf.PrimSpec, name: str, type_name: str, apis: Sequence[str] = 
     """Define a child prim with applied API schemas."""
     spec = Sdf.PrimSpec(parent, name, Sdf.SpecifierDef, type_name)
     if apis:
-        schemas = Sdf.TokenListOp()
-        schemas.prependedItems = list(apis)
-        spec.SetInfo("apiSchemas", schemas)
+        apply(spec, apis)
     return spec
+
+
+def apply(spec: Sdf.PrimSpec, apis: Sequence[str]) -> None:
+    """Apply API schemas to a prim."""
+    schemas = Sdf.TokenListOp()
+    schemas.prependedItems = list(apis)
+    spec.SetInfo("apiSchemas", schemas)
+
+
+def note(spec: Sdf.PrimSpec, books: Mapping[str, Mapping[str, Any]]) -> None:
+    """Put what only usdrigui asks for into the prim's customData: texts, numbers, and lists of either."""
+    spec.SetInfo("customData", {schema.NOTES: {key: _noted(values) for key, values in books.items()}})
+
+
+def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: _plain(value) for key, value in values.items()}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (str, float)):
+        return value if isinstance(value, str) else float(f"{value:.12g}")
+    if isinstance(value, np.ndarray):
+        return Vt.DoubleArray([float(f"{each:.9g}") for each in value])
+    return Vt.StringArray([str(each) for each in value])
 
 
 def put(
@@ -103,7 +126,7 @@ def put(
 
 def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Sdf.Path | str]) -> None:
     """Author a relationship; an empty one is left out."""
-    paths = [target if isinstance(target, Sdf.Path) else Sdf.Path(target) for target in targets]
+    paths = [Sdf.Path(target).StripAllVariantSelections() for target in targets]
     if paths:
         relationship = Sdf.RelationshipSpec(spec, name, custom=False)
         relationship.targetPathList.explicitItems = paths
@@ -140,7 +163,7 @@ def usd_value(type_name: str, value: Any) -> Any:
 def settled(value: Any, type_name: str) -> Any:
     """Numbers without the last digits, which depend on the processor: sums are formed in another order on each.
 
-    Kept are 12 digits (9 in single precision) of the largest number of the value.
+    Kept are 7 digits (12 of matrices) of the largest number of the value.
     """
     if type_name not in _DIGITS:
         return value

@@ -110,13 +110,13 @@ class Carriage:
         self.weights = channel_state(rig, self.values)[0]
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.meshes}
-        self._size = _size(rig)
+        self.size = _size(rig)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
         self._rigid = _rigid_carrier(rig, on_face)
-        self._shapes = _shapes_of(rig, on_face, self._size)
+        self._shapes = _shapes_of(rig, on_face, self.size)
         beside = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
-        self._board = _own_joints([self.control(name) for name in beside], self._size)
+        self._board = _own_joints([self.control(name) for name in beside], self.size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -138,7 +138,7 @@ class Carriage:
         if element.adapt == "static" and self._rigid >= 0:
             influences = np.array([self._rigid]), np.ones(1)
         # The board stays in one piece: what one of its elements turns moves none of them.
-        own = _own_joints(controls, self._size) | (self._board if element.anchor.on_board else set())
+        own = _own_joints(controls, self.size) | (self._board if element.anchor.on_board else set())
         fixed = _without(self.rig, influences, own)
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)
@@ -185,7 +185,7 @@ class Carriage:
             return np.eye(4)[:, :3]
         bound = np.asarray(np.linalg.inv(self.rig.skeletons[skeleton].to_root), dtype=np.float64)
         skin = Skin(joints[None], weights[None], method, bound, False)
-        single = RigMesh("", np.full((1, 3), self._size), _NONE, _NONE, False, True, "none", np.eye(4), skin, (), "")
+        single = RigMesh("", np.full((1, 3), self.size), _NONE, _NONE, False, True, "none", np.eye(4), skin, (), "")
         return np.array(posed(replace(self.rig, meshes=(single,)), values).maps[0][0])
 
 

@@ -8,8 +8,11 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Control, Flags, Floats, Rig, RigMesh
+from usdrigui.model import Control, Flags, Floats, Rig
 from usdrigui.usd import author, schema
+
+_NOISE = 1e-6
+"""Of the largest value of its kind: weights and movements of joints below this are nothing."""
 
 
 def author_control_api(
@@ -24,10 +27,10 @@ def author_control_api(
             "kind": control.kind,
             "label": "" if control.label == control.name else control.label,
             "source": "" if control.source == control.name else control.source,
+            "unit": "degrees" if control.kind == "joint" else "weight",
             "minimum": control.minimum,
             "default": control.default,
             "maximum": control.maximum,
-            "mesh": _deformed_meshes(rig, control),
             **figures,
             **_driven_weights(rig, control),
             **_driven_joints(rig, control),
@@ -38,17 +41,25 @@ def author_control_api(
 
 def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
-    channels = [rig.channels[channel] for channel in drive.channels]
+    plain = _is_plain(rig, control)
+    driven = np.arange(len(drive.channels)) if plain else np.flatnonzero(_moving(drive.weights))
+    channels = [rig.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [animations.index(channel.animation) if channel.animation else 0 for channel in channels]
     found: dict[str, Any] = {
         "blendShapes": [channel.token for channel in channels],
-        "animation": animations,
+        "animation": animations if animations != _only_animation(rig) else [],
         "blendShapeAnimations": which if any(which) else [],
     }
-    if not _is_plain(rig, control):
-        found |= {"keys": drive.values, "blendShapeWeights": drive.weights.ravel()}
+    if not plain:
+        found |= {"keys": drive.values, "blendShapeWeights": drive.weights[:, driven].ravel()}
     return found
+
+
+def _only_animation(rig: Rig) -> list[str]:
+    """The SkelAnimation of the character, which goes without saying; none where there are several."""
+    found = list({skeleton.animation for skeleton in rig.skeletons})
+    return found if len(found) == 1 else []
 
 
 def _is_plain(rig: Rig, control: Control) -> bool:
@@ -62,42 +73,31 @@ def _is_plain(rig: Rig, control: Control) -> bool:
 
 def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
-    joints = [rig.joints[joint] for joint in drive.joints]
+    moved = np.flatnonzero(np.any([_moving(rows) for rows in _tables(control)], axis=0))
+    joints = [rig.joints[joint] for joint in drive.joints[moved]]
     if not joints:
         return {}
     skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
     which = [skeletons.index(joint.skeleton) for joint in joints]
-    found: dict[str, Any] = {
+    turns, shifts, scales = (rows[:, moved].reshape(-1, 3) for rows in _tables(control))
+    return {
         "skeleton": [rig.skeletons[skeleton].path for skeleton in skeletons],
         "joints": [joint.path for joint in joints],
         "jointSkeletons": which if any(which) else [],
-        "jointRotations": drive.rotations.reshape(-1, 3),
+        "jointRotationVectors": np.degrees(turns) if turns.any() else (),
+        "jointTranslations": shifts if shifts.any() else (),
+        "jointScaleFactors": np.exp(scales) if scales.any() else (),
     }
-    if drive.translations.any():
-        found["jointTranslations"] = drive.translations.reshape(-1, 3)
-    if drive.scales.any():
-        found["jointScales"] = drive.scales.reshape(-1, 3)
-    return found
 
 
-def _deformed_meshes(rig: Rig, control: Control) -> list[str]:
-    """Paths of the meshes that the control's shapes or joints reach."""
-    channels = set(control.drive.channels.tolist())
-    turning = np.zeros(len(rig.joints), dtype=np.bool_)
-    turning[control.drive.joints] = True
-    for i, joint in enumerate(rig.joints if turning.any() else ()):
-        turning[i] |= joint.parent >= 0 and turning[joint.parent]
-    return [mesh.path for mesh in rig.meshes if _has_shape(mesh, channels) or _is_skinned_to(mesh, turning)]
+def _moving(rows: Floats) -> Flags:
+    """Which columns of (keys, columns, ...) hold more than the noise of the others."""
+    sizes = np.abs(rows).max(axis=(0, *range(2, rows.ndim)), initial=0.0)
+    return np.asarray(sizes > _NOISE * sizes.max(initial=0.0))
 
 
-def _has_shape(mesh: RigMesh, channels: set[int]) -> bool:
-    return any(shape.channel in channels for shape in mesh.shapes)
-
-
-def _is_skinned_to(mesh: RigMesh, joints: Flags) -> bool:
-    if mesh.skin is None or not joints.any():
-        return False
-    return bool((joints[mesh.skin.joints] & (mesh.skin.weights != 0.0)).any())
+def _tables(control: Control) -> tuple[Floats, Floats, Floats]:
+    return control.drive.rotations, control.drive.translations, control.drive.scales
 
 
 # --- limits ------------------------------------------------------------------------------------------

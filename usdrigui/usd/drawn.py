@@ -1,4 +1,6 @@
-"""What is drawn of an element: its tracks, the area they span and its handle, as plain arrays.
+"""What is drawn of an element: its handle, its tracks and the areas between them, as polygons.
+
+Tracks and glyphs that are curves are ribbons: importers deform meshes, and leave curves where they are.
 
 Positions come in as the layout has them, in the base pose, and go out in the rest arrangement (see
 `usdrigui.usd.carry`), with the shapes and influences that make them follow the character.  numpy only.
@@ -6,92 +8,141 @@ Positions come in as the layout has them, in the base pose, and go out in the re
 
 from __future__ import annotations
 
-import functools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from usdrigui.model import Control, Element, Floats, Glyph, Indices, Member, Record
+from usdrigui.model import Control, Element, Floats, Indices, Member, Record
 from usdrigui.ties import axis_across
 from usdrigui.usd.carry import Carriage, Grip, Hold, PointShape
 
-_SIDE_SAMPLES = 7
-"""Most points along one side of a spanned area."""
 _FLAT = np.radians(2.0)
 """Two tracks closer to one line than this span no area."""
+_INSET = 0.05
+"""Of the way from a corner of an area to its middle: so far it stays away from the tracks."""
+_BESIDE = 0.05
+"""Of a track's length: it begins at the handle if it begins nearer than this."""
+_TRACK_WIDTH = 0.15
+"""Of a handle's."""
+_HAIR = 0.15
+"""Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out move it by less, taken
+together."""
+_EXACT = 2e-6
+"""Of the character's size: the same for handles, which must be on the skin."""
+_HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
+"""Of the same lengths: offsets are whole numbers of decimal steps below these, so that they are short to write."""
+
+
+@dataclass(frozen=True, eq=False)
+class Faces(Record):
+    """Polygons of some points."""
+
+    counts: Indices
+    """(f,) corners of each."""
+    indices: Indices
+    """(sum of counts,) point of each corner."""
+
+    @staticmethod
+    def alike(corners: Indices) -> Faces:
+        """Of (f, c) corners."""
+        return Faces(np.full(len(corners), corners.shape[1], dtype=np.int64), corners.ravel())
 
 
 @dataclass(frozen=True, eq=False)
 class Drawn(Record):
-    """One gprim of an element."""
+    """One thing that is drawn of an element."""
 
-    role: Literal["track", "area", "handle"]
-    controls: tuple[str, ...]
-    """Names of the controls that it shows; none for a handle."""
-    values: Floats
-    """(q, len(controls)) value of each control with which the handle is at each point."""
+    role: Literal["handle", "tracks"]
     base_points: Floats
     """(q, 3) in root space, in the base pose."""
     points: Floats
     """(q, 3) in the rest arrangement."""
-    faces: Indices
-    """(f, 3) or (f, 4) point indices, counter-clockwise from outside; (0, 3) for a curve."""
+    faces: Faces
+    """Counter-clockwise from outside; those of areas last."""
     hold: Hold
     shapes: tuple[PointShape, ...]
     """Offsets (k, q, 3)."""
-    glyph: Glyph | None = None
-    """Of a handle that is not the usual ball: its polylines or polygons, instead of `faces`."""
+    areas: int = 0
+    """How many faces are those of areas."""
 
 
-def drawn_parts(carriage: Carriage, element: Element, width: float) -> tuple[Drawn, ...]:
-    """Everything to draw of one element: a track per member, the area of a patch or fan, the handle.
+def drawn_parts(carriage: Carriage, element: Element, width: float) -> tuple[Drawn, Drawn]:
+    """Everything to draw of one element: the handle, and the tracks with the areas between them.
 
     `width` is the diameter of the handle in scene units.
     """
     grip = carriage.grip(element)
-    tracks = [_track(carriage, grip, member) for member in element.members]
+    felt = tuple(_short(shape, carriage) for shape in _felt(grip.shapes, _EXACT * carriage.size))
+    grip, still = replace(grip, shapes=felt), replace(grip, shapes=_felt(grip.shapes, _HAIR * width))
     handle = _follower(carriage, grip, element, width) if grip.deforms else _slider(carriage, grip, element, width)
-    return (*tracks, *_area(carriage, grip, element), handle)
+    return handle, _tracks(carriage, still, element, width)
+
+
+def _short(shape: PointShape, carriage: Carriage) -> PointShape:
+    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * carriage.size))
+
+
+def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ...]:
+    """The shapes without the smallest ones, which at their knots all together move less than `budget`."""
+    sizes = np.array([np.linalg.norm(shape.offsets, axis=-1).max(initial=0.0) for shape in shapes])
+    order = np.argsort(sizes, kind="stable")
+    small = set(order[np.cumsum(sizes[order]) <= budget].tolist())
+    return tuple(shape for i, shape in enumerate(shapes) if i not in small)
 
 
 # --- tracks and areas --------------------------------------------------------------------------------
 
 
-def _track(carriage: Carriage, grip: Grip, member: Member) -> Drawn:
-    values = np.array(member.values, dtype=np.float64)[:, None]
-    return _still(carriage, grip, "track", (member.control,), values, member.track, np.zeros((0, 3), dtype=np.int64))
+def _tracks(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
+    """A spike for each member, and polygons between those that are neighbours (paper section 4.1)."""
+    base = np.array([carriage.value(member.control) for member in element.members])
+    spikes = [
+        # Each a little narrower, so that two which begin in one place do not begin in the same points.
+        _spike(member.track, element.anchor.normal, _TRACK_WIDTH * width / (1.0 + 0.1 * i))
+        for i, member in enumerate(element.members)
+    ]
+    areas = _areas(element)
+    pieces = [*spikes, *((positions, Faces.alike(np.arange(len(positions))[None])) for _, positions in areas)]
+    starts = np.cumsum([0, *(len(points) for points, _ in pieces)])
+    faces = Faces(
+        np.concatenate([faces.counts for _, faces in pieces]),
+        np.concatenate([faces.indices + start for (_, faces), start in zip(pieces, starts, strict=False)]),
+    )
+    rows = [_values_along(base, i, member) for i, member in enumerate(element.members)]
+    values = np.concatenate([*rows, *(_values_at(base, element, ends) for ends, _ in areas)])
+    positions = np.concatenate([points for points, _ in pieces])
+    return _still(carriage, grip, element, values, positions, faces, len(areas), width)
 
 
-def _area(carriage: Carriage, grip: Grip, element: Element) -> tuple[Drawn, ...]:
-    """Parallelograms between neighbouring tracks (paper section 4.1), one mesh; none for a slider."""
-    pairs = [] if element.kind == "slider" else _neighbours(element)
-    if not pairs:
-        return ()
-    names = tuple(member.control for member in element.members)
-    base = np.array([carriage.value(name) for name in names])
-    values, positions, faces, count = [], [], [], 0
-    for a, b in pairs:
-        grid = _grid(element, a, b, base)
-        values.append(grid[0])
-        positions.append(grid[1])
-        faces.append(grid[2] + count)
-        count += len(grid[0])
-    first, corners = _welded(np.concatenate(values), np.concatenate(faces))
-    spanned = np.concatenate(positions)[first]
-    return (_still(carriage, grip, "area", names, np.concatenate(values)[first], spanned, corners),)
+def _values_along(base: Floats, position: int, member: Member) -> Floats:
+    """(q, members) value of each control with which the handle is at each point of a member's spike."""
+    along = np.repeat(np.asarray(member.values, dtype=np.float64), 2)[:-1]
+    rows = np.tile(base, (len(along), 1))
+    rows[:, position] = along
+    return rows
+
+
+def _values_at(base: Floats, element: Element, ends: list[int]) -> Floats:
+    """(q, members) the same at the corners of an area; -1 is the handle itself."""
+    rows, count = np.tile(base, (len(ends), 1)), len(element.members)
+    for row, end in zip(rows, ends, strict=True):
+        if end >= 0:
+            row[end % count] = element.members[end % count].values[-1 if end < count else 0]
+    return rows
 
 
 def _still(
     carriage: Carriage,
     grip: Grip,
-    role: Literal["track", "area"],
-    controls: tuple[str, ...],
+    element: Element,
     values: Floats,
     positions: Floats,
-    faces: Indices,
+    faces: Faces,
+    areas: int,
+    width: float,
 ) -> Drawn:
-    """A part that its element's own controls must not move, and all others must.
+    """What its element's own controls must not move, and all others must.
 
     It is bound to what the own controls leave alone.  Where they turn joints, the other shapes' offsets
     turn along the track as they do at the anchor when it is there.
@@ -99,22 +150,96 @@ def _still(
     hold = grip.track
     others = [shape for shape in grip.shapes if shape.channel not in grip.own_channels]
     if grip.turning and others:
+        controls = [member.control for member in element.members]
         settings = [dict(zip(controls, row, strict=True)) for row in values.tolist()]
         turns = carriage.maps_at(grip, settings)[:, :3] @ hold.inverse
         spread = [np.einsum("ki,qij->kqj", shape.offsets, turns) for shape in others]
     else:
         spread = [np.repeat(shape.offsets[:, None], len(values), axis=1) for shape in others]
     shapes = tuple(
-        PointShape(shape.channel, shape.weights, offsets) for shape, offsets in zip(others, spread, strict=True)
+        PointShape(shape.channel, shape.weights, in_steps(offsets, _HAIR_STEP * width))
+        for shape, offsets in zip(others, spread, strict=True)
     )
     points = hold.unposed(positions) - _blended(carriage, shapes)
-    return Drawn(role, controls, values, np.array(positions, dtype=np.float64), points, faces, hold, shapes)
+    return Drawn("tracks", np.array(positions, dtype=np.float64), points, faces, hold, shapes, areas)
+
+
+def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices]:
+    """(2 k, 3) left and right of each point of a line (k, 3), across the normal; and the quads between them."""
+    along = np.gradient(line, axis=0)
+    sides = np.cross(normal, along)
+    lengths = np.linalg.norm(sides, axis=1)
+    flat = lengths <= 1e-6 * np.linalg.norm(along, axis=1).max(initial=1e-30)
+    for i in np.flatnonzero(flat):  # the line leaves the skin, or stands still
+        away = along[i] if along[i].any() else normal
+        sides[i] = np.cross(axis_across(away), away)
+    # A line that turns back keeps its left on the left: the quad between would be a bow tie.
+    turned = np.einsum("ij,ij->i", sides[1:], sides[:-1]) < 0.0
+    sides[1:] *= np.where(np.cumsum(turned) % 2, -1.0, 1.0)[:, None]
+    sides *= 0.5 * width / np.maximum(np.linalg.norm(sides, axis=1), 1e-30)[:, None]
+    positions = np.stack([line + sides, line - sides], axis=1).reshape(-1, 3)
+    left = 2 * np.arange(len(line) - 1)
+    return positions, np.stack([left + 1, left + 3, left + 2, left], axis=1)
+
+
+def _spike(line: Floats, normal: Floats, width: float) -> tuple[Floats, Faces]:
+    """(2 k - 1, 3) a ribbon whose last two points are one: it points to where the value is largest."""
+    positions, quads = _ribbon(line, normal, width)
+    positions[-2] = line[-1]
+    corners = np.concatenate([quads[:-1].ravel(), quads[-1, [0, 2, 3]]])
+    return positions[:-1], Faces(np.array([4] * (len(quads) - 1) + [3]), corners)
+
+
+def _areas(element: Element) -> list[tuple[list[int], Floats]]:
+    """A polygon for each run of neighbouring tracks: its `_ends`, -1 for the handle, and their positions (q, 3).
+
+    They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points that are in one
+    place look like a mistake.
+    """
+    pairs = [] if element.kind == "slider" else _neighbours(element)
+    polygons: list[list[int]] = []
+    for a, b in pairs:
+        if polygons and polygons[-1][-1] == a:
+            polygons[-1].append(b)
+        else:
+            polygons.append([a, b])
+    if len(polygons) > 1 and polygons[-1][-1] == polygons[0][0]:
+        polygons[0] = [*polygons.pop(), *polygons[0][1:]]
+    rounded = [each[:-1] if each[0] == each[-1] else [-1, *each] for each in polygons]
+    corners = [np.array([_end(element, end) for end in each]) for each in rounded]
+    return [(ends, each + _INSET * (each.mean(axis=0) - each)) for ends, each in zip(rounded, corners, strict=True)]
+
+
+def _end(element: Element, end: int) -> Floats:
+    """(3,) where one of `_ends` is in the base pose; the handle for -1."""
+    if end < 0:
+        return element.anchor.position
+    member = element.members[end % len(element.members)]
+    return np.asarray(member.track[-1 if end < len(element.members) else 0])
+
+
+def _ends(element: Element) -> tuple[list[int], Floats]:
+    """The ends of tracks away from the handle, with the angle of each around the normal: i the last point of the
+    track of member i, m + i the first."""
+    count, home = len(element.members), element.anchor.position
+    away = [member.track[-1] - home for member in element.members]
+    away += [member.track[0] - home for member in element.members]
+    ends = [
+        end
+        for end, each in enumerate(away)
+        if end < count or np.linalg.norm(each) > _BESIDE * np.linalg.norm(away[end - count])
+    ]
+    normal = np.array(element.anchor.normal, dtype=np.float64)
+    first = np.cross(axis_across(normal), normal)
+    first /= max(float(np.linalg.norm(first)), 1e-30)
+    along = np.array([away[end] for end in ends])
+    return ends, np.asarray(np.arctan2(along @ np.cross(normal, first), along @ first), dtype=np.float64)
 
 
 def _neighbours(element: Element) -> list[tuple[int, int]]:
-    """Pairs of members whose tracks are next to each other around the normal, at most 180 degrees apart; never the
-    two ends of one axis."""
-    angle = _angles(element)
+    """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart; never the two ends of
+    one axis."""
+    ends, angle = _ends(element)
     order = np.argsort(angle, kind="stable")
     rounds = list(zip(order, np.roll(order, -1), strict=True))
     pairs = []
@@ -122,56 +247,10 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
         between = (angle[b] - angle[a]) % (2.0 * np.pi)
         if len(order) == 2 and between > np.pi:
             a, b, between = b, a, 2.0 * np.pi - between
-        if _FLAT < between < np.pi - _FLAT and not any(a in axis and b in axis for axis in element.axes):
-            pairs.append((int(a), int(b)))
+        members = {ends[a] % len(element.members), ends[b] % len(element.members)}
+        if _FLAT < between < np.pi - _FLAT and not any(members <= set(axis) for axis in element.axes):
+            pairs.append((ends[a], ends[b]))
     return pairs
-
-
-def _angles(element: Element) -> Floats:
-    """Angle of each track's direction in the plane tangent to the skin at the anchor."""
-    normal = np.array(element.anchor.normal, dtype=np.float64)
-    aside = axis_across(normal)
-    first = np.cross(aside, normal)
-    first /= max(float(np.linalg.norm(first)), 1e-30)
-    second = np.cross(normal, first)
-    along = np.array([member.track[-1] - member.track[0] for member in element.members])
-    return np.asarray(np.arctan2(along @ second, along @ first), dtype=np.float64)
-
-
-def _grid(element: Element, a: int, b: int, base: Floats) -> tuple[Floats, Floats, Indices]:
-    """Values (q, members), positions (q, 3) and quads of the area that two tracks span."""
-    rows, columns = (_thinned(len(element.members[i].values)) for i in (a, b))
-    one, other = element.members[a], element.members[b]
-    values = np.tile(base, (len(rows) * len(columns), 1))
-    values[:, a] = np.repeat(one.values[rows], len(columns))
-    values[:, b] = np.tile(other.values[columns], len(rows))
-    away = other.track[columns] - _on_track(other, base[b])
-    positions = (one.track[rows][:, None] + away[None]).reshape(-1, 3)
-    index = np.arange(len(values)).reshape(len(rows), len(columns))
-    # The second track lies counter-clockwise of the first, so this order faces along the normal.
-    quads = np.stack([index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]], axis=-1).reshape(-1, 4)
-    return values, positions, quads
-
-
-def _welded(values: Floats, faces: Indices) -> tuple[Indices, Indices]:
-    """First of all points with the same values (q, members), in their order, and the faces with these alone.
-
-    Neighbouring areas share the points of the track between them.
-    """
-    _, first, same = np.unique(values, axis=0, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    rank = np.empty_like(order)
-    rank[order] = np.arange(len(order))
-    return first[order], rank[same.ravel()][faces]
-
-
-def _thinned(count: int) -> Indices:
-    return np.unique(np.linspace(0, count - 1, min(count, _SIDE_SAMPLES)).round().astype(np.int64))
-
-
-def _on_track(member: Member, value: float) -> Floats:
-    """(3,) drawn position at a control value; the nearest end beyond the ends."""
-    return np.array([np.interp(value, member.values, member.track[:, axis]) for axis in range(3)])
 
 
 # --- handles -----------------------------------------------------------------------------------------
@@ -183,16 +262,25 @@ def _follower(carriage: Carriage, grip: Grip, element: Element, width: float) ->
     points = grip.rest + around @ grip.handle.inverse
     shapes = tuple(_uniform(shape, len(around)) for shape in grip.shapes)
     base_points = (points + _blended(carriage, shapes)) @ grip.handle.base[:3] + grip.handle.base[3]
-    values = np.zeros((len(around), 0))
-    return Drawn("handle", (), values, base_points, points, faces, grip.handle, shapes, element.glyph)
+    return Drawn("handle", base_points, points, faces, grip.handle, shapes)
 
 
-def _form(element: Element, width: float) -> tuple[Floats, Indices]:
-    """Points (q, 3) around a handle's centre in the base pose, and the faces of the usual ball."""
-    if element.glyph is not None:
-        return element.glyph.points, np.zeros((0, 3), dtype=np.int64)
-    ball, faces = _ball()
-    return 0.5 * width * ball, faces
+def _form(element: Element, width: float) -> tuple[Floats, Faces]:
+    """Points (q, 3) around a handle's centre in the base pose, and the faces between them."""
+    glyph = element.glyph
+    if glyph is None:
+        return 0.5 * width * _shard(element.anchor.normal), Faces.alike(np.arange(3)[None])
+    if glyph.form == "mesh":
+        return glyph.points, Faces(glyph.counts, glyph.indices)
+    ends = np.cumsum(glyph.counts)[:-1]
+    lines = [
+        _ribbon(line, element.anchor.normal, _TRACK_WIDTH * width)
+        for line in np.split(glyph.points, ends)
+        if len(line) > 1
+    ]
+    starts = np.cumsum([0, *(len(points) for points, _ in lines)])
+    quads = [quads + start for (_, quads), start in zip(lines, starts, strict=False)]
+    return np.concatenate([points for points, _ in lines]), Faces.alike(np.concatenate(quads))
 
 
 def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
@@ -202,14 +290,13 @@ def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> D
     for member in element.members:
         along = _along_track(carriage, grip, member)
         if along is not None:
-            shapes.setdefault(along.channel, along)
+            shapes.setdefault(along.channel, _short(along, carriage))
     now = _blended(carriage, tuple(shapes.values()))
     centre = grip.track.unposed(element.anchor.position[None])[0] - now
     points = centre + around @ grip.track.inverse
     base_points = around + element.anchor.position
     spread = tuple(_uniform(shapes[channel], len(around)) for channel in sorted(shapes))
-    values = np.zeros((len(around), 0))
-    return Drawn("handle", (), values, base_points, points, faces, grip.track, spread, element.glyph)
+    return Drawn("handle", base_points, points, faces, grip.track, spread)
 
 
 def _along_track(carriage: Carriage, grip: Grip, member: Member) -> PointShape | None:
@@ -257,23 +344,20 @@ def _uniform(shape: PointShape, count: int) -> PointShape:
     return PointShape(shape.channel, shape.weights, np.repeat(shape.offsets[:, None], count, axis=1))
 
 
-@functools.cache
-def _ball() -> tuple[Floats, Indices]:
-    """A unit icosahedron about the origin: 12 points whose mean is the centre, and 20 triangles."""
-    golden = (1.0 + 5.0**0.5) / 2.0
-    corners = [(0.0, s, t * golden) for s in (-1.0, 1.0) for t in (-1.0, 1.0)]
-    points = np.array([np.roll(corner, turn) for turn in range(3) for corner in corners])
-    return points / np.linalg.norm(points[0]), _hull(points)
+def in_steps(values: Floats, step: float) -> Floats:
+    """Values rounded to whole numbers of the largest power of ten up to `step`."""
+    decimals = min(int(np.ceil(-np.log10(step))), 300) if step > 0.0 else 300
+    return np.asarray(np.round(values, decimals) + 0.0)  # no -0
 
 
-def _hull(points: Floats) -> Indices:
-    """Triangles of the icosahedron: all triples of corners one edge apart, turned outwards."""
-    near = np.linalg.norm(points[:, None] - points[None], axis=2) < 2.1
-    faces = []
-    for a in range(12):
-        for b in range(a + 1, 12):
-            for c in range(b + 1, 12):
-                if near[a, b] and near[b, c] and near[a, c]:
-                    outwards = np.linalg.det(points[[a, b, c]]) > 0.0
-                    faces.append((a, b, c) if outwards else (a, c, b))
-    return np.array(faces, dtype=np.int64)
+def _shard(normal: Floats) -> Floats:
+    """(3, 3) a triangle in the unit circle about the origin, halfway between lying on the skin and standing on it: it
+    is seen from the front and from the side, with as few points as can be."""
+    out = np.array(normal, dtype=np.float64)
+    length = float(np.linalg.norm(out))
+    out = out / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
+    across = np.cross(axis_across(out), out)
+    across /= np.linalg.norm(across)
+    rising = (np.cross(out, across) + out) / np.sqrt(2.0)
+    turns = np.radians([90.0, 210.0, 330.0])
+    return np.asarray(np.cos(turns)[:, None] * across + np.sin(turns)[:, None] * rising)

@@ -14,17 +14,18 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
-from usdrigui.model import Element, Layout, Rig
+from usdrigui.model import Control, Element, Layout, Member, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Carriage
 from usdrigui.usd.control_api import author_control_api, author_limits
-from usdrigui.usd.drawn import Drawn, drawn_parts
-from usdrigui.usd.element_prims import author_part
+from usdrigui.usd.drawing import DrawnElement, author_drawing, drawings
+from usdrigui.usd.drawn import drawn_parts
 from usdrigui.usd.safe_write import State, commit, file_error
 from usdrigui.version import __version__
 
@@ -142,7 +143,26 @@ def layer_bytes(layer: Sdf.Layer, suffix: str, name: str = "") -> bytes:
 def holds_layouts(roots: Sequence[str], path: Path) -> bool:
     """Whether the file is a layer with a layout below each of the SkelRoots."""
     layer = Sdf.Layer.OpenAsAnonymous(str(path))
-    return all(layer.GetPrimAtPath(Sdf.Path(root).AppendChild(schema.SCOPE)) for root in roots)
+    return all(
+        any(layer.GetPrimAtPath(path.AppendChild(schema.SCOPE)) for path in (_inside(Sdf.Path(root)), Sdf.Path(root)))
+        for root in roots
+    )
+
+
+def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
+    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not troubled by it."""
+    spec = Sdf.CreatePrimInLayer(layer, root)
+    if schema.VARIANTS not in spec.variantSets:
+        spec.variantSetNameList.prependedItems = [schema.VARIANTS]
+        variants = Sdf.VariantSetSpec(spec, schema.VARIANTS)
+        for name in (schema.WITHOUT, schema.WITH):
+            Sdf.VariantSpec(variants, name)
+        spec.variantSelections[schema.VARIANTS] = schema.WITH
+    return layer.GetPrimAtPath(_inside(spec.path))
+
+
+def _inside(root: Sdf.Path) -> Sdf.Path:
+    return root.AppendVariantSelection(schema.VARIANTS, schema.WITH)
 
 
 # --- the layer ---------------------------------------------------------------------------------------
@@ -165,22 +185,23 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
-    root = Sdf.CreatePrimInLayer(layer, layout.root)
-    scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT, schema.SOLUTION))
+    scope = author.prim(author_variant(layer, layout.root), schema.SCOPE, "Scope", (schema.LAYOUT,))
     author.put(scope, "purpose", "token", "guide", uniform=True)
     author.declare(scope, schema.LAYOUT, _frame(rig, layout) | account(rig, layout))
-    author.declare(scope, schema.SOLUTION, solution(layout))
-    carriage = Carriage(rig, layout)
-    taken: set[str] = set()
-    names = {element.name: author.identifier(element.name, taken) for element in layout.elements}
-    for element in layout.elements:
-        author_element(scope, rig, layout, carriage, element, names)
+    author.note(scope, books(layout))
+    subsets = author_elements(scope, rig, layout, layout.elements)
+    children = [child for mesh in scope.nameChildren for child in mesh.nameChildren]
+    if subsets != [_plain(child.path) for child in children if _plain(child.path) in set(subsets)]:
+        author.declare(scope, schema.LAYOUT, {"elements": subsets})
+
+
+def _plain(path: Sdf.Path) -> Sdf.Path:
+    return path.StripAllVariantSelections()
 
 
 def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
     """RigUILayoutAPI: where and how large the elements are."""
     return {
-        "version": schema.VERSION,
         "skeleton": [skeleton.path for skeleton in rig.skeletons],
         "space": layout.space,
         "viewDirection": layout.view,
@@ -194,55 +215,100 @@ def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
 
 
 def account(rig: Rig, layout: Layout) -> dict[str, Any]:
-    """RigUILayoutAPI: every control of the character, the base pose, and what was left off."""
+    """RigUILayoutAPI: every control of the character, and the base pose."""
     return {
         "baseControls": [control.name for control in rig.controls],
-        "baseValues": layout.base_values,
-        "leftOffControls": [left.control for left in layout.left_off],
-        "leftOffStages": [left.stage for left in layout.left_off],
-        "leftOffReasons": [left.reason for left in layout.left_off],
+        "baseValues": layout.base_values if np.any(layout.base_values) else (),
     }
 
 
-def solution(layout: Layout) -> dict[str, Any]:
-    """RigUISolutionAPI."""
+def books(layout: Layout) -> dict[str, Any]:
+    """What only usdrigui itself asks of a layout: how it was found, and what was left off."""
     return {
-        "solver": layout.method,
-        "status": layout.status,
-        "cost": layout.cost,
-        "bound": layout.bound,
-        "inPlay": layout.in_play,
-        "partStatuses": [part.status for part in layout.parts],
-        "partCosts": [part.cost for part in layout.parts],
-        "partBounds": [part.bound for part in layout.parts],
-        "weightNames": [name for name, _ in layout.weights],
-        "weightValues": [value for _, value in layout.weights],
+        "solution": {
+            "solver": layout.method,
+            "status": layout.status,
+            "cost": layout.cost,
+            "bound": layout.bound,
+            "aboveUnaryBound": layout.in_play,
+            "partStatuses": [part.status for part in layout.parts],
+            "partCosts": np.array([part.cost for part in layout.parts], dtype=np.float64),
+            "partBounds": np.array([part.bound for part in layout.parts], dtype=np.float64),
+            "weightNames": [name for name, _ in layout.weights],
+            "weightValues": np.array([value for _, value in layout.weights], dtype=np.float64),
+        },
+        "leftOff": {
+            "controls": [left.control for left in layout.left_off],
+            "stages": [left.stage for left in layout.left_off],
+            "reasons": [left.reason for left in layout.left_off],
+        },
     }
 
 
-def author_element(
-    scope: Sdf.PrimSpec, rig: Rig, layout: Layout, carriage: Carriage, element: Element, names: Mapping[str, str]
+def author_elements(
+    scope: Sdf.PrimSpec,
+    rig: Rig,
+    layout: Layout,
+    elements: Sequence[Element],
+    taken: Iterable[str] = (),
+) -> list[Sdf.Path]:
+    """Some elements of a layout and the meshes that draw them; returns their paths.  `taken` are other names."""
+    carriage = Carriage(rig, layout)
+    used = set(taken)
+    names = [author.identifier(element.name, used) for element in elements]
+    inner = inner_names(layout.elements)
+    drawn = [
+        DrawnElement(each, each.name in inner, drawn_parts(carriage, each, layout.handle_width)) for each in elements
+    ]
+    subsets: dict[int, Sdf.PrimSpec] = {}
+    for drawing in drawings(drawn):
+        part = drawing.part.title() if layout.parts else ""
+        name = author.identifier(part + ("Members" if drawing.inner else "Controls"), used)
+        mesh = author.prim(scope, name, "Mesh", (schema.DRAWING, "SkelBindingAPI"))
+        author.declare(mesh, schema.DRAWING, {"part": drawing.part})
+        if drawing.inner:
+            # Applications that know nothing of levels show the first one.
+            author.put(mesh, "visibility", "token", "invisible")
+        subsets |= author_drawing(mesh, rig, drawing, drawn, names, carriage.size)
+    paths = {element.name: _plain(subsets[i].path) for i, element in enumerate(elements)}
+    for i, element in enumerate(elements):
+        _author_element(subsets[i], rig, carriage, element, paths)
+    return list(paths.values())
+
+
+def _author_element(
+    subset: Sdf.PrimSpec, rig: Rig, carriage: Carriage, element: Element, paths: Mapping[str, Sdf.Path]
 ) -> None:
-    """One element: its Xform, what it says about itself, and what is drawn of it."""
+    """What one element says about itself."""
     instances = instances_of(element)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
-    apis = (schema.ELEMENT, schema.ANCHOR, *applied, "AccessibilityAPI:default")
-    xform = author.prim(scope, names[element.name], "Xform", apis)
-    xform.SetInfo("displayName", element.label)
-    author.put(xform, "accessibility:default:label", "string", element.label)
-    if element.name in inner_names(layout.elements):
-        # Applications that know nothing of levels show the first one.
-        author.put(xform, "visibility", "token", "invisible")
-    _author_element_api(xform, element, instances, names)
-    _author_anchor_api(xform, element)
-    parts = _part_names(drawn_parts(carriage, element, layout.handle_width_of(element)), instances)
-    for member in element.members:
-        control = carriage.control(member.control)
-        track = next(name for name, part in parts if part.role == "track" and part.controls == (member.control,))
-        figures = {"arcLength": member.arc_length, "gain": member.gain, "track": [xform.path.AppendChild(track)]}
-        author_control_api(xform, rig, control, instances[member.control], figures)
-    for name, part in parts:
-        author_part(xform, name, part, rig, element, instances, layout.handle_width_of(element))
+    author.apply(subset, (schema.ELEMENT, *applied))
+    if element.label != subset.name:
+        subset.SetInfo("displayName", element.label)
+    if element.reason:
+        subset.SetInfo("documentation", element.reason)
+    _author_element_api(subset, element, instances, paths)
+    _author_anchor_api(subset, element)
+    _author_handle_api(subset, element)
+    opposes = {element.members[b].control: instances[element.members[a].control] for a, b in element.opposed}
+    for position, member in enumerate(element.members):
+        figures = {
+            "opposes": opposes.get(member.control, ""),
+            "mirrorReversed": position in element.reversed,
+            **_track(member, carriage.control(member.control)),
+        }
+        author_control_api(subset, rig, carriage.control(member.control), instances[member.control], figures)
+
+
+def _track(member: Member, control: Control) -> dict[str, Any]:
+    even = np.linspace(control.minimum, control.maximum, len(member.values))
+    plain = np.allclose(member.values, even, rtol=0.0, atol=1e-7 * max(1.0, float(np.abs(even).max())))
+    return {
+        "trackPoints": member.track,
+        "trackValues": () if plain else member.values,
+        "arcLength": member.arc_length,
+        "magnification": member.gain,
+    }
 
 
 def instances_of(element: Element) -> dict[str, str]:
@@ -251,44 +317,30 @@ def instances_of(element: Element) -> dict[str, str]:
     return {member.control: author.identifier(member.control, taken) for member in element.members}
 
 
-def _part_names(parts: Iterable[Drawn], instances: Mapping[str, str]) -> list[tuple[str, Drawn]]:
-    """``track``, ``area`` and ``handle``; the tracks of several controls are told apart by their instances."""
-    several = len(instances) > 1
-    return [
-        (f"track_{instances[part.controls[0]]}" if several and part.role == "track" else part.role, part)
-        for part in parts
-    ]
-
-
 def _author_element_api(
-    xform: Sdf.PrimSpec, element: Element, instances: Mapping[str, str], names: Mapping[str, str]
+    subset: Sdf.PrimSpec, element: Element, instances: Mapping[str, str], paths: Mapping[str, Sdf.Path]
 ) -> None:
-    mirror = names.get(element.mirror)
     author.declare(
-        xform,
+        subset,
         schema.ELEMENT,
         {
-            "name": "" if element.name == xform.name else element.name,
+            "name": "" if element.name == subset.name else element.name,
             "elementType": element.kind,
-            "controls": list(instances.values()),
-            "opposed": element.opposed,
+            "controls": list(instances.values()) if len(instances) > 1 else (),
             "side": element.side,
-            "reversed": list(element.reversed),
-            "mirror": [xform.path.GetParentPath().AppendChild(mirror)] if mirror else [],
-            "members": [xform.path.GetParentPath().AppendChild(names[name]) for name in element.inner],
-            "family": element.category,
-            "part": element.part,
+            "mirror": [paths[element.mirror]] if element.mirror in paths else [],
+            "members": [paths[name] for name in element.inner],
+            "category": element.category,
             "pinned": element.pinned,
             "pinnedPosition": element.pinned_position,
-            "reason": element.reason,
         },
     )
 
 
-def _author_anchor_api(xform: Sdf.PrimSpec, element: Element) -> None:
+def _author_anchor_api(subset: Sdf.PrimSpec, element: Element) -> None:
     anchor = element.anchor
     author.declare(
-        xform,
+        subset,
         schema.ANCHOR,
         {
             "carrier" if anchor.on_board else "prim": [anchor.mesh],
@@ -299,3 +351,16 @@ def _author_anchor_api(xform: Sdf.PrimSpec, element: Element) -> None:
             "normal": anchor.normal,
         },
     )
+
+
+def _author_handle_api(subset: Sdf.PrimSpec, element: Element) -> None:
+    told: dict[str, Any] = {"adapt": element.adapt}
+    if element.glyph is not None:
+        told |= {
+            "glyph": element.glyph.name,
+            "glyphType": element.glyph.form,
+            "glyphOffsets": element.glyph.points,
+            "glyphCounts": element.glyph.counts,
+            "glyphIndices": element.glyph.indices if element.glyph.form == "mesh" else (),
+        }
+    author.declare(subset, schema.HANDLE, told)

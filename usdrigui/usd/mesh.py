@@ -11,6 +11,7 @@ from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.model import Floats, Indices, RigMesh, Skin, Subset
+from usdrigui.usd import schema
 from usdrigui.usd.arrays import check_finite, check_range, floats, integers, value_at, vectors
 from usdrigui.usd.colours import point_colours
 from usdrigui.usd.shapes import Binding, Found, legible_tokens, note_tokens, read_shapes
@@ -66,7 +67,7 @@ def _drawable(root: Usd.Prim) -> list[Usd.Prim]:
     walk = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies()))
     for prim in walk:
         nested = prim != root and prim.IsA(UsdSkel.Root)
-        if nested or "RigUILayoutAPI" in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
+        if nested or any(map(schema.is_layout, prim.GetPrimTypeInfo().GetAppliedAPISchemas())):
             walk.PruneChildren()
         elif prim.IsA(UsdGeom.PointBased):
             prims.append(prim)

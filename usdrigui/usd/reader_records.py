@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from usdrigui.errors import Issue
-from usdrigui.model import Floats, Layout, Performance, Record, Rig
+from usdrigui.model import Floats, Indices, Layout, Performance, Record, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.source import SourceFile
 
@@ -51,20 +51,30 @@ class ReadResult(Record):
     """By SkelRoot, the file of the layout that another layer of it brings in."""
 
 
-@dataclass(frozen=True, slots=True)
-class StandingPrim:
+@dataclass(frozen=True, eq=False)
+class StandingSpan(Record):
+    """Points that draw one element of a layout that exists."""
+
+    element: str
+    """Its name."""
+    role: Literal["handle", "track"]
+    """An area is one of the tracks."""
+    points: Indices
+    """(n,) ascending, into the points of the prim."""
+
+
+@dataclass(frozen=True, eq=False)
+class StandingPrim(Record):
     """One drawn prim of a layout that exists."""
 
     root: str
     """Of the character: its SkelRoot."""
     path: str
-    element: str
-    """Name of the element."""
-    role: str
-    """``track``, ``area`` or ``handle``."""
-    controls: tuple[str, ...]
-    """RigUIControlAPI instances that a track shows; none for the only one."""
-    points: int
+    in_variant: bool
+    """Whether a variant brings it in, so that layers over it must speak in it too, or be weaker."""
+    names: tuple[str, ...]
+    """Of prims about it, which new ones must not have."""
+    spans: tuple[StandingSpan, ...]
     shapes: tuple[str, ...]
     """``skel:blendShapes``."""
     targets: tuple[str, ...]

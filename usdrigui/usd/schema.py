@@ -13,17 +13,28 @@ from usdrigui.errors import refuse
 
 SCOPE = "RigUI"
 """Name of the prim below the SkelRoot that holds a layout."""
-VERSION = 1
-"""Version of the contract that written layers keep (schemas/CONTRACT.md)."""
+VARIANTS = "rigUI"
+"""Variant set of the SkelRoot that brings a layout in, or leaves it away."""
+WITH, WITHOUT = "ui", "none"
+"""Its variants; layers select `WITH` unless something stronger says otherwise."""
 
-LAYOUT = "RigUILayoutAPI"
-SOLUTION = "RigUISolutionAPI"
+LAYOUT_FAMILY = "RigUILayoutAPI"
+LAYOUT = "RigUILayoutAPI_1"
+"""The version of the family that written layouts keep (schemas/CONTRACT.md); the first format is without a number."""
+DRAWING = "RigUIDrawingAPI"
 ELEMENT = "RigUIElementAPI"
 ANCHOR = "RigUIAnchorAPI"
-CONTROL = "RigUIControlAPI"
-TRACK = "RigUITrackAPI"
 HANDLE = "RigUIHandleAPI"
-APIS = (LAYOUT, SOLUTION, ELEMENT, ANCHOR, CONTROL, TRACK, HANDLE)
+CONTROL = "RigUIControlAPI"
+APIS = (LAYOUT, DRAWING, ELEMENT, ANCHOR, HANDLE, CONTROL)
+NOTES = "usdrigui"
+"""Key of the customData in which usdrigui keeps its own books: no part of the schema."""
+
+
+def is_layout(applied: str) -> bool:
+    """Whether an applied schema marks a layout, of whichever version."""
+    family, _, version = applied.partition("_")
+    return family == LAYOUT_FAMILY and (not version or version.isdigit())
 
 
 def schema_path() -> Path:

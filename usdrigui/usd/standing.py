@@ -4,49 +4,58 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
-from usdrigui.usd import schema
+from usdrigui.usd import first_format, schema
 from usdrigui.usd.arrays import vector_count
-from usdrigui.usd.read_layout import layout_scopes, value_of
-from usdrigui.usd.reader_records import StandingPrim
+from usdrigui.usd.properties import element_name, has
+from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset
+from usdrigui.usd.reader_records import StandingPrim, StandingSpan
 from usdrigui.usd.shapes import shape_tokens
 
 
 def standing_prims(stage: Usd.Stage) -> tuple[StandingPrim, ...]:
-    """What is drawn of every element of every layout on the stage, and how it is shaped; in stage order.
+    """What is drawn of every layout on the stage, and how it is shaped; in stage order.
 
     Raises ARRAY_TYPE and LAYOUT_INVALID.
     """
-    return tuple(
-        _standing(root, element, prim)
-        for scope in layout_scopes(stage)
-        for root in [str(scope.GetPath().GetParentPath())]
-        for element in scope.GetAllChildren()
-        if schema.ELEMENT in _applied(element)
-        for prim in _drawn(element)
-    )
+    return tuple(prim for scope in layout_scopes(stage) for prim in _of_scope(scope))
 
 
-def _drawn(element: Usd.Prim) -> Iterator[Usd.Prim]:
-    for prim in element.GetAllChildren():
-        if {schema.TRACK, schema.HANDLE} & set(_applied(prim)):
-            yield prim
+def _of_scope(scope: Usd.Prim) -> Iterator[StandingPrim]:
+    root, elements = str(scope.GetPath().GetParentPath()), element_prims(scope)
+    for element in elements:
+        for prim, role in first_format.drawn_prims(element):
+            points = np.arange(_point_count(prim), dtype=np.int64)
+            yield _standing(root, prim, (StandingSpan(element_name(element), role, points),), (element.GetName(),))
+    names = {element.GetName(): element_name(element) for element in elements}
+    for mesh in Usd.PrimRange(scope, Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)):
+        if has(mesh, schema.DRAWING):
+            children = tuple(child.GetName() for child in mesh.GetAllChildren())
+            yield _standing(root, mesh, tuple(_spans(mesh, names)), children)
 
 
-def _standing(root: str, element: Usd.Prim, prim: Usd.Prim) -> StandingPrim:
-    path, points = str(prim.GetPath()), UsdGeom.PointBased(prim).GetPointsAttr()
+def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[StandingSpan]:
+    for child in mesh.GetAllChildren():
+        if child.IsA(UsdGeom.Subset) and child.GetName() in names:
+            handle, track = points_of_subset(child)
+            yield StandingSpan(names[child.GetName()], "handle", handle)
+            yield StandingSpan(names[child.GetName()], "track", track)
+
+
+def _standing(root: str, prim: Usd.Prim, spans: tuple[StandingSpan, ...], names: tuple[str, ...]) -> StandingPrim:
     return StandingPrim(
         root=root,
-        path=path,
-        element=str(value_of(element, schema.ELEMENT, "name") or element.GetName()),
-        role="handle" if schema.HANDLE in _applied(prim) else "area" if prim.IsA(UsdGeom.Mesh) else "track",
-        controls=tuple(str(each) for each in value_of(prim, schema.TRACK, "controls")),
-        points=vector_count(points.Get(), path, "points") if points else 0,
+        path=str(prim.GetPath()),
+        in_variant=any(spec.path.ContainsPrimVariantSelection() for spec in prim.GetPrimStack()),
+        names=names,
+        spans=spans,
         shapes=shape_tokens(prim),
         targets=tuple(str(target) for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()),
     )
 
 
-def _applied(prim: Usd.Prim) -> list[str]:
-    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
+def _point_count(prim: Usd.Prim) -> int:
+    points = UsdGeom.PointBased(prim).GetPointsAttr()
+    return vector_count(points.Get(), str(prim.GetPath()), "points") if points else 0

@@ -7,13 +7,12 @@ from scene import job, world_points
 task = job()
 bpy.ops.wm.read_factory_settings(use_empty=True)
 bpy.ops.wm.usd_import(filepath=task["layer"], import_guide=True)
-handles = [each for each in bpy.data.objects if each.type == "MESH" and each.name.startswith("handle")]
 saved = {}
 for frame in task["frames"]:
     bpy.context.scene.frame_set(frame)
     for name, (mesh, point) in task["anchors"].items():
         saved[f"anchor_{name}_{frame}"] = world_points(bpy.data.objects[mesh])[point]
-    for handle in handles:
-        saved[f"{handle.parent.name}_{frame}"] = world_points(handle).mean(axis=0)
+    for name, (mesh, points) in task["handles"].items():
+        saved[f"{name}_{frame}"] = world_points(bpy.data.objects[mesh])[points].mean(axis=0)
 saved["frames"] = np.array([bpy.context.scene.frame_start, bpy.context.scene.frame_end])
 np.savez(task["result"], **saved)

@@ -1,0 +1,52 @@
+"""convert(): a layout layer of an earlier format as process would write it today, with the decisions that it holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from usdrigui.errors import refuse
+from usdrigui.model import Layout, Rig
+from usdrigui.pipeline.targets import check_replaceable, check_target, make_folder
+from usdrigui.settings import OutputSettings, Settings
+from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.safe_write import State, Transaction
+
+
+def convert(layer: Path, target: Path, settings: Settings) -> State:
+    """Write the layouts of a layer, whatever its format, to `target`, which may be the layer itself.
+
+    Raises RigUIError: SOURCE_MISSING, LAYOUT_STALE (the source is another character now), CONVERT_COMPOSED (another
+    layer brings the layout in, or a part of it), FILE_TARGET and all that reading and writing can raise.
+    """
+    found, own = read_layouts_isolated(layer, settings), read_layer_isolated(layer, settings)
+    if found.brought or not own.ours:
+        brought = next(iter(found.brought.values()), "another layer")
+        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {brought}")
+    if not found.source:
+        raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
+    source = Path(found.source)
+    read = read_rigs_isolated(source, settings)
+    rigs = {rig.root: rig for rig in read.rigs}
+    laid = [(_rig_of(rigs, layout, source), layout) for layout in found.layouts]
+    check_target(source, target)
+    check_replaceable(target, settings)
+    from usdrigui.usd.layer import write_layout
+
+    make_folder(target)
+    with Transaction([each.path for each in read.sources]) as files:
+        output = OutputSettings(bare=not own.sublayers)
+        state = write_layout(laid, source, target, output, read.metadata, write=files.stage)
+        files.commit()
+    return state
+
+
+def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:
+    """The character of a layout, if it still has the controls that the layout knows; raises LAYOUT_STALE."""
+    rig = rigs.get(layout.root)
+    if rig is None:
+        raise refuse("LAYOUT_STALE", layout.root, f"{source} has no such character any more")
+    gone = sorted(layout.controls - {control.name for control in rig.controls})
+    if gone or len(layout.base_values) != len(rig.controls):
+        what = f"it has no control {gone[0]!r}" if gone else f"it has {len(rig.controls)} controls"
+        raise refuse("LAYOUT_STALE", layout.root, f"{what}, as {source} and its configuration are")
+    return rig

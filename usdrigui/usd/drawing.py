@@ -1,0 +1,259 @@
+"""The meshes that draw a layout, as UsdSkel applications deform them: few of them, shared by all elements.
+
+What hangs on one skeleton in one way is one Mesh, with a GeomSubset per element and one BlendShape per channel that
+moves any of them.  Decision 050 says why.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, UsdGeom, Vt
+
+from usdrigui.model import Element, Floats, Indices, Record, Rig, Side
+from usdrigui.usd import author, schema
+from usdrigui.usd.carry import Hold, PointShape
+from usdrigui.usd.drawn import Drawn, in_steps
+
+_COLOURS: Mapping[Side, tuple[float, float, float]] = {
+    "left": (0.15, 0.45, 0.95),
+    "right": (0.95, 0.25, 0.2),
+    "middle": (0.95, 0.8, 0.15),
+    "none": (0.75, 0.75, 0.75),
+}
+"""The animators' custom: blue on the character's left, red on its right, yellow in the middle."""
+_AREA_OPACITY = 0.4
+_GRID = 1e-6
+"""Of the character's size: points are written in decimal steps below this."""
+_FAMILY = "rigUI"
+_VECTORS = Sdf.ValueTypeNames.Vector3fArray
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnElement(Record):
+    """An element with all that is drawn of it, the handle first."""
+
+    element: Element
+    inner: bool
+    """Whether it is shown only when a coarse element is opened."""
+    parts: tuple[Drawn, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Drawing(Record):
+    """What one Mesh draws: parts of elements that hang on one skeleton in one way, in one part of the character."""
+
+    part: str
+    inner: bool
+    parts: tuple[tuple[int, Drawn], ...]
+    """With the position of the element that each belongs to; in the order of the elements."""
+
+    @property
+    def hold(self) -> Hold:
+        """Of the first part; the others have the same skeleton and method."""
+        return self.parts[0][1].hold
+
+
+def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
+    """The meshes that the elements need, in the order in which they are first needed."""
+    found: dict[tuple[object, ...], list[tuple[int, Drawn]]] = {}
+    for position, each in enumerate(elements):
+        for part in each.parts:
+            hold = part.hold
+            skinned = bool(len(hold.joints))  # UsdSkel takes a point without influences to the origin
+            key = (each.element.part, each.inner, hold.skeleton, hold.method if skinned else "", skinned)
+            found.setdefault(key, []).append((position, part))
+    return tuple(Drawing(str(key[0]), bool(key[1]), tuple(parts)) for key, parts in found.items())
+
+
+def author_drawing(
+    mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing, elements: Sequence[DrawnElement], names: Sequence[str], size: float
+) -> dict[int, Sdf.PrimSpec]:
+    """Fill in a Mesh; returns the GeomSubset of each element whose handle it draws, by position.
+
+    `names` are the prims of the elements, `size` is the character's.
+    """
+    points = np.concatenate([part.points for _, part in drawing.parts])
+    author.put(mesh, "points", "point3f[]", in_steps(points, _GRID * size))
+    _author_faces(mesh, drawing, elements)
+    _author_binding(mesh, rig, drawing)
+    subsets = _author_subsets(mesh, drawing, names)
+    author_shapes(mesh, rig, _spans(rig, drawing), set(names))
+    return subsets
+
+
+# --- faces -------------------------------------------------------------------------------------------
+
+
+def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[DrawnElement]) -> None:
+    parts = [part for _, part in drawing.parts]
+    starts = _starts(len(part.points) for part in parts)
+    indices = [part.faces.indices + start for part, start in zip(parts, starts[:-1], strict=True)]
+    author.put(mesh, "faceVertexCounts", "int[]", np.concatenate([part.faces.counts for part in parts]))
+    author.put(mesh, "faceVertexIndices", "int[]", np.concatenate(indices))
+    # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to author normals.
+    author.put(mesh, "subdivisionScheme", "token", "bilinear", uniform=True)
+    author.put(mesh, "doubleSided", "bool", True, uniform=True)
+    extent = Sdf.AttributeSpec(mesh, "extent", Sdf.ValueTypeNames.Float3Array, Sdf.VariabilityVarying)
+    # To the last bit as USD computes it of what is written, in single precision.
+    extent.default = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
+    sides = [elements[position].element.side for position, _ in drawing.parts]
+    colours = [_COLOURS[side] for side in dict.fromkeys(sides)]
+    which = [list(dict.fromkeys(sides)).index(side) for side in sides]
+    repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
+    _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)
+    areas = [np.arange(len(part.faces.counts)) >= len(part.faces.counts) - part.areas for part in parts]
+    if any(each.any() for each in areas):
+        _author_per_face(mesh, "primvars:displayOpacity", "float[]", [1.0, _AREA_OPACITY], np.concatenate(areas))
+
+
+def _author_per_face(mesh: Sdf.PrimSpec, name: str, type_name: str, values: Any, which: Any) -> None:
+    """A primvar with one of `values` for each face."""
+    if len(values) == 1:
+        author.put(mesh, name, type_name, values, interpolation="constant")
+        return
+    author.put(mesh, name, type_name, values, interpolation="uniform")
+    author.put(mesh, f"{name}:indices", "int[]", which)
+
+
+def _author_subsets(mesh: Sdf.PrimSpec, drawing: Drawing, names: Sequence[str]) -> dict[int, Sdf.PrimSpec]:
+    author.put(mesh, f"subsetFamily:{_FAMILY}:familyType", "token", "nonOverlapping", uniform=True)
+    starts = _starts(len(part.faces.counts) for _, part in drawing.parts)
+    faces: dict[int, list[Indices]] = {}
+    for (position, _), first, last in zip(drawing.parts, starts[:-1], starts[1:], strict=True):
+        faces.setdefault(position, []).append(np.arange(first, last))
+    handles = {position: part for position, part in drawing.parts if part.role == "handle"}
+    subsets = {}
+    for position, ranges in faces.items():
+        subset = author.prim(mesh, names[position], "GeomSubset")
+        author.put(subset, "familyName", "token", _FAMILY, uniform=True)
+        author.put(subset, "indices", "int[]", np.concatenate(ranges))
+        if position in handles:
+            author.declare(subset, schema.HANDLE, {"faceCount": len(handles[position].faces.counts)})
+            subsets[position] = subset
+    return subsets
+
+
+def _starts(counts: Iterable[int]) -> Indices:
+    return np.cumsum([0, *counts], dtype=np.int64)
+
+
+# --- UsdSkel -----------------------------------------------------------------------------------------
+
+
+def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
+    """Skeleton and influences, complete: nothing is left to be inherited."""
+    hold = drawing.hold
+    if hold.skeleton >= 0:
+        author.link(mesh, "skel:skeleton", [rig.skeletons[hold.skeleton].path])
+    if not len(hold.joints):
+        return
+    parts = [part for _, part in drawing.parts]
+    listed = np.unique(np.concatenate([part.hold.joints for part in parts]))
+    author.put(mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True)
+    author.put(mesh, "primvars:skel:geomBindTransform", "matrix4d", np.linalg.inv(rig.skeletons[hold.skeleton].to_root))
+    author.put(mesh, "primvars:skel:skinningMethod", "token", hold.method, uniform=True)
+    width = max(len(part.hold.joints) for part in parts)
+    rows = [np.tile(_padded(np.searchsorted(listed, part.hold.joints), width), len(part.points)) for part in parts]
+    shares = [np.tile(_padded(_shares(part.hold.weights), width), len(part.points)) for part in parts]
+    for name, type_name, values in (
+        ("primvars:skel:jointIndices", "int[]", rows),
+        ("primvars:skel:jointWeights", "float[]", shares),
+    ):
+        author.put(mesh, name, type_name, np.concatenate(values), interpolation="vertex", element_size=width)
+
+
+def _padded(values: Any, width: int) -> Any:
+    return np.concatenate([values, np.zeros(width - len(values), dtype=values.dtype)])
+
+
+def _shares(weights: Floats) -> Floats:
+    """The weights in six decimals; their sum stays what it is, and with it the place of what they carry."""
+    short = np.round(weights, 6)
+    short[short.argmax()] += np.round(weights.sum() - short.sum(), 7)
+    return np.round(short, 7)
+
+
+# --- shapes ------------------------------------------------------------------------------------------
+
+Spans = Sequence[tuple[Indices, Sequence[PointShape]]]
+"""Points of a mesh, and the shapes that move them, with one offset for each."""
+
+
+def _spans(rig: Rig, drawing: Drawing) -> Spans:
+    """Every part's points with those of its shapes that the mesh's own animation drives."""
+    starts = _starts(len(part.points) for _, part in drawing.parts)
+    ranges = [np.arange(first, last) for first, last in itertools.pairwise(starts)]
+    skeleton = drawing.hold.skeleton
+    driven = {"", rig.skeletons[skeleton].animation} if skeleton >= 0 else {each.animation for each in rig.channels}
+    return [
+        (points, [shape for shape in part.shapes if rig.channels[shape.channel].animation in driven])
+        for points, (_, part) in zip(ranges, drawing.parts, strict=True)
+    ]
+
+
+def author_shapes(
+    mesh: Sdf.PrimSpec,
+    rig: Rig,
+    spans: Spans,
+    taken: set[str],
+    existing: Sequence[tuple[str, Sdf.Path]] = (),
+) -> None:
+    """Let points of a mesh follow shapes: one BlendShape for each channel whose token the mesh does not have yet.
+
+    `existing` are the tokens and targets that it has, `taken` the names of its children.
+    """
+    merged = _by_channel(spans)
+    targets = list(existing)
+    for channel in sorted(merged):
+        token = rig.channels[channel].token
+        if token in {known for known, _ in targets}:
+            continue
+        name = author.identifier(f"shape_{token}", taken)
+        points, shape = _one_shape(channel, merged[channel])
+        _author_shape(Sdf.PrimSpec(mesh, name, Sdf.SpecifierDef, "BlendShape"), points, shape)
+        targets.append((token, mesh.path.AppendChild(name)))
+    if len(targets) > len(existing):
+        author.put(mesh, "skel:blendShapes", "token[]", [token for token, _ in targets], uniform=True)
+        author.link(mesh, "skel:blendShapeTargets", [target for _, target in targets])
+
+
+def _by_channel(spans: Spans) -> dict[int, list[tuple[Indices, PointShape]]]:
+    found: dict[int, list[tuple[Indices, PointShape]]] = {}
+    for points, shapes in spans:
+        for shape in shapes:
+            found.setdefault(shape.channel, []).append((points, shape))
+    return found
+
+
+def _one_shape(channel: int, pieces: Sequence[tuple[Indices, PointShape]]) -> tuple[Indices, PointShape]:
+    """The shapes of one channel as one; each is piecewise linear, and so is the whole with the knots of all."""
+    weights = np.unique(np.concatenate([shape.weights for _, shape in pieces]))
+    rows = [
+        shape.offsets if np.array_equal(shape.weights, weights) else np.stack([shape.at(each) for each in weights])
+        for _, shape in pieces
+    ]
+    points = np.concatenate([points for points, _ in pieces])
+    return points, PointShape(channel, weights, np.concatenate(rows, axis=1))
+
+
+def _author_shape(child: Sdf.PrimSpec, points: Indices, shape: PointShape) -> None:
+    between: set[str] = set()
+    moved = np.flatnonzero(shape.offsets.any(axis=(0, 2)))
+    moved = moved if len(moved) else np.arange(1)
+    for weight, offsets in zip(shape.weights.tolist(), shape.offsets[:, moved].astype(np.float32), strict=True):
+        name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
+        attribute = Sdf.AttributeSpec(child, name, _VECTORS, Sdf.VariabilityUniform)
+        attribute.default = Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(offsets))
+        if weight != 1.0:
+            attribute.SetInfo("weight", weight)
+    author.put(child, "pointIndices", "int[]", points[moved], uniform=True)
+
+
+def _weight_name(weight: float, taken: set[str]) -> str:
+    """``at_0_5`` for 0.5, ``at_minus_0_5`` for -0.5."""
+    return author.identifier(f"at_{weight:g}".replace("-", "minus_").replace(".", "_"), taken)

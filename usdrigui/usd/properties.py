@@ -1,0 +1,205 @@
+"""What prims of a layout say in our schemas: values or their fallbacks, and the records that both formats say alike.
+
+The schema plug-in need not be registered.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, get_args
+
+import numpy as np
+from pxr import Sdf, Usd, Vt
+
+from usdrigui.errors import refuse
+from usdrigui.model import Anchor, Decision, Element, Floats, Glyph, Indices
+from usdrigui.usd import author, schema
+from usdrigui.usd.arrays import value_at
+
+
+def applied(prim: Usd.Prim) -> list[str]:
+    """The API schemas that are applied to a prim, whether or not USD knows them."""
+    return [str(name) for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas()]
+
+
+def has(prim: Usd.Prim, api: str) -> bool:
+    """Whether a schema is applied."""
+    return api in applied(prim)
+
+
+def instances_applied(prim: Usd.Prim) -> list[str]:
+    """Controls in the order in which they are applied, for layers that do not list them."""
+    prefix = f"{schema.CONTROL}:"
+    return [name.removeprefix(prefix) for name in applied(prim) if name.startswith(prefix)]
+
+
+def value_of(prim: Usd.Prim, api: str, name: str, instance: str = "") -> Any:
+    """Value of a property of one of our schemas, or its fallback.
+
+    Raises LAYOUT_INVALID for a value of another type or outside the allowed ones.
+    """
+    return declared_value(prim, author.properties(api)[name], instance)
+
+
+def declared_value(prim: Usd.Prim, declared: author.Property, instance: str = "") -> Any:
+    """The same for a property that is declared elsewhere."""
+    attribute = prim.GetAttribute(declared.name.replace("__INSTANCE_NAME__", instance))
+    value = attribute.Get() if attribute else None
+    if value is None:
+        return declared.fallback
+    # A crate may hold a value that is not of the type named beside it.
+    named = attribute.GetTypeName() == Sdf.ValueTypeNames.Find(declared.type_name)
+    if not named or not isinstance(value, type(declared.fallback)):
+        raise invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
+    if declared.allowed and value not in declared.allowed:
+        raise invalid(attribute, f"is {value!r}, not one of {', '.join(declared.allowed)}")
+    if declared.type_name not in ("token", "string", "token[]", "string[]") and np.isnan(value).any():
+        raise invalid(attribute, "holds NaN")
+    return value
+
+
+def invalid(attribute: Usd.Attribute, message: str) -> Exception:
+    """LAYOUT_INVALID at an attribute."""
+    return refuse("LAYOUT_INVALID", str(attribute.GetPath()), message)
+
+
+def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf.Path]:
+    """Targets of a relationship of one of our schemas."""
+    declared = author.properties(api)[name]
+    relationship = prim.GetRelationship(declared.name.replace("__INSTANCE_NAME__", instance))
+    return list(relationship.GetTargets()) if relationship else []
+
+
+def element_name(prim: Usd.Prim) -> str:
+    """Name of the element at a prim; empty where there is none."""
+    return (str(value_of(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""
+
+
+def check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
+    """Refuse columns of different lengths with LAYOUT_INVALID."""
+    lengths = [len(column) for column in columns]
+    if len(set(lengths)) > 1:
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
+
+
+def strings(values: Any) -> list[str]:
+    """Tokens or strings of an array."""
+    return [str(value) for value in values]
+
+
+def array_of(values: Any) -> Floats:
+    """Numbers of an array or vector."""
+    return np.array(values, dtype=np.float64)
+
+
+# --- records -----------------------------------------------------------------------------------------
+
+
+def read_anchor(prim: Usd.Prim) -> Anchor:
+    """Where an element holds on, in either format; raises LAYOUT_INVALID."""
+
+    def get(name: str) -> Any:
+        return value_of(prim, schema.ANCHOR, name)
+
+    on_face = targets(prim, schema.ANCHOR, "prim")
+    meshes = on_face or targets(prim, schema.ANCHOR, "carrier")
+    if on_face and get("pointIndex") < 0:
+        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "stands on a mesh, but rigUI:anchor:pointIndex is missing")
+    return Anchor(
+        mesh=str(meshes[0]) if meshes else "",
+        point=int(get("pointIndex")),
+        point_count=int(get("pointCount")),
+        topology_hash=str(get("topologyHash")),
+        position=array_of(get("position")),
+        normal=array_of(get("normal")),
+        on_board=not on_face,
+    )
+
+
+_DECIDED: Mapping[Decision, frozenset[str]] = {
+    "anchor": frozenset(author.properties(schema.ANCHOR)[name].name for name in ("prim", "pointIndex")),
+    "place": frozenset({author.properties(schema.ANCHOR)["carrier"].name}),
+    "grouping": frozenset(author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")),
+}
+"""Properties in which the decisions of a layout stand."""
+
+
+def pinned(prim: Usd.Prim) -> dict[str, Any]:
+    """The decisions of a person: those on record, or those that a layer says that is stronger than the defining one.
+
+    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other points.  Raises
+    LAYOUT_INVALID.
+    """
+    values = value_of(prim, schema.ELEMENT, "pinned")
+    unknown = sorted(set(strings(values)) - set(get_args(Decision)))
+    if unknown:
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:pinned", f"{unknown[0]!r} is no decision")
+    said = _said_above(prim)
+    found = set(values)
+    if author.properties(schema.ELEMENT)["pinned"].name not in said:
+        found |= {decision for decision, names in _DECIDED.items() if said & names}
+    place = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition"))
+    if said & _DECIDED["anchor"]:
+        known = author.properties(schema.ANCHOR)["position"].name in said
+        place = array_of(value_of(prim, schema.ANCHOR, "position")) if known else np.full(3, np.nan)
+    return {
+        "pinned": tuple(each for each in get_args(Decision) if each in found),
+        "pinned_position": tuple(place.tolist()),
+    }
+
+
+def _said_above(prim: Usd.Prim) -> set[str]:
+    """Properties of which a layer stronger than the one that defines the prim has an opinion."""
+    stack = prim.GetPrimStack()
+    defining = next((number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef), len(stack))
+    return {str(each) for spec in stack[:defining] for each in spec.properties.keys()}  # noqa: SIM118 (a view of Sdf)
+
+
+def checked_glyph(prim: Usd.Prim, glyph: Glyph) -> Glyph:
+    """The glyph, if its numbers fit each other; raises LAYOUT_INVALID."""
+    counts, indices = glyph.counts, glyph.indices
+    least, most = indices.min(initial=0), indices.max(initial=-1)
+    if counts.min(initial=0) < 0 or counts.sum() != len(indices) or least < 0 or most >= len(glyph.points):
+        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:handle:glyphOffsets", "do not fit what is drawn")
+    return glyph
+
+
+def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
+    """Refuse elements that contradict each other with LAYOUT_INVALID."""
+    _check_unique(scope, [element.name for element in elements])
+    _check_levels(scope, elements)
+
+
+def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}")
+
+
+def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
+    known, coarse = {element.name for element in elements}, {element.name for element in elements if element.inner}
+    for element in elements:
+        for name in element.inner:
+            if name not in known or name in coarse:
+                what = "is coarse itself" if name in coarse else "is no element of the layout"
+                raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"{name!r}, a member of {element.name!r}, {what}")
+
+
+# --- arrays of USD's own schemas ---------------------------------------------------------------------
+
+
+def integers_of(attribute: Usd.Attribute) -> Indices:
+    """(n,) what an array of USD's own schemas holds; empty for any other type."""
+    values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
+    return np.array(values if isinstance(values, Vt.IntArray) else (), dtype=np.int64)
+
+
+def vectors_of(attribute: Usd.Attribute) -> Floats:
+    """(n, 3) what an array of USD's own schemas holds; raises LAYOUT_INVALID."""
+    values = value_at(attribute, Usd.TimeCode.Default()) if attribute else None
+    if not isinstance(values, (Vt.Vec3fArray, Vt.Vec3dArray, Vt.Vec3hArray, type(None))):
+        raise invalid(attribute, "does not hold 3-vectors")
+    points = array_of(values or ()).reshape(-1, 3)
+    if not np.isfinite(points).all():
+        raise invalid(attribute, "holds NaN or infinity")
+    return points
