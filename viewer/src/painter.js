@@ -127,7 +127,7 @@ export class Painter {
       const y0 = Math.max(top, Math.ceil(Math.min(screen[a + 1], screen[b + 1], screen[c + 1])));
       const y1 = Math.min(bottom - 1, Math.floor(Math.max(screen[a + 1], screen[b + 1], screen[c + 1])));
       if (y0 > y1) continue;
-      if (eyes[k]) this.eye([a, b, c], 1 / area, x0, x1, y0, y1);
+      if (eyes[k]) this.eye(a, b, c, 1 / area, x0, x1, y0, y1);
       else this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
     }
   }
@@ -203,26 +203,31 @@ export class Painter {
   }
 
   /** One triangle of an eyeball, pixel by pixel: what is white at its corners has an iris and a pupil in between. */
-  eye(corners, unit, x0, x1, y0, y1) {
+  eye(a, b, c, unit, x0, x1, y0, y1) {
     const { screen, colours, pixels, nearness, surface } = this;
-    const { factors, perRadius, last } = surface.tints;
-    const [a, b, c] = corners;
-    const [ga, gb, gc] = corners.map((corner) => surface.gaze.subarray((2 * corner) / 3, (2 * corner) / 3 + 2));
+    const { gaze, tints } = surface;
+    const { factors, perRadius, last } = tints;
+    const [ga, gb, gc] = [(2 * a) / 3, (2 * b) / 3, (2 * c) / 3];
+    const bx = (screen[c + 1] - screen[a + 1]) * unit;
+    const by = (screen[a] - screen[c]) * unit;
+    const cx = (screen[a + 1] - screen[b + 1]) * unit;
+    const cy = (screen[b] - screen[a]) * unit;
     for (let y = y0; y <= y1; y++) {
-      for (let x = x0; x <= x1; x++) {
-        const [dx, dy] = [x - screen[a], y - screen[a + 1]];
-        const wb = (dx * (screen[c + 1] - screen[a + 1]) - dy * (screen[c] - screen[a])) * unit;
-        const wc = (dy * (screen[b] - screen[a]) - dx * (screen[b + 1] - screen[a + 1])) * unit;
+      let wb = (x0 - screen[a]) * bx + (y - screen[a + 1]) * by;
+      let wc = (x0 - screen[a]) * cx + (y - screen[a + 1]) * cy;
+      for (let x = x0, at = y * this.canvas.width + x0; x <= x1; x++, at++, wb += bx, wc += cx) {
         const wa = 1 - wb - wc;
         if (wa < -EDGE || wb < -EDGE || wc < -EDGE) continue;
         const near = wa * screen[a + 2] + wb * screen[b + 2] + wc * screen[c + 2];
-        const at = y * this.canvas.width + x;
         if (near <= nearness[at]) continue;
         nearness[at] = near;
-        const away = Math.hypot(wa * ga[0] + wb * gb[0] + wc * gc[0], wa * ga[1] + wb * gb[1] + wc * gc[1]);
-        const step = 3 * Math.min(last, Math.floor(away * perRadius));
-        const mixed = (k) => factors[step + k] * (wa * colours[a + k] + wb * colours[b + k] + wc * colours[c + k]);
-        pixels[at] = -16777216 | ((mixed(2) & 255) << 16) | (mixed(1) << 8) | mixed(0);
+        const right = wa * gaze[ga] + wb * gaze[gb] + wc * gaze[gc];
+        const up = wa * gaze[ga + 1] + wb * gaze[gb + 1] + wc * gaze[gc + 1];
+        const step = 3 * Math.min(last, Math.floor(Math.sqrt(right * right + up * up) * perRadius));
+        const red = factors[step] * (wa * colours[a] + wb * colours[b] + wc * colours[c]);
+        const green = factors[step + 1] * (wa * colours[a + 1] + wb * colours[b + 1] + wc * colours[c + 1]);
+        const blue = factors[step + 2] * (wa * colours[a + 2] + wb * colours[b + 2] + wc * colours[c + 2]);
+        pixels[at] = -16777216 | (blue << 16) | (green << 8) | red;
       }
     }
   }

@@ -10,6 +10,7 @@ import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
+const MOST_PIXELS = 1.1e6; // that the processor draws while the picture changes
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
 
@@ -237,7 +238,7 @@ export class View {
   /** Draw coarser while frames are slow, and sharp again when nothing changes. */
   pace(now) {
     const moving = this.stale.has('pose') || this.stale.has('camera') || this.repaint;
-    if (moving && this.fineness > 1) this.setFineness(1);
+    if (moving && this.fineness > this.brisk) this.setFineness(this.brisk);
     if (moving && this.lastFrame && now - this.lastFrame < 400) {
       this.average = 0.8 * (this.average ?? 0) + 0.2 * (now - this.lastFrame);
       if (this.average > SLOW && this.fineness > 0.5) this.setFineness(this.fineness - 0.25);
@@ -245,6 +246,12 @@ export class View {
     this.lastFrame = moving ? now : null;
     clearTimeout(this.settling);
     if (this.fineness !== this.finest) this.settling = setTimeout(() => this.sharpen(), SETTLE);
+  }
+
+  /** Share of the screen's resolution at which the picture is drawn while it changes. */
+  get brisk() {
+    if (this.stage.drawnBy !== 'processor') return 1;
+    return Math.min(1, Math.sqrt(MOST_PIXELS / (this.width * this.height)) / this.ratio);
   }
 
   /** Share of the screen's resolution at which the picture is drawn when nothing moves. */
