@@ -476,6 +476,8 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     viewer.page.get_by_role("button", name="Start").click()
     viewer.settle()
     assert viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)") == ["target", "controls"]
+    viewer.page.keyboard.press("s")
+    assert not viewer.page.evaluate("usdrigui.app.session.options.symmetric"), "no shortcut helps in a trial"
     done = viewer.page.get_by_role("button", name="Done")
     done.click()
     viewer.page.evaluate(
@@ -491,6 +493,20 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     assert [float(second[key]) for key in ("weight_error_squared", "vertex_error_squared")] == [0.0, 0.0]
     assert float(first["share_of_time"]) + float(second["share_of_time"]) == pytest.approx(1.0, abs=1e-4)
     assert viewer.moved() == {}
+
+
+def test_the_trials_with_the_list_show_the_list(study):
+    """Folded away otherwise."""
+    study.page.get_by_role("button", name="Evaluate").click()
+    study.page.get_by_label("Participant number").fill("1")
+    study.page.get_by_role("button", name="Start").click()
+    names = study.page.evaluate("usdrigui.trials(1).map(({ name }) => name)")
+    for name in names[:6]:
+        study.settle()
+        assert study.page.locator(".list").is_visible() == (name == "list")
+        study.page.get_by_role("button", name="Done").click()
+    study.page.get_by_role("button", name="Stop").click()
+    assert not study.page.locator(".list").is_visible()
 
 
 def test_every_order_of_interfaces_is_met_by_six_participants(viewer):

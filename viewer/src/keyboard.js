@@ -86,9 +86,9 @@ const TAP = 250; // milliseconds: a key held longer than this is over when it is
 
 /**
  * Shortcuts of the page; `actions` maps names of keys to functions, `held` to functions of whether the key is down.
- * A key in both acts when it was but tapped.
+ * A key in both acts when it was but tapped.  `isLocked` says of a name that it does nothing now.
  */
-export function listenToKeys(actions, held = {}) {
+export function listenToKeys(actions, held = {}, isLocked = (name) => name === '') {
   const down = new Map();
   const free = (event) => {
     const target = /** @type {Element} */ (event.target);
@@ -97,7 +97,7 @@ export function listenToKeys(actions, held = {}) {
   document.addEventListener('keydown', (event) => {
     const target = /** @type {Element} */ (event.target);
     const name = [event.ctrlKey || event.metaKey ? 'Ctrl+' : '', event.shiftKey ? 'Shift+' : '', event.key.length === 1 ? event.key.toLowerCase() : event.key].join('');
-    if (!free(event) && name !== 'Escape') return;
+    if ((!free(event) && name !== 'Escape') || isLocked(name)) return;
     if (held[name]) {
       if (!event.repeat && !down.has(name)) down.set(name, performance.now());
       if (!event.repeat) held[name](true);

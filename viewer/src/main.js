@@ -14,6 +14,7 @@ import { Timeline } from './timeline.js';
 import { View } from './view.js';
 import { resume } from './work.js';
 
+const IN_TRIALS = new Set(['Ctrl+z', 'Ctrl+Shift+z', 'Ctrl+y', 'Escape']); // keys that help no interface more than another
 const ROOMY = 1200; // pixels of width from which the panel is open at first
 
 const SHORTCUTS = [
@@ -54,7 +55,7 @@ class App {
       h: (on) => this.view.hold('bare', on),
       b: (on) => this.session.compare(on),
       i: (on) => this.view.hold('showsInfluence', on),
-    });
+    }, (name) => this.session.trial && !IN_TRIALS.has(name));
   }
 
   /** Show one of the scene's characters, as it was left. */
@@ -260,6 +261,7 @@ class App {
     const captions = { target: 'Target', clean: 'Your face', controls: name === 'beside' ? 'Controls' : 'Your face' };
     this.node.classList.add('trial');
     this.node.classList.toggle('trial-list', name === 'list');
+    this.list.node.hidden = name !== 'list';
     Object.assign(this.session.options, {
       skinDrag: false, rearrange: false, symmetric: false, heat: false, handles: name !== 'list',
     });
@@ -270,6 +272,7 @@ class App {
 
   endTrials({ work, history, options }) {
     this.node.classList.remove('trial', 'trial-list');
+    this.fold('list', false);
     Object.assign(this.session.options, options);
     this.view.stage.setTarget(null);
     this.session.history = history;
