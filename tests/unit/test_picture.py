@@ -136,7 +136,9 @@ def test_names_beside_the_face_are_cut_to_their_room():
 
 def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
     assert lettering.legible("öffnen_Élevé smile-L") == "offnen_Eleve smile-L"
-    assert lettering.legible("怒り") == "怒り"
+    assert lettering.legible("ウィンク_あ") == "uinku_a"
+    assert lettering.legible("눈") == "nun"
+    assert lettering.legible("怒り") == "[U+6012]ri"
     assert lettering.legible("line\nbreak\t") == r"line\nbreak\t"
     box = bytes(lettering.font(12).getmask("\uffff"))
     assert all(bytes(lettering.font(12).getmask(each)) != box for each in lettering.legible("äčñå"))

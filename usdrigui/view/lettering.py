@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -49,17 +50,28 @@ def font(size: int) -> ImageFont.FreeTypeFont:
 
 
 def legible(text: str) -> str:
-    """The text as the typeface can show it: letters that it lacks lose their accents, line ends are spelt out."""
+    """The text as the typeface can show it: letters that it lacks lose their accents, kana and hangul are spelt as they
+    sound, other letters by their code point; line ends are spelt out."""
     return "".join(map(_shown, visible(text)))
 
 
 @cache
 def _shown(letter: str) -> str:
-    """A letter, or the plain one below its accents where only that one is in the typeface."""
+    """A letter, or what the typeface has for it."""
     if _drawable(letter):
         return letter
     plain = unicodedata.normalize("NFKD", letter)[0]
-    return plain if _drawable(plain) else letter
+    return plain if _drawable(plain) else _spelt(letter)
+
+
+def _spelt(letter: str) -> str:
+    """A letter that the typeface lacks as it sounds, where Unicode names it so: no font of the system is asked, for the
+    same layout gives the same picture everywhere."""
+    called = unicodedata.name(unicodedata.normalize("NFKC", letter)[0], "")
+    sound = re.fullmatch(r"(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?([A-Z]+)", called)
+    if sound is not None:
+        return sound[1].lower()
+    return "-" if "PROLONGED SOUND MARK" in called else f"[U+{ord(letter):04X}]"
 
 
 def _drawable(letter: str) -> bool:
