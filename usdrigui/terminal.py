@@ -248,9 +248,9 @@ class Screen:
             self._out.print(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
         self._out.print(
-            f"  on the face {character.count('face')}, on the board {character.count('board')}, "
+            f"  on the {_where([character])} {character.count('face')}, on the board {character.count('board')}, "
             f"left off {character.count('left off')}; "
-            f"handles on the face have {_percent(character.kept)} of the peak displacement"
+            f"handles on the {_where([character])} have {_percent(character.kept)} of the peak displacement"
             f"{f' ({_DISPLACEMENT})' if placed else ''}",
             soft_wrap=True,
         )
@@ -386,7 +386,14 @@ def _verdict(report: Report) -> str:
     total = sum(len(character.rows) for character in report.characters)
     target = f" {report.output}" if report.output else ""
     gap = max((character.assignment.gap for character in report.characters), default=0.0)
-    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the face, gap {gap:.1e}"
+    where = _where(report.characters)
+    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, gap {gap:.1e}"
+
+
+def _where(characters: Sequence[CharacterReport]) -> str:
+    """What controls stand on: the one part that there is, or the character."""
+    parts = {part.name for character in characters for part in character.parts}
+    return next(iter(parts)) if len(parts) == 1 else "character" if parts else "face"
 
 
 def _ending(solution: Assignment) -> str:

@@ -1,13 +1,14 @@
 """The table of `usdrigui inspect`: shares that are small are not told as nothing."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 import skinned_stages
 
 from usdrigui import errors, inspection
 from usdrigui.cli import main
-from usdrigui.terminal import Screen, _facts_table, _percent
+from usdrigui.terminal import Screen, _facts_table, _percent, _where
 
 
 @pytest.mark.parametrize(
@@ -78,3 +79,8 @@ def test_a_finding_is_one_line_of_two_sentences(capsys):
     (line,) = capsys.readouterr().out.splitlines()
     assert line.startswith("info: CONTROL_TINY chin: moves")
     assert line.endswith(f"very little. {found.repair}")
+
+
+@pytest.mark.parametrize(("parts", "said"), [(["face"], "face"), (["hands"], "hands"), (["face", "body"], "character")])
+def test_controls_stand_on_the_one_part_that_there_is_or_on_the_character(parts, said):
+    assert _where([SimpleNamespace(parts=[SimpleNamespace(name=name) for name in parts])]) == said
