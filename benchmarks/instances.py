@@ -159,8 +159,8 @@ def _variable(
     displacement = copies * length[points] / typical
     cost = own_costs(samples, handles, overlap, width) - settings.displacement_weight * displacement
     free = np.isfinite(cost)
-    beside = settings.off_face_penalty * copies
-    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), beside, displacement[free])
+    off_face = settings.off_face_penalty * copies
+    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), off_face, displacement[free])
 
 
 def subdivided(rig: Rig) -> Rig:

@@ -2,9 +2,11 @@
 
 The stable Python interface, loaded when first used; importing the package loads no USD:
 
-    settings = usdrigui.load_settings()
-    report = usdrigui.process(Path("char.usda"), settings)            # writes char.rigui.usda beside it
-    found = usdrigui.check(Path("char.rigui.usda"), settings).issues  # empty: it still fits
+    report = usdrigui.process("char.usda")                # writes char.rigui.usda beside it
+    layout = usdrigui.open("char.rigui.usda")             # or a Usd.Stage that is open, or an Sdf.Layer
+    layout.controls, layout.pose({"jawOpen": 0.5}), layout.picture(), layout.view(), layout.check()
+
+docs/python.ipynb shows all of it.
 """
 
 from __future__ import annotations
@@ -19,31 +21,37 @@ if TYPE_CHECKING:
 
     from usdrigui.errors import Issue, RigUIError
     from usdrigui.inspection import Inspection
-    from usdrigui.pipeline import LayerDifference, LayerReview, check, diff, inspect, process
+    from usdrigui.interface import OpenLayout, check, diff, inspect, open, process  # noqa: A004
+    from usdrigui.pipeline import Event, LayerDifference, LayerReview
     from usdrigui.report import Report
     from usdrigui.settings import Settings
     from usdrigui.settings import load as load_settings
 
 _HOMES = {
+    "Event": ("usdrigui.pipeline", "Event"),
     "Inspection": ("usdrigui.inspection", "Inspection"),
     "Issue": ("usdrigui.errors", "Issue"),
     "LayerDifference": ("usdrigui.pipeline", "LayerDifference"),
     "LayerReview": ("usdrigui.pipeline", "LayerReview"),
+    "OpenLayout": ("usdrigui.interface", "OpenLayout"),
     "Report": ("usdrigui.report", "Report"),
     "RigUIError": ("usdrigui.errors", "RigUIError"),
     "Settings": ("usdrigui.settings", "Settings"),
-    "check": ("usdrigui.pipeline", "check"),
-    "diff": ("usdrigui.pipeline", "diff"),
-    "inspect": ("usdrigui.pipeline", "inspect"),
+    "check": ("usdrigui.interface", "check"),
+    "diff": ("usdrigui.interface", "diff"),
+    "inspect": ("usdrigui.interface", "inspect"),
     "load_settings": ("usdrigui.settings", "load"),
-    "process": ("usdrigui.pipeline", "process"),
+    "open": ("usdrigui.interface", "open"),
+    "process": ("usdrigui.interface", "process"),
 }
 
 __all__ = [
+    "Event",
     "Inspection",
     "Issue",
     "LayerDifference",
     "LayerReview",
+    "OpenLayout",
     "Report",
     "RigUIError",
     "Settings",
@@ -52,8 +60,13 @@ __all__ = [
     "diff",
     "inspect",
     "load_settings",
+    "open",
     "process",
 ]
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
 
 
 def __getattr__(name: str) -> Any:

@@ -14,11 +14,12 @@ from typing import Any, Literal
 
 from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
 from usdrigui.levels import outer_first
+from usdrigui.markup import markup
 from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
 
 FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
-Outcome = Literal["written", "unchanged", "dry run"]
+Outcome = Literal["written", "unchanged", "dry run", "in memory"]
 Place = Literal["face", "board", "left off"]
 
 
@@ -79,6 +80,9 @@ class CharacterReport:
         """Number of controls at a place."""
         return sum(row.place == place for row in self.rows)
 
+    def __repr__(self) -> str:
+        return f"<CharacterReport {self.root}: {len(self.rows)} controls, {len(self.layout.elements)} elements>"
+
     @property
     def kept(self) -> float:
         """Mean share of their peak displacement that the controls on the face keep; nan if there are none."""
@@ -112,11 +116,38 @@ class Report:
     settings: Mapping[str, Any] = field(default_factory=dict)
     sources: tuple[SourceRow, ...] = ()
     """The asset first."""
+    layer: Any = None
+    """`pxr.Sdf.Layer` with the layout of a stage that was laid out in memory; None where a file was."""
+
+    def __repr__(self) -> str:
+        told = (
+            f"{each.root}: {each.count('face')} of {len(each.rows)} controls on the face" for each in self.characters
+        )
+        where = f" {self.output}" if self.output else ""
+        return f"<Report {self.outcome}{where}: {'; '.join(told)}; {len(self.issues)} issues>"
+
+    def _repr_html_(self) -> str:
+        """For notebooks: a table of the controls of every character, and the issues."""
+        tables = "".join(_html_table(each) for each in self.characters)
+        issues = "".join(
+            f"<li>{markup(f'{each.severity}: {each.code} {each.path} {each.message}')}</li>" for each in self.issues
+        )
+        return f"<p>{markup(repr(self)[1:-1])}</p>{tables}<ul>{issues}</ul>"
 
     @property
     def exit_code(self) -> Exit:
         """Exit code of the command, before `--strict`."""
         return Exit.OK
+
+
+def _html_table(character: CharacterReport) -> str:
+    head = "".join(f"<th>{name}</th>" for name in ("control", "place", "element", "displacement", "why"))
+    rows = []
+    for row in character.rows:
+        kept = f"{row.kept:.0%}" if math.isfinite(row.kept) else ""
+        cells = (row.control, row.place, row.element, kept, row.reason)
+        rows.append("<tr>" + "".join(f"<td>{markup(each)}</td>" for each in cells) + "</tr>")
+    return f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
 
 
 def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping[str, str]) -> tuple[ControlRow, ...]:

@@ -135,6 +135,12 @@ def test_help_and_version_load_nothing_heavy(argument):
     assert done.stderr.strip() == "[]"
 
 
+def test_the_pipeline_loads_no_part_of_scipy_that_few_layouts_need():
+    parts = ("scipy.stats", "scipy.interpolate", "scipy.ndimage")
+    code = f"import sys, usdrigui.pipeline; print([name for name in {parts} if name in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
 def test_importing_the_package_loads_no_usd():
     code = "import sys, usdrigui; usdrigui.Settings; usdrigui.process; print('pxr' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "False\n"

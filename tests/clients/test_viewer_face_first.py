@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import makers
+import numpy as np
 import pytest
 from browser_pages import Viewer
 from viewer_layouts import peak_layout
 
+from usdrigui.model import LayoutPart
 from usdrigui.view.page import page_html
 
 SIZES = {"desk": (1366, 768), "tablet": (820, 1180), "phone": (390, 844)}
@@ -116,6 +120,30 @@ def test_a_double_click_looks_closely_and_another_back(opened):
     assert viewer.page.evaluate(distance) < 0.5 * far
     viewer.page.mouse.dblclick(*viewer.on_page(middle))
     assert viewer.page.evaluate(distance) == pytest.approx(far)
+
+
+PARTS = (("face", ("brow_L", "brow_R", "pucker")), ("hands", ("jawLeft", "jawRight")))
+
+
+def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
+    rig = makers.face()
+    layout = peak_layout(rig)
+    names = {name: part for part, members in PARTS for name in members}
+    elements = tuple(replace(each, part=names[each.name]) for each in layout.elements if each.name in names)
+    parts = [
+        LayoutPart(part, width, view, "optimal", 0.0, 0.0)
+        for (part, _), width, view in zip(PARTS, (0.04, 0.08), (layout.view, np.array([1.0, 0.0, 0.0])), strict=True)
+    ]
+    path = tmp_path / "parts.html"
+    path.write_text(page_html([(rig, replace(layout, elements=elements, parts=tuple(parts)))], "parts"))
+    viewer = Viewer(browser, path)
+    for part, members in PARTS:
+        viewer.page.get_by_role("button", name=part, exact=True).click()
+        viewer.settle()
+        assert {each["name"] for each in viewer.page.evaluate("usdrigui.elements()")} == set(members)
+    assert viewer.page.evaluate("usdrigui.app.view.camera.towards") == pytest.approx([1.0, 0.0, 0.0], abs=1e-6)
+    assert viewer.trouble == []
+    viewer.close()
 
 
 # --- fingers -----------------------------------------------------------------------------------------

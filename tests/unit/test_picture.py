@@ -400,7 +400,7 @@ def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
 
 
 def test_pictures_and_the_viewer_call_families_alike():
-    source = (Path(__file__).parents[2] / "viewer" / "src" / "overlay.js").read_text(encoding="utf-8")
+    source = (Path(__file__).parents[2] / "viewer" / "src" / "dock.js").read_text(encoding="utf-8")
     table = source.partition("const FAMILIES = {")[2].partition("}")[0]
     assert {token: name.lower() for token, name in re.findall(r"(\w+): '([^']*)'", table)} == lettering._FAMILIES
 

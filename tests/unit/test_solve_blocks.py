@@ -19,7 +19,7 @@ from usdrigui.solve.label_geometry import (
     Blocks,
     Labels,
     all_labels,
-    block_pool,
+    block_set,
     cheapest,
     halve,
     in_play,
@@ -67,10 +67,10 @@ def pairs_wrong(problem: LayoutProblem, times: int) -> int:
     """How many pairs of members cost less than their blocks do, or anything at all where blocks were passed over."""
     labels = all_labels(problem)
     found = parts(labels, times)
-    pool = block_pool(labels, found)
+    label_set = block_set(labels, found)
     costs = np.zeros((len(found.variable), len(found.variable)))
     known = np.zeros(costs.shape, dtype=bool)
-    for pairs in near_blocks(problem, pool, budget()):
+    for pairs in near_blocks(problem, label_set, budget()):
         np.add.at(costs, (pairs.first, pairs.second), pairs.costs)
         known[pairs.first, pairs.second] = True
     wrong = 0
@@ -91,18 +91,18 @@ def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(tim
 
 @pytest.mark.parametrize(("name", "share"), [("extent", 0.5), ("slack", 0.5)])
 def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = getattr(blocks.Bodies, name)
-    monkeypatch.setattr(blocks.Bodies, name, lambda *given: share * honest(*given))
+    honest = getattr(blocks.LabelGeometry, name)
+    monkeypatch.setattr(blocks.LabelGeometry, name, lambda *given: share * honest(*given))
     assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
 @cache
 def layouts(problem: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
-    """(n, count) choices of labels (pool indices) of a small problem, up to 1000, and (n,) what each costs."""
+    """(n, count) choices of labels (label_set indices) of a small problem, up to 100, and (n,) what each costs."""
     labels = all_labels(problem)
-    ends = itertools.pairwise(labels.pool.start)
+    ends = itertools.pairwise(labels.label_set.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
-    every = every[:: max(1, len(every) // 500)]
+    every = every[:: max(1, len(every) // 50)]
     return every, np.array([total_cost(problem, labels.label[each]) for each in every])
 
 
@@ -131,10 +131,10 @@ def test_selected_labels_are_a_problem_of_their_own() -> None:
         some = selected(labels, few)
         assert some.label.tolist() == labels.label[few].tolist()
         assert some.best.tolist() == labels.best.tolist()
-        for body, old in zip(some.pool.bodies, labels.pool.bodies, strict=True):
-            at = np.searchsorted(old.owner, few[body.owner])
-            assert (body.samples == old.samples[:, :, at]).all()
-            assert (body.handle == old.handle[:, at]).all()
+        for geometry, old in zip(some.label_set.geometries, labels.label_set.geometries, strict=True):
+            at = np.searchsorted(old.owner, few[geometry.owner])
+            assert (geometry.samples == old.samples[:, :, at]).all()
+            assert (geometry.handle == old.handle[:, at]).all()
 
 
 def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
@@ -144,8 +144,8 @@ def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     every, costs = layouts(problem)
     block_of = np.empty(len(labels.label), dtype=np.int64)
     block_of[found.members] = np.repeat(np.arange(len(found.variable)), found.sizes)
-    least = np.minimum.reduceat(labels.pool.cost[found.members], found.start[:-1])
-    more = labels.pool.cost - least[block_of]
+    least = np.minimum.reduceat(labels.label_set.cost[found.members], found.start[:-1])
+    more = labels.label_set.cost - least[block_of]
     room = np.full(len(found.variable), np.inf)
     for column in every.T:
         np.minimum.at(room, block_of[column], costs - more[every].sum(axis=1))
@@ -177,11 +177,11 @@ def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
     for problem in problems():
         labels = all_labels(problem)
         found = parts(labels, 1)
-        older = near_blocks(problem, block_pool(labels, found), budget())
+        older = near_blocks(problem, block_set(labels, found), budget())
         first = Blocks(found.members[found.start[:-1]], np.arange(len(found.variable) + 1), found.variable)
-        pool = block_pool(labels, first)
-        mine = refined(problem, pool, older, np.arange(len(found.variable)), budget(), found.sizes == 1)
-        wanted = near_blocks(problem, pool, budget())
+        label_set = block_set(labels, first)
+        mine = refined(problem, label_set, older, np.arange(len(found.variable)), budget(), found.sizes == 1)
+        wanted = near_blocks(problem, label_set, budget())
         for one, other in zip(mine, wanted, strict=True):
             key = {(a, b): cost for a, b, cost in zip(other.first, other.second, other.costs, strict=True)}
             got = {(a, b): cost for a, b, cost in zip(one.first, one.second, one.costs, strict=True)}

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from types import ModuleType
 from typing import Any
@@ -158,11 +158,11 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, so
     best = solve(problem, replace(HIGHS, gap=1e-9))
     labels = all_labels(problem)
     costs, pairs = (
-        labels.pool.cost,
-        pair_matrix(problem, labels.pool, near_blocks(problem, labels.pool, budget), labels.label),
+        labels.label_set.cost,
+        pair_matrix(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label),
     )
     left: ReducedProblem | None = ReducedProblem(
-        labels.pool.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
+        labels.label_set.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
     )
     if solver == "highs with triplets":
         raise_bound(left, budget)
@@ -276,7 +276,7 @@ def test_infeasible_problems_are_told_at_once_however_their_bound_is_rounded() -
     assert spent.work < 10**4
 
 
-def test_no_candidate_and_no_place_beside_is_refused() -> None:
+def test_no_candidate_and_no_place_off_the_face_is_refused() -> None:
     problem = crowd(3, variables=2, candidates=3)
     empty = replace(
         problem.variables[0],
@@ -312,20 +312,19 @@ def test_a_gap_of_nothing_is_proved(seed: int) -> None:
     assert (found.status, found.gap < 1e-9) == ("optimal", True)
 
 
-@pytest.mark.parametrize("seed", [6, 8, 10])
-def test_no_row_is_stated_twice(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    stated: list[tuple[bytes, ...]] = []
-    honest = milp._Program._add
-
-    def added(program: milp._Program, rows: Sequence[milp.Row], low: float, high: float) -> None:
-        stated.append(tuple(b"".join(part.tobytes() for part in row) for row in rows))
-        honest(program, rows, low, high)
-
-    monkeypatch.setattr(milp._Program, "_add", added)
-    by_program(monkeypatch)
-    solve(crowd(seed, variables=3, candidates=10), HIGHS)
-    assert any(stated)
-    assert all(len(rows) == len({*rows}) for rows in stated)
+def test_a_row_that_is_stated_is_not_stated_again() -> None:
+    """HiGHS may return a solution that violates a row a little."""
+    problem, budget = crowd(6, variables=3, candidates=10), Budget(HIGHS)
+    labels = all_labels(problem)
+    pairs = pair_matrix(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label)
+    left = ReducedProblem(labels.label_set.variable, np.arange(len(labels.label)), labels.label_set.cost, pairs)
+    program = milp._Program(left, 0.0, budget, budget.work_left)
+    program._highs.run()
+    rows = program._violated()
+    assert rows
+    program._add_violated(rows)
+    again = [columns.tolist() for columns, _ in program._violated().values()]
+    assert not any(columns.tolist() in again for columns, _ in rows.values())
 
 
 def test_a_linear_program_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -426,7 +425,7 @@ def test_importing_the_package_loads_no_solver() -> None:
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
-def on_a_line(count: int, apart: int, step: float, first: int, beside: float) -> LayoutProblem:
+def on_a_line(count: int, apart: int, step: float, first: int, off_face: float) -> LayoutProblem:
     """Two rows of handles on a grid, of which the outermost two alone are as far apart as the separation."""
     elements = []
     for start, outer in ((first, 0), (first + apart - count + 1, count - 1)):
@@ -434,7 +433,7 @@ def on_a_line(count: int, apart: int, step: float, first: int, beside: float) ->
         handles[:, 0, 0] = (start + np.arange(count)) * step
         cost = -np.ones(count)
         cost[outer] = -0.9
-        elements.append(Variable(f"v{start}", np.arange(count), cost, handles[:, :, None], handles, beside, -cost))
+        elements.append(Variable(f"v{start}", np.arange(count), cost, handles[:, :, None], handles, off_face, -cost))
     return LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 3.0, 0.15), step * apart, 0.85)
 
 

@@ -19,13 +19,13 @@ from usdrigui.solve.paper import sample
 SEPARATION = 0.1
 
 
-def element(name, spots, gains, beside=np.inf):
+def element(name, spots, gains, off_face=np.inf):
     """An element with candidates at `spots` (x) that gain so much each; drawn as a point."""
     handles = np.zeros((len(spots), 1, 3))
     handles[:, 0, 0] = spots
     gains = np.asarray(gains, dtype=np.float64)
     samples = np.repeat(handles[:, :, None], 2, axis=2)
-    return Variable(name, np.arange(len(spots)), -gains, samples, handles, beside, gains)
+    return Variable(name, np.arange(len(spots)), -gains, samples, handles, off_face, gains)
 
 
 def problem_of(*elements, radius=1.0):
@@ -113,8 +113,8 @@ def test_the_nearest_copies_count() -> None:
     assert clusters(problem_of(pair, right, middle), 2) == [[0, 1], [2]]
 
 
-def test_elements_that_stand_beside_anyway_join_the_first_cluster() -> None:
-    homeless = element("none", [], [], beside=0.1)
+def test_elements_that_stand_off_the_face_anyway_join_the_first_cluster() -> None:
+    homeless = element("none", [], [], off_face=0.1)
     assert clusters(problem_of(homeless, element("a", [0], [1]), element("b", [9], [1])), 2) == [[0, 1], [2]]
     assert clusters(problem_of(homeless), 2) == [[0]]
     assert clusters(problem_of(), 2) == []

@@ -12,7 +12,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import theilslopes
 
 from usdrigui.conventions import Meaning
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
@@ -86,10 +85,18 @@ def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
     heights = np.array([np.median(middles[which == i, 1]) for i in range(len(each))])
     if len(each) < _LEAST or np.ptp(each[:, 1]) < _SPAN:
         return None
-    upright, height, *_ = theilslopes(heights, each[:, 1])
+    upright, height = _line_through(each[:, 1], heights)
     wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
     across = float(np.median(typical[wide, 0] / np.abs(each[wide, 0]))) if wide.any() else float(upright)
     return (np.array([across, upright]), float(height)) if upright > 0.0 else None
+
+
+def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
+    """Slope, the median over all pairs of points, and value at 0 of a line (P. K. Sen, 1968); what scipy.stats has for
+    it takes a second to import."""
+    later, earlier = np.nonzero(x[:, None] > x)
+    slope = float(np.median((y[later] - y[earlier]) / (x[later] - x[earlier])))
+    return slope, float(np.median(y) - slope * np.median(x))
 
 
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:

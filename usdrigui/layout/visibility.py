@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.layout.symmetry.front import front, three_quarter
+from usdrigui.layout.symmetry.front import front_of, three_quarter
 from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
 from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
 from usdrigui.settings import view_angles
@@ -82,7 +82,7 @@ def find_views(
     given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every point of a
     visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be understood.
     """
-    ahead = front(rig.up, trajectories, symmetry.normal)
+    ahead = front_of(rig.up, trajectories, symmetry.normal)
     directions = _directions(view, ahead, rig.up, camera)
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
     frame = _frame(trajectories, symmetry, ahead, rig.up)

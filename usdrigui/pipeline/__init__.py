@@ -11,9 +11,18 @@ from __future__ import annotations
 
 from usdrigui.pipeline.converting import convert
 from usdrigui.pipeline.inspecting import inspect
-from usdrigui.pipeline.laying_out import process
+from usdrigui.pipeline.laying_out import process, process_stage
 from usdrigui.pipeline.progress import Event, Watch
-from usdrigui.pipeline.reviewing import LayerDifference, LayerReview, Loaded, check, diff, load_layer
+from usdrigui.pipeline.reviewing import (
+    LayerDifference,
+    LayerReview,
+    Loaded,
+    check,
+    diff,
+    load_layer,
+    open_layouts,
+    review,
+)
 from usdrigui.pipeline.stages import ProblemInputs, build_problem
 from usdrigui.pipeline.targets import check_outputs, default_output, stage_file, write_file
 
@@ -32,7 +41,10 @@ __all__ = [
     "diff",
     "inspect",
     "load_layer",
+    "open_layouts",
     "process",
+    "process_stage",
+    "review",
     "stage_file",
     "write_file",
 ]

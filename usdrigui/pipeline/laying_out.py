@@ -10,7 +10,9 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, refuse
 from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, rigs_over
@@ -28,7 +30,11 @@ from usdrigui.settings import document as settings_document
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
+from usdrigui.usd.schema import SCOPE
 from usdrigui.usd.source import SourceFile, check_unchanged
+
+if TYPE_CHECKING:
+    from pxr import Sdf, Usd
 
 
 def process(
@@ -74,6 +80,33 @@ def process(
         check_unchanged((*source.sources, *(references.base.sources if references.base else ())))
         files.commit()
     return report
+
+
+def process_stage(
+    stage: Usd.Stage | Sdf.Layer,
+    settings: Settings,
+    *,
+    progress: Watch | None = None,
+    stop: Callable[[], bool] | None = None,
+) -> Report:
+    """Lay out every character of an open stage or layer, in memory: nothing is written.
+
+    `Report.layer` holds the layout and sublayers nothing.  Raises `RigUIError`.
+    """
+    from usdrigui.usd import in_memory, layer
+
+    clock = Clock(progress)
+    settings = replace(settings, output=replace(settings.output, bare=True))
+    root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
+    with clock.stage("read"):
+        source = in_memory.read_open_rigs(stage, settings)
+    found = (*source.layouts, *(f"{root}/{SCOPE}" for root in source.brought))
+    if found:
+        raise refuse("SOURCE_IS_LAYOUT", str(root.identifier), f"has the layout {found[0]}")
+    reports = [_lay_out(rig, settings, clock, stop, source.cameras, Examples()) for rig in source.rigs]
+    laid = [(each.rig, each.layout) for each in reports]
+    report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, source)
+    return replace(report, layer=layer.layer_for(laid, "", settings.output, source.metadata))
 
 
 def _report(

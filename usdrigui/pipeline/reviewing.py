@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.layout.parts.division import Part
@@ -20,6 +22,9 @@ from usdrigui.usd.reader_process import (
     read_layouts_isolated,
     read_rigs_isolated,
 )
+
+if TYPE_CHECKING:
+    from pxr import Sdf, Usd
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +49,11 @@ class LayerReview:
     seconds: tuple[tuple[str, float], ...]
     faults: tuple[Issue, ...] = ()
     """Layouts whose character is gone; of a source asset, which has no layout, all that is wrong with its shapes."""
+
+    def __repr__(self) -> str:
+        counts = Counter(each.severity for each in self.issues)
+        told = ", ".join(f"{number} {severity}" for severity, number in counts.items()) or "no findings"
+        return f"<LayerReview {self.layer}: {len(self.characters)} characters, {told}>"
 
     @property
     def issues(self) -> tuple[Issue, ...]:
@@ -104,10 +114,28 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
             loaded, stale = _loaded(layer, settings)
         except RigUIError as error:
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
+    return _review_of(str(layer), loaded, stale, settings, clock)
+
+
+def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
+    """The layouts on an open stage and their characters, as `load_layer` reads those of a file."""
+    from usdrigui.usd.in_memory import read_open_layouts
+
+    layouts, read = read_open_layouts(stage, settings)
+    by_root = {each.root: each for each in layouts}
+    return Loaded(tuple((rig, by_root[rig.root]) for rig in read.rigs), "", read.cameras, ())
+
+
+def review(name: str, loaded: Loaded, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
+    """As `check`, of layouts that are read already; `name` is what the review calls them."""
+    return _review_of(name, loaded, (), settings, Clock(progress))
+
+
+def _review_of(name: str, loaded: Loaded, stale: tuple[Issue, ...], settings: Settings, clock: Clock) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
         reviews.append((rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras)))
-    return LayerReview(str(layer), tuple(reviews), clock.seconds, stale)
+    return LayerReview(name, tuple(reviews), clock.seconds, stale)
 
 
 def _reviewed(

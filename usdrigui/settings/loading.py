@@ -8,13 +8,14 @@ import types
 import typing
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
+from pathlib import Path
 from typing import Any, Literal
 
 from usdrigui.errors import meant, refuse
 from usdrigui.settings.bounds import check_bounds
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import PRESETS
-from usdrigui.settings.sources import from_environment
+from usdrigui.settings.sources import environment_settings, from_environment, read_toml
 from usdrigui.settings.table import current_name
 
 _EARLIER_VALUES = {"beside": "board"}
@@ -111,3 +112,13 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_plain(item) for item in value]
     return value
+
+
+def load_beside(path: Path) -> Settings:
+    """The settings that the commands would take for an asset or its layout: the environment, and ``CHAR.rigui.toml``.
+
+    Raises RigUIError CONFIG_...
+    """
+    beside = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
+    sources = [read_toml(beside)] if path.name and beside.is_file() else []
+    return load(*sources, environment=environment_settings())

@@ -16,8 +16,8 @@ SAFETY = 2e-11
 
 def forbidden_price(problem: LayoutProblem, labels: Labels) -> float:
     """A finite stand-in for +inf: more than any allowed layout can cost above the sum of the least linear costs."""
-    pool = labels.pool
-    spread = np.maximum.reduceat(pool.cost, pool.start[:-1]) - labels.best
+    label_set = labels.label_set
+    spread = np.maximum.reduceat(label_set.cost, label_set.start[:-1]) - labels.best
     copies = np.array([each.samples.shape[1] for each in problem.variables], dtype=np.float64)
     together = (copies.sum() ** 2 - np.square(copies).sum()) / 2
     overlaps = problem.overlap.weight * problem.overlap.maximum * together

@@ -16,9 +16,7 @@ import itertools
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
-
-NEVER = 1e30
-"""Stands for the cost of a pair that handles forbid: infinite costs have no differences."""
+from usdrigui.solve.reduced_problem import NEVER
 
 
 def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) -> Flags:

@@ -43,8 +43,8 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     )
 
 
-def _finite_least(cost: Floats, beside: float) -> float:
-    return min(float(cost.min(initial=np.inf)), beside)
+def _finite_least(cost: Floats, off_face_cost: float) -> float:
+    return min(float(cost.min(initial=np.inf)), off_face_cost)
 
 
 def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.ndarray) -> Floats:

@@ -19,10 +19,8 @@ from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 HALVINGS = 6
 """The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every variable."""
-ROUGH_TRIES = 3
-"""Attempts of large-neighbourhood search per variable among those."""
 TRIES = 2
-"""Attempts per variable among all labels that may be in a better layout."""
+"""Attempts of large-neighbourhood search per variable."""
 HIGHS_SHARE = 0.01
 """Of the work allowed, before what it has not closed goes to branch and bound (decision 030)."""
 
@@ -57,7 +55,7 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
 def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
     """Give what is left to the solver that the settings name, and to branch and bound what HiGHS does not close with
     its share of the work; the name of the last."""
-    linear = left.pool.cost[left.problem.labels]
+    linear = left.label_set.cost[left.problem.labels]
     if budget.settings.method == "toulbar2":
         found = solve_by_toulbar2(left.problem, linear, left.pairs, budget.cutoff, budget)
         return _told("toulbar2", found, labels, left, incumbent, budget)
@@ -114,7 +112,7 @@ def _roughly(problem: LayoutProblem, labels: Labels, forbidden: float, budget: B
     rough = _cheapest_places(labels)
     incumbent = Incumbent(problem, selected(labels, rough), forbidden, budget)
     incumbent.construct()
-    incumbent.search(ROUGH_TRIES * len(problem.variables))
+    incumbent.search(TRIES * len(problem.variables))
     chosen = rough[incumbent.chosen]
     wanted = np.zeros(len(labels.label), dtype=bool)
     wanted[in_play(labels, incumbent.cost)] = True

@@ -5,7 +5,7 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without this p
     version              () 3
     names                (variables,) text
     overlap              (5,) maximum, radius, sharpness, reach, weight
-    separation, unit_cost, beside
+    separation, unit_cost, off_face_cost
                          (), (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs
     displacement_K       (R,) displacement, contained in the linear costs

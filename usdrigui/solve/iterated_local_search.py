@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.solve.local_search import SAME, WORSE
 
 RUNS = 12
 TRIES = 20
@@ -20,10 +21,6 @@ MOST = 8
 """Rivals taken out together with a variable, at most."""
 NOISE = 0.04
 """Mean cost by which a label put back may be worse than the best."""
-WORSE = 0.02
-"""How much worse than the best of a run a solution may be for the run to go on from it."""
-SAME = 1e-9
-"""Costs that differ by no more are of the same solution; when two runs end with it no others follow."""
 PAYING = 1e-3
 """Added to what a variable pays when one is drawn: those that pay nothing are drawn seldom, not never."""
 
@@ -130,7 +127,7 @@ def _descended(problem: LabelCosts, chosen: Indices, costs: Floats) -> tuple[Ind
     while True:
         gains = costs[chosen] - np.minimum.reduceat(costs, problem.start[:-1])
         at = int(gains.argmax())
-        if gains[at] < 1e-9:
+        if gains[at] < SAME:
             return chosen, costs
         low, high = problem.start[at], problem.start[at + 1]
         new = low + int(costs[low:high].argmin())

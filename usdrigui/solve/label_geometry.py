@@ -1,4 +1,4 @@
-"""Candidates as arrays: the pool of labels, and blocks of neighbouring labels bounded as one.
+"""Candidates as arrays: the label_set of labels, and blocks of neighbouring labels bounded as one.
 
 A *label* here is one candidate of one variable, numbered through the whole problem.  A *block* is a set
 of labels of one variable that are treated as one: its cost is the least of theirs and its geometry a
@@ -19,17 +19,15 @@ from usdrigui.overlap import overlap_cost
 CHUNK = 32768
 """Distances of samples worked out at a time: the buffers stay in the processor's cache."""
 ROUNDING = 1e-12
-"""Share of the least costs by which a label may miss the cut-off and still be kept."""
-NUDGE = 1e-12
-"""Share of lengths by which rounding may be off: bounds of distances leave so much room, exact ones none."""
+"""Share of costs and lengths by which rounding may be off: bounds leave so much room, exact ones none."""
 ALL = slice(None)
-"""As indices of bodies: every one."""
+"""As indices of geometries: every one."""
 PAIRS = 65536
 """Pairs of elements looked at at a time."""
 
 
 @dataclass(frozen=True, eq=False)
-class Bodies(Record):
+class LabelGeometry(Record):
     """One copy of the elements of many labels (or blocks), all with the same number of samples.
 
     Scene units.
@@ -52,9 +50,9 @@ class Bodies(Record):
     handle_radius: Floats
     """(n,) largest distance of a member's handle from `middle`."""
 
-    def of(self, kept: Indices, number: Indices) -> Bodies:
-        """Some of the bodies, their owners renumbered."""
-        return Bodies(
+    def of(self, kept: Indices, number: Indices) -> LabelGeometry:
+        """Some of the geometries, their owners renumbered."""
+        return LabelGeometry(
             number[self.owner[kept]],
             self.samples[:, :, kept],
             self.apart[:, kept],
@@ -67,16 +65,16 @@ class Bodies(Record):
 
     def slack(self, at: Indices | slice, samples: int) -> Floats:
         """(q,) largest change of the distance to an element of so many samples when a member replaces the centre
-        of bodies `at`.
+        of geometries `at`.
 
         Moving each sample by at most its own amount changes the sum over this element's samples by no more than
         the sum of the amounts, and each of the other's nearest distances by no more than the largest.
         """
         return self._weighed(self.apart[:, at], samples)
 
-    def extent(self, at: Indices | slice, other: Bodies, reach: float, separation: float) -> Floats:
-        """(q,) such that members of two bodies interact only if the distance of the middles is below the sum of
-        both bodies' extents and the larger of `reach` and `separation`.
+    def extent(self, at: Indices | slice, other: LabelGeometry, reach: float, separation: float) -> Floats:
+        """(q,) such that members of two geometries interact only if the distance of the middles is below the sum of
+        both geometries' extents and the larger of `reach` and `separation`.
 
         The distance of two samples is at least that of the middles less what each is off its own; averaged over
         the nearest ones, the mean of these counts for the own samples and the maximum for the other's.
@@ -84,7 +82,7 @@ class Bodies(Record):
         radius, handle_radius = self._weighed(self.radius[:, at], len(other.samples)), self.handle_radius[at]
         of_samples = radius - max(0.0, separation - reach) / 2
         extent = np.maximum(of_samples, handle_radius - max(0.0, reach - separation) / 2)
-        return np.asarray(extent + NUDGE * (radius + handle_radius + max(reach, separation)))
+        return np.asarray(extent + ROUNDING * (radius + handle_radius + max(reach, separation)))
 
     def _weighed(self, mean_and_most: Floats, samples: int) -> Floats:
         own = len(self.samples)
@@ -92,8 +90,8 @@ class Bodies(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Pool(Record):
-    """Labels or blocks of all variables, sorted by variable; those on the board have no body."""
+class LabelSet(Record):
+    """Labels or blocks of all variables, sorted by variable; those on the board have no geometry."""
 
     count: int
     """Number of variables."""
@@ -103,7 +101,7 @@ class Pool(Record):
     """(count + 1,) first entry of each variable."""
     cost: Floats
     """(n,) linear cost; the least of the members."""
-    bodies: tuple[Bodies, ...]
+    geometries: tuple[LabelGeometry, ...]
     """One per number of samples and copy."""
 
 
@@ -111,7 +109,7 @@ class Pool(Record):
 class Labels(Record):
     """The labels of a problem that can be part of a best solution, before any search."""
 
-    pool: Pool
+    label_set: LabelSet
     label: Indices
     """(n,) index into the variable's candidates, or -1 for on the board."""
     best: Floats
@@ -120,7 +118,7 @@ class Labels(Record):
 
 @dataclass(frozen=True, eq=False)
 class Blocks(Record):
-    """A partition of some labels of a pool into blocks."""
+    """A partition of some labels of a label_set into blocks."""
 
     members: Indices
     """(n,) labels, those of one block next to each other."""
@@ -157,13 +155,13 @@ def all_labels(problem: LayoutProblem) -> Labels:
     none = np.empty(0, dtype=np.int64)
     variables, chosen = np.concatenate([none, *variable]), np.concatenate([none, *label])
     start = np.searchsorted(variables, np.arange(len(problem.variables) + 1))
-    bodies = _bodies(problem, chosen, start)
-    pool = Pool(len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), bodies)
-    return Labels(pool, chosen, np.array(best))
+    geometries = _geometries(problem, chosen, start)
+    label_set = LabelSet(len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), geometries)
+    return Labels(label_set, chosen, np.array(best))
 
 
-def _bodies(problem: LayoutProblem, labels: Indices, start: Indices) -> tuple[Bodies, ...]:
-    """Bodies of the labels, one set per (samples, copy)."""
+def _geometries(problem: LayoutProblem, labels: Indices, start: Indices) -> tuple[LabelGeometry, ...]:
+    """LabelGeometry of the labels, one set per (samples, copy)."""
     groups: dict[tuple[int, int], list[int]] = {}
     for index, each in enumerate(problem.variables):
         for copy in range(each.samples.shape[1]):
@@ -181,19 +179,19 @@ def _bodies(problem: LayoutProblem, labels: Indices, start: Indices) -> tuple[Bo
     return tuple(each for each in found if len(each.owner))
 
 
-def _single(owner: Indices, samples: Floats, handles: Floats) -> Bodies:
-    """Bodies without slack from (n, u, 3) samples and (n, 3) handles."""
+def _single(owner: Indices, samples: Floats, handles: Floats) -> LabelGeometry:
+    """LabelGeometry without slack from (n, u, 3) samples and (n, 3) handles."""
     positions = np.ascontiguousarray(np.moveaxis(samples, 0, -1), dtype=np.float64)
     handle = np.ascontiguousarray(handles.T, dtype=np.float64)
     return _around(owner, positions, np.zeros(positions.shape[::2]), handle, np.zeros(len(owner)))
 
 
-def _around(owner: Indices, samples: Floats, apart: Floats, handle: Floats, handle_slack: Floats) -> Bodies:
-    """Bodies of (u, 3, n) samples and (3, n) handles, each with the ball that its members fill."""
+def _around(owner: Indices, samples: Floats, apart: Floats, handle: Floats, handle_slack: Floats) -> LabelGeometry:
+    """LabelGeometry of (u, 3, n) samples and (3, n) handles, each with the ball that its members fill."""
     middle = samples.mean(axis=0) if len(samples) else handle
     far = np.sqrt(np.square(samples - middle).sum(axis=1)) + apart
     handle_radius = np.sqrt(np.square(handle - middle).sum(axis=0)) + handle_slack
-    return Bodies(
+    return LabelGeometry(
         owner, samples, _mean_and_most(apart), handle, handle_slack, middle, _mean_and_most(far), handle_radius
     )
 
@@ -205,22 +203,22 @@ def _mean_and_most(values: Floats) -> Floats:
 
 def selected(labels: Labels, kept: Indices) -> Labels:
     """Some of the labels (ascending), at least one of every variable, as a problem of their own."""
-    pool = labels.pool
-    number = np.full(len(pool.cost), -1, dtype=np.int64)
+    label_set = labels.label_set
+    number = np.full(len(label_set.cost), -1, dtype=np.int64)
     number[kept] = np.arange(len(kept))
-    variable, cost = pool.variable[kept], pool.cost[kept]
-    start = np.searchsorted(variable, np.arange(pool.count + 1))
-    bodies = tuple(each.of(np.flatnonzero(number[each.owner] >= 0), number) for each in pool.bodies)
+    variable, cost = label_set.variable[kept], label_set.cost[kept]
+    start = np.searchsorted(variable, np.arange(label_set.count + 1))
+    geometries = tuple(each.of(np.flatnonzero(number[each.owner] >= 0), number) for each in label_set.geometries)
     best = np.minimum.reduceat(cost, start[:-1]) if len(cost) else labels.best
-    kept_bodies = tuple(each for each in bodies if len(each.owner))
-    return Labels(Pool(pool.count, variable, start, cost, kept_bodies), labels.label[kept], best)
+    kept_geometries = tuple(each for each in geometries if len(each.owner))
+    return Labels(LabelSet(label_set.count, variable, start, cost, kept_geometries), labels.label[kept], best)
 
 
 def in_play(labels: Labels, cost: float) -> Indices:
     """The labels that a layout of less than `cost` may use: all others at their cheapest, and no overlap."""
-    pool = labels.pool
+    label_set = labels.label_set
     spare = cost - float(labels.best.sum()) + ROUNDING * (1.0 + float(np.abs(labels.best).sum()))
-    return np.flatnonzero(pool.cost - labels.best[pool.variable] <= spare)
+    return np.flatnonzero(label_set.cost - labels.best[label_set.variable] <= spare)
 
 
 # --- blocks ------------------------------------------------------------------------------------------
@@ -228,18 +226,18 @@ def in_play(labels: Labels, cost: float) -> Indices:
 
 def whole(labels: Labels) -> Blocks:
     """One block per variable, with the board as a block of its own."""
-    pool = labels.pool
-    beside = labels.label < 0
-    first = np.ones(len(beside), dtype=bool)
-    first[1:] = (pool.variable[1:] != pool.variable[:-1]) | beside[1:]
-    start = np.append(np.flatnonzero(first), len(beside))
-    return Blocks(np.arange(len(beside)), start, pool.variable[start[:-1]])
+    label_set = labels.label_set
+    off_face = labels.label < 0
+    first = np.ones(len(off_face), dtype=bool)
+    first[1:] = (label_set.variable[1:] != label_set.variable[:-1]) | off_face[1:]
+    start = np.append(np.flatnonzero(first), len(off_face))
+    return Blocks(np.arange(len(off_face)), start, label_set.variable[start[:-1]])
 
 
 def singles(labels: Labels) -> Blocks:
     """One block per label."""
     count = len(labels.label)
-    return Blocks(np.arange(count), np.arange(count + 1), labels.pool.variable)
+    return Blocks(np.arange(count), np.arange(count + 1), labels.label_set.variable)
 
 
 def halve(labels: Labels, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indices]:
@@ -249,7 +247,7 @@ def halve(labels: Labels, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indice
     """
     cut = chosen & (blocks.sizes > 1)
     group = np.repeat(np.arange(len(cut)), blocks.sizes)
-    key = _widest(labels.pool, blocks, cut)
+    key = _widest(labels.label_set, blocks, cut)
     order = np.lexsort((blocks.members, key, group))
     half = blocks.start[:-1] + (blocks.sizes + 1) // 2
     start = np.sort(np.concatenate([blocks.start, half[cut]]))
@@ -268,7 +266,7 @@ def singled(labels: Labels, blocks: Blocks) -> tuple[Blocks, Indices]:
 
 def cheapest(labels: Labels, blocks: Blocks) -> Indices:
     """(blocks,) the member of least linear cost of each block."""
-    cost = labels.pool.cost[blocks.members]
+    cost = labels.label_set.cost[blocks.members]
     least = np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)
     hit = np.flatnonzero(cost == least)
     owner = np.searchsorted(blocks.start, hit, side="right") - 1
@@ -292,42 +290,42 @@ def member_slack(labels: Labels, blocks: Blocks, slack: Floats) -> Floats:
     The bound of a block counts the cost of its cheapest member; solutions that use another member cost more by what
     that one costs more, all else being bounded for every member alike.
     """
-    cost = labels.pool.cost[blocks.members]
+    cost = labels.label_set.cost[blocks.members]
     more = cost - np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)  # 0 of the cheapest, exactly
     return np.asarray(np.repeat(slack, blocks.sizes) - more)
 
 
-def block_pool(labels: Labels, blocks: Blocks) -> Pool:
+def block_set(labels: Labels, blocks: Blocks) -> LabelSet:
     """Cost and bounding geometry of every block."""
-    pool = labels.pool
-    cost = np.minimum.reduceat(pool.cost[blocks.members], blocks.start[:-1])
-    start = np.searchsorted(blocks.variable, np.arange(pool.count + 1))
-    bodies = tuple(_bounding(each, blocks, len(pool.cost)) for each in pool.bodies)
-    return Pool(pool.count, blocks.variable, start, cost, bodies)
+    label_set = labels.label_set
+    cost = np.minimum.reduceat(label_set.cost[blocks.members], blocks.start[:-1])
+    start = np.searchsorted(blocks.variable, np.arange(label_set.count + 1))
+    geometries = tuple(_bounding(each, blocks, len(label_set.cost)) for each in label_set.geometries)
+    return LabelSet(label_set.count, blocks.variable, start, cost, geometries)
 
 
-def _places(body: Bodies, labels: int) -> Indices:
-    """(labels,) position of each label's body in `body`, or -1."""
+def _places(geometry: LabelGeometry, labels: int) -> Indices:
+    """(labels,) position of each label's geometry in `geometry`, or -1."""
     place = np.full(labels, -1, dtype=np.int64)
-    place[body.owner] = np.arange(len(body.owner))
+    place[geometry.owner] = np.arange(len(geometry.owner))
     return place
 
 
-def _bounding(body: Bodies, blocks: Blocks, labels: int) -> Bodies:
-    """Centres and radii of the blocks' members in one set of bodies."""
-    place = _places(body, labels)[blocks.members]
-    with_body = place >= 0
-    group = np.repeat(np.arange(len(blocks.variable)), blocks.sizes)[with_body]
-    place = place[with_body]
+def _bounding(geometry: LabelGeometry, blocks: Blocks, labels: int) -> LabelGeometry:
+    """Centres and radii of the blocks' members in one set of geometries."""
+    place = _places(geometry, labels)[blocks.members]
+    placed = place >= 0
+    group = np.repeat(np.arange(len(blocks.variable)), blocks.sizes)[placed]
+    place = place[placed]
     if not len(place):
-        return _single(group, np.empty((0, len(body.samples), 3)), np.empty((0, 3)))
+        return _single(group, np.empty((0, len(geometry.samples), 3)), np.empty((0, 3)))
     first = np.flatnonzero(np.diff(group, prepend=-1))
     owner, sizes = group[first], np.diff(np.append(first, len(group)))
-    samples = body.samples[:, :, place]
+    samples = geometry.samples[:, :, place]
     centre = _box_middle(samples, first)
     apart = np.sqrt(np.square(samples - np.repeat(centre, sizes, axis=-1)).sum(axis=1))
     apart = np.maximum.reduceat(apart, first, axis=-1)
-    handles = body.handle[:, place]
+    handles = geometry.handle[:, place]
     handle = _box_middle(handles, first)
     off = np.sqrt(np.square(handles - np.repeat(handle, sizes, axis=-1)).sum(axis=0))
     return _around(owner, centre, apart, handle, np.maximum.reduceat(off, first))
@@ -339,13 +337,13 @@ def _box_middle(positions: Floats, first: Indices) -> Floats:
     return np.asarray((low + np.maximum.reduceat(positions, first, axis=-1)) / 2)
 
 
-def _widest(pool: Pool, blocks: Blocks, cut: Flags) -> Floats:
+def _widest(label_set: LabelSet, blocks: Blocks, cut: Flags) -> Floats:
     """(members,) coordinate along the widest direction of each block to cut; 0 in the others."""
     key = np.zeros(len(blocks.members))
     group = np.repeat(np.arange(len(cut)), blocks.sizes)
-    place_of = [_places(each, len(pool.cost)) for each in pool.bodies]
+    place_of = [_places(each, len(label_set.cost)) for each in label_set.geometries]
     pending = cut.copy()
-    for body, places in zip(pool.bodies, place_of, strict=True):
+    for geometry, places in zip(label_set.geometries, place_of, strict=True):
         place = places[blocks.members]
         chosen = (place >= 0) & pending[group]
         if not chosen.any():
@@ -353,7 +351,7 @@ def _widest(pool: Pool, blocks: Blocks, cut: Flags) -> Floats:
         owner = group[chosen]
         first = np.flatnonzero(np.diff(owner, prepend=-1))
         sizes = np.diff(np.append(first, len(owner)))
-        values = body.samples[:, :, place[chosen]].reshape(-1, len(owner))
+        values = geometry.samples[:, :, place[chosen]].reshape(-1, len(owner))
         width = np.maximum.reduceat(values, first, axis=-1) - np.minimum.reduceat(values, first, axis=-1)
         axis = np.repeat(width.argmax(axis=0), sizes)
         key[chosen] = values[axis, np.arange(len(owner))]
@@ -364,8 +362,10 @@ def _widest(pool: Pool, blocks: Blocks, cut: Flags) -> Floats:
 # --- pairs -------------------------------------------------------------------------------------------
 
 
-def near_pairs(one: Bodies, first: slice, other: Bodies, reach: float, extra: float) -> tuple[Indices, Indices]:
-    """Pairs of bodies (of ``one[first]`` and of `other`) that may be nearer than `reach`, or whose handles may
+def near_pairs(
+    one: LabelGeometry, first: slice, other: LabelGeometry, reach: float, extra: float
+) -> tuple[Indices, Indices]:
+    """Pairs of geometries (of ``one[first]`` and of `other`) that may be nearer than `reach`, or whose handles may
     be nearer than `extra`; indices into the two sets, in order."""
     limit = one.extent(first, other, reach, extra)[:, None] + other.extent(ALL, one, reach, extra) + max(reach, extra)
     apart = squared(one.middle[:, first, None], other.middle[:, None, :])
@@ -374,9 +374,9 @@ def near_pairs(one: Bodies, first: slice, other: Bodies, reach: float, extra: fl
 
 
 def pair_bounds(
-    one: Bodies, i: Indices, other: Bodies, j: Indices, overlap: Overlap, separation: float
+    one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices, overlap: Overlap, separation: float
 ) -> tuple[Floats, Flags]:
-    """Least overlap cost between members of body ``i[q]`` of `one` and ``j[q]`` of `other`.
+    """Least overlap cost between members of geometry ``i[q]`` of `one` and ``j[q]`` of `other`.
 
     Returns the costs, +inf where all members' handles are nearer than the separation, and whether any
     members can interact at all.  Exact for blocks of one label.
@@ -394,7 +394,7 @@ def pair_bounds(
         handle_slack = one.handle_slack[p] + other.handle_slack[q]
         costs = overlap.weight * overlap_cost(apart + slack, overlap)
         # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of it by rounding.
-        off = np.where(handle_slack > 0, NUDGE * (between + handle_slack), 0.0)
+        off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
         costs[between + handle_slack + off < separation] = np.inf
         cost[at + close] = costs
         near[at + close] = (apart - slack < overlap.reach) | (between - handle_slack - off < separation)

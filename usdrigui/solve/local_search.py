@@ -15,9 +15,11 @@ import numpy as np
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import ALL, Labels, Pool, pair_bounds, squared
+from usdrigui.solve.label_geometry import ALL, Labels, LabelSet, pair_bounds, squared
 
 STEP = "local search"
+SAME = 1e-9
+"""Costs that differ by no more are of the same layout."""
 WORSE = 0.02
 """How much worse than the best a layout may be for the search to go on from it."""
 CACHE_SHARE = 0.2
@@ -36,14 +38,14 @@ class Neighbours:
         self._most = int(CACHE_SHARE * budget.settings.memory_limit * 2**20 / 16)
         overlap, separation = problem.overlap, problem.separation
         self._extents = [
-            [one.extent(ALL, other, overlap.reach, separation) for other in labels.pool.bodies]
-            for one in labels.pool.bodies
+            [one.extent(ALL, other, overlap.reach, separation) for other in labels.label_set.geometries]
+            for one in labels.label_set.geometries
         ]
-        """[a][b] (n,) extents of the bodies of set a against those of set b."""
+        """[a][b] (n,) extents of the geometries of set a against those of set b."""
         self._top = max(overlap.reach, separation)
-        self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.pool.bodies]
-        for place, body in zip(self._place, labels.pool.bodies, strict=True):
-            place[body.owner] = np.arange(len(body.owner))
+        self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.label_set.geometries]
+        for place, geometry in zip(self._place, labels.label_set.geometries, strict=True):
+            place[geometry.owner] = np.arange(len(geometry.owner))
 
     def of(self, label: int) -> tuple[Indices, Floats]:
         """Labels of other variables with a pair cost against `label`, ascending, and the costs (+inf forbidden)."""
@@ -58,18 +60,18 @@ class Neighbours:
         return found
 
     def _evaluate(self, label: int) -> tuple[Indices, Floats]:
-        pool = self._labels.pool
-        cost = np.zeros(len(pool.cost))
-        together = self._problem.together[pool.variable[label]]
+        label_set = self._labels.label_set
+        cost = np.zeros(len(label_set.cost))
+        together = self._problem.together[label_set.variable[label]]
         on_face = False
-        for a, one in enumerate(pool.bodies):
+        for a, one in enumerate(label_set.geometries):
             at = int(self._place[a][label])
             if at < 0:
                 continue
             on_face = True
-            for b, other in enumerate(pool.bodies):
+            for b, other in enumerate(label_set.geometries):
                 near = self._near(a, at, b)
-                near = near[together[pool.variable[other.owner[near]]]]
+                near = near[together[label_set.variable[other.owner[near]]]]
                 if not len(near):
                     continue
                 self._budget.spend(len(near))
@@ -79,20 +81,20 @@ class Neighbours:
                 cost[other.owner[near]] += piece
         if on_face:
             self._add_explicit(label, cost)
-        variable = pool.variable[label]
-        cost[pool.start[variable] : pool.start[variable + 1]] = 0.0
+        variable = label_set.variable[label]
+        cost[label_set.start[variable] : label_set.start[variable + 1]] = 0.0
         found = np.flatnonzero(cost)
         return found, cost[found]
 
     def _near(self, a: int, at: int, b: int) -> Indices:
-        """Bodies of set b that may interact with body `at` of set a."""
-        one, other = self._labels.pool.bodies[a], self._labels.pool.bodies[b]
+        """LabelGeometry of set b that may interact with geometry `at` of set a."""
+        one, other = self._labels.label_set.geometries[a], self._labels.label_set.geometries[b]
         limit = self._extents[b][a] + (self._extents[a][b][at] + self._top)
         return np.flatnonzero(squared(one.middle[:, at, None], other.middle) < np.square(limit))
 
     def _add_explicit(self, label: int, cost: Floats) -> None:
-        pool, candidate = self._labels.pool, self._labels.label
-        variable = int(pool.variable[label])
+        label_set, candidate = self._labels.label_set, self._labels.label
+        variable = int(label_set.variable[label])
         for extra in self._problem.extra:
             for mine, other, mine_labels, other_labels in (
                 (extra.first, extra.second, extra.first_labels, extra.second_labels),
@@ -101,7 +103,7 @@ class Neighbours:
                 if mine != variable:
                     continue
                 hit = mine_labels == candidate[label]
-                low = pool.start[other]
+                low = label_set.start[other]
                 at = np.searchsorted(candidate[low : self._face_end(other)], other_labels[hit])
                 at = np.minimum(at, self._face_end(other) - low - 1)
                 if not len(at):
@@ -111,8 +113,8 @@ class Neighbours:
 
     def _face_end(self, variable: int) -> int:
         """One past the variable's last label on the face; the board comes last."""
-        end = int(self._labels.pool.start[variable + 1])
-        low = int(self._labels.pool.start[variable])
+        end = int(self._labels.label_set.start[variable + 1])
+        low = int(self._labels.label_set.start[variable])
         return end - 1 if end > low and self._labels.label[end - 1] < 0 else end
 
 
@@ -120,14 +122,14 @@ class State:
     """One label per variable (or -1: none yet) and every label's cost against the others chosen."""
 
     def __init__(self, labels: Labels, neighbours: Neighbours, forbidden: float) -> None:
-        self.pool: Pool = labels.pool
-        self.chosen = np.full(self.pool.count, -1, dtype=np.int64)
+        self.label_set: LabelSet = labels.label_set
+        self.chosen = np.full(self.label_set.count, -1, dtype=np.int64)
         self._neighbours = neighbours
         self._price = forbidden
-        self._pair = np.zeros(len(self.pool.cost))
+        self._pair = np.zeros(len(self.label_set.cost))
 
     def place(self, variable: int, label: int) -> None:
-        """Choose a label (pool index), or none with -1."""
+        """Choose a label (label_set index), or none with -1."""
         old = int(self.chosen[variable])
         if old == label:
             return
@@ -141,21 +143,21 @@ class State:
 
     def best(self, variable: int) -> tuple[int, float]:
         """Cheapest label of a variable against the others as they are, and its cost."""
-        part = slice(self.pool.start[variable], self.pool.start[variable + 1])
-        cost = self.pool.cost[part] + self._pair[part]
+        part = slice(self.label_set.start[variable], self.label_set.start[variable + 1])
+        cost = self.label_set.cost[part] + self._pair[part]
         at = int(cost.argmin())
         return int(part.start) + at, float(cost[at])
 
     def cost_of(self, variable: int) -> float:
         """What the variable's present label costs against the others; +inf without one."""
         label = int(self.chosen[variable])
-        return float(self.pool.cost[label] + self._pair[label]) if label >= 0 else np.inf
+        return float(self.label_set.cost[label] + self._pair[label]) if label >= 0 else np.inf
 
     def total(self) -> float:
         """Cost of the layout, with a finite price on forbidden pairs; +inf while a variable has no label."""
         if (self.chosen < 0).any():
             return np.inf
-        return float(self.pool.cost[self.chosen].sum() + 0.5 * self._pair[self.chosen].sum())
+        return float(self.label_set.cost[self.chosen].sum() + 0.5 * self._pair[self.chosen].sum())
 
     def set(self, chosen: Indices) -> None:
         """Choose a whole layout."""
@@ -178,8 +180,8 @@ class State:
 
     def rivals(self, variable: int) -> list[int]:
         """Variables whose present labels have a pair cost against some label of the variable worth having."""
-        part = slice(self.pool.start[variable], self.pool.start[variable + 1])
-        mine = self.pool.cost[part]
+        part = slice(self.label_set.start[variable], self.label_set.start[variable + 1])
+        mine = self.label_set.cost[part]
         near = {*self.touching(variable)}
         for label in part.start + np.argsort(mine, kind="stable")[:1]:
             at, _ = self._neighbours.of(int(label))
@@ -190,9 +192,9 @@ class State:
 
     def regret(self) -> Floats:
         """(count,) how much more each variable pays than its cheapest label would alone."""
-        pool = self.pool
-        least = np.minimum.reduceat(pool.cost, pool.start[:-1])
-        return np.maximum(pool.cost[self.chosen] + self._pair[self.chosen] - least, 0.0)
+        label_set = self.label_set
+        least = np.minimum.reduceat(label_set.cost, label_set.start[:-1])
+        return np.maximum(label_set.cost[self.chosen] + self._pair[self.chosen] - least, 0.0)
 
 
 class Incumbent:
@@ -210,7 +212,7 @@ class Incumbent:
 
     def construct(self) -> None:
         """A first layout: the variables in order of what their best labels cost, then descent."""
-        count = self.state.pool.count
+        count = self.state.label_set.count
         insert(self.state, np.argsort([self.state.best(each)[1] for each in range(count)], kind="stable"))
         self._settle(range(count))
 
@@ -245,10 +247,10 @@ class Incumbent:
         """Descend, and remember the layout if it is the best so far; its cost."""
         descend(self.state, variables, self._budget)
         cost = self.state.total()
-        if cost < self.cost - 1e-9:
+        if cost < self.cost - SAME:
             self.state.refresh()
             cost = self.state.total()
-        if cost < self.cost - 1e-9:
+        if cost < self.cost - SAME:
             self.chosen, self.cost = self.state.chosen.copy(), cost
             self._budget.found(STEP, _cost(self.state, self._forbidden))
         return cost
@@ -257,7 +259,7 @@ class Incumbent:
 def _cost(state: State, forbidden: float) -> float:
     """The total, or +inf when it must contain a forbidden pair."""
     total = state.total()
-    least = float(np.minimum.reduceat(state.pool.cost, state.pool.start[:-1]).sum())
+    least = float(np.minimum.reduceat(state.label_set.cost, state.label_set.start[:-1]).sum())
     return total if total < allowed_below(least, forbidden) else np.inf
 
 
@@ -275,8 +277,8 @@ def descend(state: State, variables: Iterable[int], budget: Budget) -> None:
             return
         variable = queue.popleft()
         label, cost = state.best(variable)
-        budget.spend(1 + int(state.pool.start[variable + 1] - state.pool.start[variable]) // 64)
-        if cost < state.cost_of(variable) - 1e-9:
+        budget.spend(1 + int(state.label_set.start[variable + 1] - state.label_set.start[variable]) // 64)
+        if cost < state.cost_of(variable) - SAME:
             before = state.touching(variable)
             state.place(variable, label)
             queue.extend(each for each in {*before, *state.touching(variable)} if each not in queue)

@@ -30,8 +30,6 @@ VIOLATED = 1e-6
 """Least violation of a row that is added."""
 PER_TABLE = 2
 """Rows added for each direction of a table in a round."""
-ROUNDS = 60
-"""Of rows added to the linear program."""
 CALL = 8
 """Work of HiGHS between two calls, for every row."""
 TOLERANCE = 1e-9
@@ -114,7 +112,7 @@ class _Program:
 
     def _linear(self) -> bool:
         """Solve the linear program with the rows that it violates; whether more is to be done."""
-        for _ in range(ROUNDS):
+        while True:
             self._highs.run()
             info = self._highs.getInfo()
             self._budget.spend(1000 + max(0, int(info.simplex_iteration_count)) * self._rows // 4)
@@ -130,9 +128,8 @@ class _Program:
             self._solution = self._highs.getSolution()
             rows = self._violated()
             if not rows:
-                break
+                return True
             self._add_violated(rows)
-        return True
 
     def _whole(self) -> None:
         """The same with whole labels; a solution that violates no row but those it knows is optimal."""

@@ -12,18 +12,18 @@ import numpy as np
 
 from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import Bodies, Pool, near_pairs, pair_bounds
+from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, near_pairs, pair_bounds
 
 AT_ONCE = 1_000_000
-"""Distances between bodies held at a time."""
+"""Distances between geometries held at a time."""
 
 
 @dataclass(frozen=True, eq=False)
 class NearPairs(Record):
-    """Pairs of blocks of two sets of bodies that may interact."""
+    """Pairs of blocks of two sets of geometries that may interact."""
 
     sets: tuple[int, int]
-    """Indices into `Pool.bodies`."""
+    """Indices into `LabelSet.geometries`."""
     first: Indices
     """(q,) blocks; of an earlier variable than `second`."""
     second: Indices
@@ -31,21 +31,21 @@ class NearPairs(Record):
     """(q,) lower bounds, +inf where forbidden."""
 
 
-def near_blocks(problem: LayoutProblem, pool: Pool, budget: Budget) -> list[NearPairs]:
+def near_blocks(problem: LayoutProblem, label_set: LabelSet, budget: Budget) -> list[NearPairs]:
     """All pairs of blocks of different variables, visible together, that may interact."""
     found = []
-    for a, one in enumerate(pool.bodies):
-        for b, other in enumerate(pool.bodies):
+    for a, one in enumerate(label_set.geometries):
+        for b, other in enumerate(label_set.geometries):
             i, j = _near(problem, one, other)
             first, second = one.owner[i], other.owner[j]
-            apart = pool.variable[first] < pool.variable[second]
-            apart &= problem.together[pool.variable[first], pool.variable[second]]
-            found.append(_evaluated(problem, pool, (a, b), first[apart], second[apart], budget))
+            apart = label_set.variable[first] < label_set.variable[second]
+            apart &= problem.together[label_set.variable[first], label_set.variable[second]]
+            found.append(_evaluated(problem, label_set, (a, b), first[apart], second[apart], budget))
     return found
 
 
-def _near(problem: LayoutProblem, one: Bodies, other: Bodies) -> tuple[Indices, Indices]:
-    """Pairs of bodies that may interact, found a few rows at a time."""
+def _near(problem: LayoutProblem, one: LabelGeometry, other: LabelGeometry) -> tuple[Indices, Indices]:
+    """Pairs of geometries that may interact, found a few rows at a time."""
     rows = max(1, AT_ONCE // max(len(other.owner), 1))
     pieces = [
         near_pairs(one, slice(at, min(at + rows, len(one.owner))), other, problem.overlap.reach, problem.separation)
@@ -57,7 +57,7 @@ def _near(problem: LayoutProblem, one: Bodies, other: Bodies) -> tuple[Indices, 
 
 def refined(
     problem: LayoutProblem,
-    pool: Pool,
+    label_set: LabelSet,
     older: list[NearPairs],
     parent: Indices,
     budget: Budget,
@@ -75,12 +75,12 @@ def refined(
     kept = children == 1
     if same is not None:
         kept[parent[~same]] = False
-    return [_children(problem, pool, pairs, children, child, kept, budget) for pairs in older]
+    return [_children(problem, label_set, pairs, children, child, kept, budget) for pairs in older]
 
 
 def _children(
     problem: LayoutProblem,
-    pool: Pool,
+    label_set: LabelSet,
     pairs: NearPairs,
     children: Indices,
     child: Indices,
@@ -96,7 +96,7 @@ def _children(
     step = np.arange(len(source)) - np.repeat(np.cumsum(times) - times, times)
     first = child[pairs.first[source]] + step // few[source]
     second = child[pairs.second[source]] + step % few[source]
-    new = _evaluated(problem, pool, pairs.sets, first, second, budget)
+    new = _evaluated(problem, label_set, pairs.sets, first, second, budget)
     return NearPairs(
         pairs.sets,
         np.concatenate([old.first, new.first]),
@@ -106,10 +106,10 @@ def _children(
 
 
 def _evaluated(
-    problem: LayoutProblem, pool: Pool, sets: tuple[int, int], first: Indices, second: Indices, budget: Budget
+    problem: LayoutProblem, label_set: LabelSet, sets: tuple[int, int], first: Indices, second: Indices, budget: Budget
 ) -> NearPairs:
     """Bounds of the pairs; those out of reach are left out."""
-    one, other = pool.bodies[sets[0]], pool.bodies[sets[1]]
+    one, other = label_set.geometries[sets[0]], label_set.geometries[sets[1]]
     i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
     budget.spend(len(i))
     costs, near = pair_bounds(one, i, other, j, problem.overlap, problem.separation)
@@ -119,34 +119,34 @@ def _evaluated(
 # --- all pairs ---------------------------------------------------------------------------------------
 
 
-def pair_matrix(problem: LayoutProblem, pool: Pool, near: list[NearPairs], candidate: Indices) -> Floats:
-    """(n, n) pair costs of all entries of the pool, in the order of their variables: 0 below the diagonal.
+def pair_matrix(problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs], candidate: Indices) -> Floats:
+    """(n, n) pair costs of all entries of the label_set, in the order of their variables: 0 below the diagonal.
 
-    `candidate` (n,) says which candidate of its variable stands behind each entry of the pool: -1 for
+    `candidate` (n,) says which candidate of its variable stands behind each entry of the label_set: -1 for
     off the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
     where both entries are single candidates; for blocks zero bounds them from below.
     """
-    count = int(pool.start[-1])
+    count = int(label_set.start[-1])
     found = np.zeros((count, count))
     for pairs in near:
         np.add.at(found, (pairs.first, pairs.second), pairs.costs)
     for extra in problem.extra:
-        first, second, cost = _explicit(pool, candidate, extra)
+        first, second, cost = _explicit(label_set, candidate, extra)
         np.add.at(found, (first, second), cost)
     return found
 
 
-def _explicit(pool: Pool, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:
-    """Entries of the pool that explicit costs speak of, and the costs."""
-    first = _entry(pool, candidate, extra.first, extra.first_labels)
-    second = _entry(pool, candidate, extra.second, extra.second_labels)
+def _explicit(label_set: LabelSet, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:
+    """Entries of the label_set that explicit costs speak of, and the costs."""
+    first = _entry(label_set, candidate, extra.first, extra.first_labels)
+    second = _entry(label_set, candidate, extra.second, extra.second_labels)
     known = (first >= 0) & (second >= 0) & (extra.costs > 0)
     return first[known], second[known], extra.costs[known]
 
 
-def _entry(pool: Pool, candidate: Indices, variable: int, labels: Indices) -> Indices:
+def _entry(label_set: LabelSet, candidate: Indices, variable: int, labels: Indices) -> Indices:
     """(q,) the variable's entries that are the single candidates `labels`, or -1."""
-    low, high = pool.start[variable], pool.start[variable + 1]
+    low, high = label_set.start[variable], label_set.start[variable + 1]
     mine = candidate[low:high]
     if not len(mine):
         return np.full(len(labels), -1, dtype=np.int64)

@@ -38,7 +38,7 @@ def solve_by_clusters(
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
     for cluster in clusters(problem, settings.clusters, settings.linkage):
-        priced = [_beside_placed(problem, at, placed, chosen) for at in cluster]
+        priced = [_with_fixed_costs(problem, at, placed, chosen) for at in cluster]
         kept = sample([each.displacement for each in priced], settings.sample, generator, _allowed(priced))
         part = _restricted(problem, cluster, priced, kept)
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
@@ -82,7 +82,7 @@ def _allowed(variables: list[Variable]) -> list[Flags]:
     return [np.isfinite(each.cost) for each in variables]
 
 
-def _beside_placed(problem: LayoutProblem, at: int, placed: list[int], chosen: Indices) -> Variable:
+def _with_fixed_costs(problem: LayoutProblem, at: int, placed: list[int], chosen: Indices) -> Variable:
     """A variable whose linear costs hold what the elements already placed cost it; +inf where they forbid."""
     variable = problem.variables[at]
     labels = np.arange(len(variable.cost))

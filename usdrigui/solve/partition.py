@@ -17,7 +17,7 @@ PAIRS_A_SECOND = 200_000
 """Pairs of elements that a slow machine looks at."""
 BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys while those of two rounds are held."""
-MATRICES = 6
+MATRICES = 7
 """Matrices of the costs of all pairs that are held at a time, at most."""
 
 
@@ -39,8 +39,8 @@ def affordable_at_once(labels: Labels, budget: Budget) -> bool:
     different variables be near."""
     if len(labels.label) > ONE_BY_ONE:
         return False
-    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.pool.bodies)])
-    elements = np.bincount(labels.pool.variable[owners])
+    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.label_set.geometries)])
+    elements = np.bincount(labels.label_set.variable[owners])
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
     in_time = pairs <= FIRST_LOOK * min(budget.work_left, PAIRS_A_SECOND * budget.seconds_left)
     return in_time and planned(len(labels.label), pairs) <= budget.settings.memory_limit

@@ -10,23 +10,17 @@ from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
 from usdrigui.solve.iterated_local_search import RUNS, TRIES, descended, iterated_local_search, label_costs
-from usdrigui.solve.label_geometry import Blocks, Labels, Pool, block_pool, member_slack, selected
+from usdrigui.solve.label_geometry import Blocks, Labels, LabelSet, block_set, member_slack, selected
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_matrix, refined
-from usdrigui.solve.partition import first_blocks, split
-from usdrigui.solve.reduced_problem import ReducedProblem, reduced
+from usdrigui.solve.partition import ONE_BY_ONE, first_blocks, split
+from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced
 from usdrigui.solve.triplets import AT_ONCE, raise_bound
 
 STEP = "blocks"
 """Name of the reduction in what is told of it."""
 SWEEPS = 8
 """Of dual ascent on new blocks."""
-LARGEST_TESTED = 1200
-"""Labels whose pairs are tested: that takes the cube of their number."""
-LIKELY = 2000
-"""Labels among which a good layout is looked for while others are still held in blocks."""
-FEW_GONE = 0.1
-"""Share of the labels that tests must exclude to go on."""
 FRUSTRATED = 0.7
 """Share of the distance to the cutoff that the blocks' own solution must leave before triplets are looked for."""
 NEAR = 0.02
@@ -34,7 +28,7 @@ NEAR = 0.02
 STALLED = 0.05
 """Share of the distance to the cutoff by which triplets must raise the bound to go on."""
 SLOW = 0.1
-"""Share of what the bound misses by which it rises slowly."""
+"""Share of the labels, or of what the bound misses, by which a step must reduce them to be worth another one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +36,7 @@ class Partition:
     """Blocks of candidates, and what is left of the problem that they bound from below."""
 
     blocks: Blocks
-    pool: Pool
+    label_set: LabelSet
     near: list[NearPairs]
     problem: ReducedProblem
     """Its labels are blocks."""
@@ -59,7 +53,7 @@ class Partition:
         found = np.empty(len(chosen), dtype=np.int64)
         for variable, at in enumerate(self.problem.labels[chosen]):
             members = self.blocks.members[self.blocks.start[at] : self.blocks.start[at + 1]]
-            found[variable] = members[labels.pool.cost[members].argmin()]
+            found[variable] = members[labels.label_set.cost[members].argmin()]
         return found
 
 
@@ -110,27 +104,29 @@ def _bounded(
 ) -> Partition:
     """The problem of some blocks after a few sweeps of dual ascent, from the messages of the blocks that they are
     part of: `parent` (blocks,) tells which of the `older`."""
-    pool = block_pool(labels, blocks)
+    label_set = block_set(labels, blocks)
     candidate = np.where(blocks.sizes == 1, labels.label[blocks.members[blocks.start[:-1]]], -2)
-    numbers = np.arange(len(pool.cost))
+    numbers = np.arange(len(label_set.cost))
     if older is None or parent is None:
-        near = near_blocks(problem, pool, budget)
-        pairs = pair_matrix(problem, pool, near, candidate)
-        left = ReducedProblem(pool.variable, numbers, pool.cost.copy(), pairs.copy())
+        near = near_blocks(problem, label_set, budget)
+        pairs = pair_matrix(problem, label_set, near, candidate)
+        left = ReducedProblem(label_set.variable, numbers, label_set.cost.copy(), pairs.copy())
     else:
         same = (blocks.sizes > 1) | (older.blocks.sizes[parent] == 1)
-        near = refined(problem, pool, older.near, parent, budget, same)
-        pairs = pair_matrix(problem, pool, near, candidate)
-        place = np.empty(len(older.pool.cost), dtype=np.int64)
+        near = refined(problem, label_set, older.near, parent, budget, same)
+        pairs = pair_matrix(problem, label_set, near, candidate)
+        place = np.empty(len(older.label_set.cost), dtype=np.int64)
         place[older.problem.labels] = np.arange(len(older.problem.labels))
-        left = older.problem.refined(numbers, place[parent], pool.cost - older.pool.cost[parent], older.pairs, pairs)
-    return Partition(blocks, pool, near, left, pairs)
+        left = older.problem.refined(
+            numbers, place[parent], label_set.cost - older.label_set.cost[parent], older.pairs, pairs
+        )
+    return Partition(blocks, label_set, near, left, pairs)
 
 
 def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
     """A good layout of the partition's blocks: one of its problem's labels per variable, and what it costs them."""
     left = partition.problem
-    costs = label_costs(left.start, partition.pool.cost[left.labels], partition.pairs)
+    costs = label_costs(left.start, partition.label_set.cost[left.labels], partition.pairs)
     first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
     if partition.exact:
         budget.spend(RUNS * TRIES * left.count * len(left.costs) // 12)
@@ -143,18 +139,18 @@ def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
 def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition, budget: Budget) -> Indices:
     """(variables,) a good layout of the labels, held in blocks, that most likely are part of one."""
     left = partition.problem
-    room = np.full(len(partition.pool.cost), -np.inf)
+    room = np.full(len(partition.label_set.cost), -np.inf)
     room[left.labels] = -left.label_lower_bounds()
     slack = np.full(len(labels.label), -np.inf)
     slack[partition.blocks.members] = member_slack(labels, partition.blocks, room)
-    likeliest = np.lexsort((-slack, labels.pool.variable))[labels.pool.start[:-1]]
+    likeliest = np.lexsort((-slack, labels.label_set.variable))[labels.label_set.start[:-1]]
     slack[likeliest] = np.inf
-    kept = np.sort(np.argsort(-slack, kind="stable")[: max(LIKELY, labels.pool.count)])
+    kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, labels.label_set.count)])
     part = selected(labels, kept)
-    pairs = pair_matrix(problem, part.pool, near_blocks(problem, part.pool, budget), part.label)
-    budget.spend(RUNS * TRIES * part.pool.count * len(kept) // 12)
+    pairs = pair_matrix(problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label)
+    budget.spend(RUNS * TRIES * part.label_set.count * len(kept) // 12)
     first = np.flatnonzero(np.isin(kept, likeliest))
-    costs = label_costs(part.pool.start, part.pool.cost, pairs)
+    costs = label_costs(part.label_set.start, part.label_set.cost, pairs)
     return kept[iterated_local_search(costs, first, budget.settings.seed)]
 
 
@@ -169,7 +165,7 @@ def _swept(partition: Partition, budget: Budget) -> Partition | None:
             left.normalize()
         budget.spend(1000 + SWEEPS * before**2 // 64)
         left = reduced(left, budget.cutoff)
-        if left is None or len(left.costs) > (1.0 - FEW_GONE) * before:
+        if left is None or len(left.costs) > (1.0 - SLOW) * before:
             break
     return _restricted(partition, left, budget)
 
@@ -180,7 +176,7 @@ def _thinned(partition: Partition, budget: Budget) -> Partition | None:
     while found is not None and not budget.stopped():
         before = len(found.problem.costs)
         found = _excluded(_swept(_undominated(found, budget), budget), budget)
-        if found is None or len(found.problem.costs) > (1.0 - FEW_GONE) * before:
+        if found is None or len(found.problem.costs) > (1.0 - SLOW) * before:
             break
     return found
 
@@ -190,7 +186,7 @@ def _undominated(partition: Partition, budget: Budget) -> Partition:
     left = partition.problem
     budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
     both = partition.pairs + partition.pairs.T
-    alive = undominated(left.start, partition.pool.cost[left.labels], both, np.isinf(left.both_ways()))
+    alive = undominated(left.start, partition.label_set.cost[left.labels], both, np.isinf(left.both_ways()))
     return _of(partition, left.restricted(alive))
 
 
@@ -215,7 +211,7 @@ def _tightened(partition: Partition, budget: Budget) -> Partition | None:
         if found is None or budget.stopped():
             break
         rise, left = found.problem.bound() - bound, budget.cutoff - found.problem.bound()
-        few_gone = len(found.problem.costs) > (1.0 - FEW_GONE) * before
+        few_gone = len(found.problem.costs) > (1.0 - SLOW) * before
         if left <= 0 or (few_gone and rise < STALLED * left and new < AT_ONCE):
             break
     return found
@@ -242,7 +238,7 @@ def _split(
 ) -> Partition | None:
     """The partition with smaller blocks; None when there is no memory for more."""
     left = partition.problem
-    room = np.full(len(partition.pool.cost), np.inf)
+    room = np.full(len(partition.label_set.cost), np.inf)
     room[left.labels] = left.label_lower_bounds()
     parts = split(labels, partition.blocks, partition.near, room, left.bound(), share, budget)
     return None if parts is None else _bounded(problem, labels, parts[0], budget, partition, parts[1])

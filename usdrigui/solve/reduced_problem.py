@@ -18,6 +18,10 @@ from usdrigui.model import Flags, Floats, Indices, Singles
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
+NEVER = 1e30
+"""Stands for the cost of a pair that is excluded: infinite costs have no differences."""
+LARGEST_TESTED = 1200
+"""Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their number."""
 MARGIN = 1e-5
 """Share of the distance to the cutoff that a pair must exceed it by: pairs are tested in single precision."""
 

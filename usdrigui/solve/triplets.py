@@ -12,22 +12,17 @@ import numpy as np
 
 from usdrigui.model import Floats
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import ReducedProblem, Triplet
+from usdrigui.solve.reduced_problem import EPSILON, LARGEST_TESTED, NEVER, ReducedProblem, Triplet
 
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 100
 """Triplets taken at a time."""
 PASSES = 6
-"""Passes over the triplets before others are looked for."""
-LARGE = 1500
-"""Labels beyond which two passes do, for all that is done on the whole matrix in each."""
+"""Passes over the triplets before others are looked for; a third where labels are many, for all that is done on the
+whole matrix in each."""
 STRONGEST = 1500
 """Tables whose triplets are looked at: those of the highest costs."""
-EXCLUDED = 1e6
-"""Stands for the cost of a pair that is excluded."""
-GAIN = 1e-7
-"""Least rise of the bound for which a triplet is taken."""
 
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> int:
@@ -35,7 +30,7 @@ def raise_bound(problem: ReducedProblem, budget: Budget) -> int:
     problem.normalize()
     new = _best_triplets(problem)
     problem.messages.update((each, _no_messages(problem, each)) for each in new)
-    for _ in range(PASSES if len(problem.costs) <= LARGE else 2):
+    for _ in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
         problem.spread()
         for triplet in problem.messages:
             _visit(problem, triplet)
@@ -97,7 +92,7 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
             break
         both = (tables[a, third][:, :, None] + tables[b, third][:, None]).min(axis=3)
         gain = (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
-        for at in np.flatnonzero(gain > GAIN):
+        for at in np.flatnonzero(gain > EPSILON):
             first, second, last = sorted((a, b, int(third[at])))
             gains[first, second, last] = float(gain[at])
     new = [each for each in gains if each not in problem.messages]
@@ -114,7 +109,7 @@ def _cheapest(problem: ReducedProblem) -> Floats:
             for mine in problem.slices
         ]
     )
-    tables = np.minimum(problem.pairs[labels[:, None, :, None], labels[None, :, None, :]], EXCLUDED)
+    tables = np.minimum(problem.pairs[labels[:, None, :, None], labels[None, :, None, :]], NEVER)
     share = (problem.costs / np.maximum(problem.linked.sum(axis=1), 1)[problem.owner])[labels]
     tables += tables.transpose(1, 0, 3, 2)
     tables += share[:, None, :, None] + share[None, :, None, :]

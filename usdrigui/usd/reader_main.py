@@ -100,7 +100,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     with _hashed_before(path) as (before, heard), _kept_stages() as stages:
         rigs = _told(read_rigs(path, settings), path, heard)
         stage = _stage_of(path, stages)
-        cameras = _cameras(stage, rigs, settings.candidates.view)
+        cameras = cameras_toward(stage, rigs, settings.candidates.view)
         metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
@@ -130,7 +130,7 @@ def _composed(path: Path, settings: Settings) -> Response:
     with _hashed_before(path) as (before, heard), _kept_stages() as stages:
         found = _layouts_in(path, stages, before)
         rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
-        cameras = _cameras(_stage_of(path, stages), rigs, settings.candidates.view)
+        cameras = cameras_toward(_stage_of(path, stages), rigs, settings.candidates.view)
         return Response(
             rigs=ReadResult(rigs, {}, cameras, _sources(path, stages.GetAllStages(), before)), layouts=found
         )
@@ -241,7 +241,7 @@ def _files(path: Path, stages: Iterable[Any]) -> tuple[str, ...]:
     return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
 
 
-def _cameras(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:
+def cameras_toward(stage: Any, rigs: Iterable[Any], view: str) -> dict[str, Any]:
     """Direction to the viewer of the camera that `view` names, in the space of each SkelRoot."""
     import numpy as np
     from pxr import Gf, Sdf, UsdGeom

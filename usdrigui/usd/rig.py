@@ -58,7 +58,7 @@ _VARIANTS_TRIED = 64
 """Variants that are looked into for a character that the selected ones lack."""
 
 
-def read_rigs(path: Path, settings: Settings, laid_out: Collection[str] | None = None) -> tuple[Rig, ...]:
+def read_rigs(source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None) -> tuple[Rig, ...]:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
     `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only these are read, in
@@ -69,7 +69,8 @@ def read_rigs(path: Path, settings: Settings, laid_out: Collection[str] | None =
     no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
     """
     with listening() as messages:
-        stage = open_stage(path)
+        stage = source if isinstance(source, Usd.Stage) else open_stage(source)
+        path = Path(stage.GetRootLayer().identifier) if isinstance(source, Usd.Stage) else source
         roots = _skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:

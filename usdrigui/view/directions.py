@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.symmetry.front import front
+from usdrigui.layout.symmetry.front import front_of
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.settings import TrajectorySettings
 
@@ -35,7 +35,7 @@ def ahead_of(rig: Rig, layout: Layout) -> Floats:
 
     `Layout.view` does not tell: a layout made for the side has the profile there.
     """
-    return front(rig.up, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal)
+    return front_of(rig.up, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal)
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:

@@ -21,8 +21,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.errors import refuse
 from usdrigui.model import Control, Drive, Element, Floats, Glyph, Layout, Member, Rig, RigMesh, Shape, Skin
+from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.surface import triangles
 from usdrigui.view.complexion import complexion
+from usdrigui.view.sections import main_layout, sections
 from usdrigui.view.shading import EYE, IRIS, PUPIL, Complexion, encoded
 
 Json = dict[str, Any]
@@ -90,7 +92,7 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         "identity": _identity(rig),
         "up": _list(rig.up),
         "metresPerUnit": rig.metres_per_unit,
-        "meshes": _meshes(body, rig, complexion(rig, layout)),
+        "meshes": _meshes(body, rig, complexion(rig, main_layout(layout))),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
             {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)} for each in rig.skeletons
@@ -232,12 +234,28 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "planeNormal": _list(layout.plane_normal),
         "baseValues": _list(layout.base_values),
         "elements": [_element(rig, meshes, controls, each) for each in layout.elements],
+        "sections": _sections(rig, layout),
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
         "method": layout.method,
         "status": layout.status,
         "cost": _finite(layout.cost),
         "bound": _finite(layout.bound),
     }
+
+
+def _sections(rig: Rig, layout: Layout) -> list[Json]:
+    """What is looked at by itself, the face first; none where a character is one part."""
+    if len(layout.parts) < 2:
+        return []
+    return [
+        {
+            "title": each.title,
+            "handleWidth": each.layout.handle_width,
+            "view": _list(each.layout.view),
+            "elements": [element.name for element in each.layout.elements],
+        }
+        for each in sections(layout, evaluate(prepare(rig, layout)), rig.up)
+    ]
 
 
 def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element: Element) -> Json:

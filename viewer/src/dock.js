@@ -20,7 +20,7 @@ export class Dock {
     this.cells = new Map(); // element -> {left, top, height, map, tracks}
     this.headings = [];
     const { up, layout } = session.character;
-    this.front = new OrbitCamera(up, layout.view);
+    this.front = new OrbitCamera(up, (session.section ?? layout).view);
   }
 
   get elements() {

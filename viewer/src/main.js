@@ -155,6 +155,7 @@ class App {
       { class: 'bar' },
       make('h1', {}, this.scene.title),
       this.makeChooser(),
+      this.makeTabs(),
       make('div', { class: 'group' }, ...parts),
       make('div', { class: 'group looks' }, ...looks.map(([label, azimuth, elevation]) =>
         act(label, `View: ${label}`, () => this.view.home(azimuth, elevation), `View: ${label}`),
@@ -182,6 +183,17 @@ class App {
     const options = characters.map(({ root }, i) => make('option', { value: i, selected: i === this.index }, root));
     const chooser = make('select', { 'aria-label': 'Character', onchange: () => this.open(Number(chooser.value)) }, ...options);
     return chooser;
+  }
+
+  /** One tab for each section of a character in several parts. */
+  makeTabs() {
+    const { session } = this;
+    const { sections } = session.character.layout;
+    if (!sections.length) return null;
+    const choices = sections.map((section, i) => [section, section.title, `Show: ${section.title} (${i + 1} of ${sections.length})`]);
+    const tabs = segmented('Part', choices, () => session.section, (section) => session.show(sections.indexOf(section)));
+    session.on('section', () => tabs.update());
+    return tabs;
   }
 
   makeHelp() {

@@ -109,7 +109,9 @@ export class Overlay {
     if (lens && Math.hypot(x - lens.at[0], y - lens.at[1]) < STAY * lens.apart && (apart ?? 0) <= lens.apart) return false;
     const reachable = (this.drawn ?? []).filter((each) => !each.element.onBoard && this.isReachable(each));
     const wide = apart ?? (reachable[0]?.width ?? 0) + 2;
-    const aimed = reachable.findIndex((each) => Math.hypot(each.handle[0] - x, each.handle[1] - y) <= each.width / 2);
+    const off = (each) => Math.hypot(each.handle[0] - x, each.handle[1] - y);
+    const nearest = reachable.reduce((best, each) => (best && off(best) <= off(each) ? best : each), null);
+    const aimed = nearest && off(nearest) <= nearest.width / 2 ? reachable.indexOf(nearest) : -1;
     const held = aimed < 0 ? null : reachable[aimed].handle; // what is pointed at does not run away
     const had = this.closeLens();
     if (!this.session.options.handles) return had;

@@ -58,6 +58,7 @@ export class Session {
     this.dragging = null;
     this.present = null; // the values, while those before are shown
     this.listeners = new Map();
+    this.show(0);
     this.reshape();
   }
 
@@ -409,8 +410,19 @@ export class Session {
     this.emit('options');
   }
 
-  /** Whether an element is shown: not hidden by hand, and on the level that is open. */
+  /** Look at one of the character's sections: of a character in several parts, a part or one side of it. */
+  show(index) {
+    const { sections } = this.character.layout;
+    this.section = sections[index] ?? null;
+    this.within = this.section && new Set(this.section.elements);
+    if (this.section) this.elements.width = this.section.handleWidth;
+    this.selection.clear();
+    this.emit('section');
+  }
+
+  /** Whether an element is shown: in the section that is, not hidden by hand, and on the level that is open. */
   isShown(element) {
+    if (this.within && !this.within.has(element.name)) return false;
     return !this.hidden.has(element.index) && this.levels.shows(element);
   }
 
@@ -428,6 +440,8 @@ export class Session {
 
   /** Select an element, and open a coarse one that it is a member of. */
   reveal(element, mode) {
+    const { sections } = this.character.layout;
+    if (this.within && !this.within.has(element.name)) this.show(sections.findIndex(({ elements }) => elements.includes(element.name)));
     if (!this.levels.shows(element)) {
       this.levels.toggle(this.levels.coarseOf(element).slice(0, 1), !element.inner.length);
       this.emit('options');

@@ -26,7 +26,7 @@ export class View {
     this.stage.onlost = () => this.changed('camera');
     this.node = make('div', { class: 'view' }, this.stage.node, marks, this.surface, this.captions, ...this.sides, this.tip);
     this.overlay = new Overlay(marks, session);
-    this.camera = new OrbitCamera(session.character.up, session.character.layout.view);
+    this.camera = new OrbitCamera(session.character.up, (session.section ?? session.character.layout).view);
     this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
     this.rearranging = new Rearranging(this);
     this.gestures = new Gestures(this);
@@ -50,6 +50,14 @@ export class View {
     session.on('options', () => {
       this.arrange();
       this.changed('camera');
+    });
+    session.on('section', () => {
+      const { up, layout } = session.character;
+      this.camera = new OrbitCamera(up, (session.section ?? layout).view);
+      this.overlay.dock.front = new OrbitCamera(up, (session.section ?? layout).view);
+      session.emit('selection');
+      session.emit('options');
+      this.home();
     });
     for (const event of ['hover', 'selection', 'options']) session.on(event, () => (this.repaint = true));
     session.on('dragging', () => (this.repaint = true));

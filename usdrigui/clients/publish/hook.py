@@ -10,7 +10,8 @@ from pathlib import Path
 
 from usdrigui import pipeline
 from usdrigui.errors import CODES, Issue, RigUIError, by_cause
-from usdrigui.settings import Settings, environment_settings, load, read_toml
+from usdrigui.settings import Settings
+from usdrigui.settings.loading import load_beside
 from usdrigui.usd.attach import write_bare
 
 TITLE = "Rig UI layout is missing, stale or bad"
@@ -27,9 +28,7 @@ The layout layer of `{asset}` cannot be published as it is:
 
 def settings_of(asset: Path) -> Settings:
     """The settings that `usdrigui process` would take for an asset: environment and ``CHAR.rigui.toml``."""
-    beside = asset.with_suffix(".rigui.toml")
-    sources = [read_toml(beside)] if beside.is_file() else []
-    return load(*sources, environment=environment_settings())
+    return load_beside(asset)
 
 
 def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:

@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import RBFInterpolator
 
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.layout.reuse.renaming import with_names
@@ -206,6 +205,8 @@ def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats
     _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
     if len(first) < _LEAST_FOR_SIMILARITY or not _solid(source[first]):
         return points
+    from scipy.interpolate import RBFInterpolator  # a tenth of a second that only some layouts need
+
     moved = RBFInterpolator(
         (source[first] - middle) / unit,
         (target - source)[first],

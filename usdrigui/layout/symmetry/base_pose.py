@@ -17,6 +17,10 @@ _APART = 0.05
 """Pairs nearer to each other than this share of the face say little about where the plane lies."""
 
 
+_MIRRORED = 0.5
+"""Share of the points that have a mirror partner from which a pose shows the symmetry of a character."""
+
+
 def symmetry_at_pose(
     rig: Rig,
     trajectories: Trajectories,
@@ -32,15 +36,48 @@ def symmetry_at_pose(
     """
     defaults = np.array([control.default for control in rig.controls], dtype=np.float64)
     if base_values is None or np.array_equal(base_values, defaults):
-        return find_symmetry(rig, trajectories, fields, settings)
-    neutral = find_trajectories(rig, settings.trajectories)
-    if len(trajectories.motions) < len(neutral.motions):
-        own, excluded = ({each.control for each in of} for of in (trajectories.motions, trajectories.excluded))
-        neutral = of_controls(rig, neutral, own, excluded, settings.trajectories)
+        return _or_at_bind_pose(rig, trajectories, find_symmetry(rig, trajectories, fields, settings), settings)
+    neutral = _same_controls(rig, trajectories, settings)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.normal.any():
         return find_symmetry(rig, trajectories, fields, settings)
     return _at_pose(symmetry, neutral, trajectories.base)
+
+
+def _or_at_bind_pose(rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings) -> Symmetry:
+    """What was found, or what the skeleton's bind pose shows where the base pose mirrors few points: a character may
+    rest in a pose of its own."""
+    bound = _bound(rig)
+    if bound is None or not settings.symmetry.enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
+        return found
+    neutral = _same_controls(bound, trajectories, settings)
+    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
+    if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
+        return found
+    return _at_pose(symmetry, neutral, trajectories.base)
+
+
+def _bound(rig: Rig) -> Rig | None:
+    """The rig in its bind pose; None where that is its base pose, or has no inverse."""
+    try:
+        local = [
+            joint.bind @ np.linalg.inv(rig.joints[joint.parent].bind) if joint.parent >= 0 else joint.bind
+            for joint in rig.joints
+        ]
+    except np.linalg.LinAlgError:
+        return None
+    if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, rig.joints, strict=True)):
+        return None
+    return replace(rig, joints=tuple(replace(joint, base=at) for at, joint in zip(local, rig.joints, strict=True)))
+
+
+def _same_controls(rig: Rig, trajectories: Trajectories, settings: Settings) -> Trajectories:
+    """Trajectories of the same controls at the defaults of all."""
+    neutral = find_trajectories(rig, settings.trajectories)
+    if len(trajectories.motions) >= len(neutral.motions):
+        return neutral
+    own, excluded = ({each.control for each in of} for of in (trajectories.motions, trajectories.excluded))
+    return of_controls(rig, neutral, own, excluded, settings.trajectories)
 
 
 def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:

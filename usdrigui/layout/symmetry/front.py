@@ -13,8 +13,8 @@ _THREE_QUARTER = np.radians(40.0)
 def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
     """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there is one.
 
-    The sign is that of the moving region: a face moves most where it looks, so the normals of the moving
-    surface, averaged over what each control moves, sum up to the front.
+    A face moves most where it looks, so the normals of the moving surface, averaged over what each control moves, sum
+    up to the front.
     """
     outward = _moving_normals(trajectories)
     if plane_normal.any():
@@ -27,6 +27,13 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
         return np.asarray(level / length)
     side = np.cross(up, axis_across(up))
     return np.asarray(side / np.linalg.norm(side))
+
+
+def front_of(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
+    """The same where the sides of the plane are known: its normal (3,) points to the character's left."""
+    ahead = np.cross(plane_normal, up)
+    length = float(np.linalg.norm(ahead))
+    return np.asarray(ahead / length) if length > 1e-6 else front(up, trajectories, plane_normal)
 
 
 def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:

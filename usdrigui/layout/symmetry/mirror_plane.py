@@ -15,6 +15,7 @@ from scipy.spatial import cKDTree
 from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
+from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
 from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
 from usdrigui.settings import Settings
@@ -43,6 +44,11 @@ touch, as closed lips do."""
 _LEAST_SHARE = 0.5
 """Least share of the moving region whose mirror image must meet the surface."""
 
+_AGREES = 0.7
+"""Cosine from which a plane is the one that the names of joints tell."""
+_HARDLY_TURNED = 0.98
+"""Cosine between a plane that names tell and the same fitted to the surface, at least."""
+
 
 @dataclass(frozen=True)
 class _Plane:
@@ -66,12 +72,12 @@ def find_symmetry(rig: Rig, trajectories: Trajectories, fields: DisplacementFiel
     tolerance = settings.symmetry.tolerance * trajectories.face_size
     plane = None
     if settings.symmetry.enabled and trajectories.motions:
-        plane = _find_plane(rig.up, trajectories, fields, tolerance)
+        plane = _named_instead(rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories)
     if plane is None:
         partner, distance = np.full(count, -1, dtype=np.int64), np.full(count, np.inf)
         origin, normal = np.zeros(3), np.zeros(3)
     else:
-        plane = _towards_left(plane, rig.up, trajectories)
+        plane = _towards_left(plane, rig, trajectories)
         partner, distance = _partners(plane, trajectories, tolerance)
         middle = trajectories.base.mean(axis=0)
         normal, origin = plane.normal, middle - (middle @ plane.normal - plane.offset) * plane.normal
@@ -254,8 +260,35 @@ def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> fl
     return float((apart <= tolerance).mean())
 
 
-def _towards_left(plane: _Plane, up: Floats, trajectories: Trajectories) -> _Plane:
-    left = np.cross(up, front(up, trajectories, plane.normal))
+def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -> _Plane | None:
+    """The plane that was found, or the one between the joints named left and right where it lies across that: a robot
+    may be as symmetric from front to back.  Fitted to the surface where that hardly turns it."""
+    named = plane_of_names(rig)
+    if named is None or (found is not None and abs(float(found.normal @ named[0])) >= _AGREES):
+        return found
+    plane = _Plane(*named)
+    region, weights = _moving_region(trajectories)
+    if len(region) < 4:
+        return found
+    tree, sample = cKDTree(trajectories.base[np.unique(trajectories.places)]), _thinned(region, weights)
+    fitted = _refined(plane, tree, sample, 60)
+    return fitted if abs(float(fitted.normal @ plane.normal)) >= _HARDLY_TURNED else plane
+
+
+def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane:
+    """The plane with its normal to the character's left.
+
+    What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where joints alone are
+    controls, the face on the head tells, and then the names of the joints.
+    """
+    ahead, left = None, None
+    if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
+        ahead, named = ahead_of_head(rig, trajectories), plane_of_names(rig)
+        left = named[0] if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES else None
+    if ahead is not None:
+        left = np.cross(rig.up, ahead)
+    elif left is None:
+        left = np.cross(rig.up, front(rig.up, trajectories, plane.normal))
     normal = towards(plane.normal, left)
     return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
 

@@ -1,0 +1,65 @@
+"""Front, sides and pairs of characters whose surface does not tell them: robots, and rigs that rest in a pose."""
+
+from dataclasses import replace
+
+import chain
+import limbs
+import numpy as np
+import pytest
+
+from usdrigui.rotation import rotations
+
+
+def robot(swapped=False):
+    """Arms along x with joints named L and R, so unlike that the plane between front and back mirrors better; wheels
+    before and behind make the profile its widest side."""
+    at = {"hips": (0, 0, 0), "hips/chest": (0, 1, 0), "hips/front": (0, 0, 1.5), "hips/rear": (0, 0, -1.5)}
+    for side, name in ((1, "R" if swapped else "L"), (-1, "L" if swapped else "R")):
+        for k, x in enumerate((0.3, 0.7, 1.0)):
+            drop = 0.02 * k if side > 0 else 0.0
+            at["hips/chest/" + "/".join(f"arm{i}_{name}" for i in range(k + 1))] = (side * x, 1.0 - drop, 0)
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    made = limbs.skeleton_rig(names, np.array([at[name] for name in names], float), list(range(len(names))))
+    return limbs.with_default_controls(made)
+
+
+def resting(rig, seed=5):
+    """The same character, bound as before, with every joint at rest turned by up to half a radian."""
+    turns = rotations(np.random.default_rng(seed).uniform(-0.5, 0.5, (len(rig.joints), 3)))
+    joints = []
+    for joint, turn in zip(rig.joints, turns, strict=True):
+        local = joint.rest.copy()
+        local[:3, :3] = turn @ local[:3, :3]
+        joints.append(replace(joint, rest=local, base=local))
+    return replace(rig, joints=tuple(joints))
+
+
+def twins(face):
+    names = [control.name for control in face.rig.controls]
+    return {name: names[twin] for name, twin in zip(names, face.symmetry.twins.tolist(), strict=True) if twin >= 0}
+
+
+def test_a_robot_is_mirrored_between_the_joints_named_left_and_right():
+    face = chain.face_of(robot())
+    assert face.symmetry.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
+    assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
+    assert twins(face)["arm0_L:rx"] == "arm0_R:rx"
+
+
+def test_the_names_tell_which_side_is_left_where_nothing_else_does():
+    assert chain.face_of(robot(swapped=True)).views.ahead == pytest.approx([0.0, 0.0, -1.0], abs=0.05)
+
+
+@pytest.mark.parametrize("ahead", [1.0, -1.0])
+def test_the_face_on_the_head_tells_the_front_of_a_body(ahead):
+    about_up = rotations(np.array([0.0, 2.0, 0.0]))
+    made = limbs.moved(limbs.whole_body(ahead=ahead), about_up, 1.0, None)
+    face = chain.face_of(limbs.with_default_controls(made))
+    assert face.views.ahead == pytest.approx(np.array([0.0, 0.0, ahead]) @ about_up, abs=0.05)
+
+
+def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
+    rig = limbs.whole_body()
+    plain, posed = chain.face_of(rig), chain.face_of(resting(rig))
+    assert twins(plain)["a0:rx"] == "b0:rx"
+    assert len(twins(posed)) >= 0.9 * len(twins(plain))

@@ -1,0 +1,55 @@
+"""Left, right and the front as the skeleton tells them: by the sides in names of joints and the face on its head."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from usdrigui.layout.motion.owned_skin import joint_places
+from usdrigui.layout.names import mirrored, side_of
+from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
+from usdrigui.model import Floats, Rig, Trajectories
+
+_PAIRS = 2
+"""Pairs of joints whose names tell their sides, at least."""
+_AGREE = 0.7
+"""Share of the pairs that lie across the plane that they have in common, at least."""
+_ACROSS = 0.5
+"""Cosine to that plane's normal from which a pair lies across it."""
+_AHEAD = 0.1
+"""Least distance of the joints of a face ahead of its head, as a share of the head's extent."""
+
+
+def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
+    """Normal (3,) to the left and offset of the plane between the joints whose names tell left and right, at the base
+    pose; None where too few do or they do not agree."""
+    places, last = joint_places(rig), [joint.path.rsplit("/", 1)[-1] for joint in rig.joints]
+    known = {(joint.skeleton, name.lower()): i for i, (joint, name) in enumerate(zip(rig.joints, last, strict=True))}
+    pairs = []
+    for i, name in enumerate(last):
+        other = known.get((rig.joints[i].skeleton, mirrored(name)), i)
+        if side_of(name) == "left" and other != i and (places[i] != places[other]).any():
+            pairs.append((places[i], places[other]))
+    if len(pairs) < _PAIRS:
+        return None
+    left, right = np.array(pairs).transpose(1, 0, 2)
+    across = (left - right) / np.linalg.norm(left - right, axis=1)[:, None]
+    normal = np.median(across, axis=0)
+    length = float(np.linalg.norm(normal))
+    if length == 0.0 or float((across @ normal >= _ACROSS * length).mean()) < _AGREE:
+        return None
+    normal = normal / length
+    return normal, float(np.median(0.5 * (left + right) @ normal))
+
+
+def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
+    """(3,) horizontal vector from the middle of the head to that of the joints of its face; None without them."""
+    regions = joint_regions(rig, trajectories)
+    facial = [i for i, name in enumerate(regions.of_joint) if name == FACE] if regions is not None else []
+    head = np.array([name == FACE for name in (*regions.of_skin, "")]) if regions is not None else np.zeros(1, bool)
+    points = trajectories.base[head[owner_of_points(rig)]] if facial else np.zeros((0, 3))
+    if not len(points):
+        return None
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    way = joint_places(rig)[facial].mean(axis=0) - middle
+    level = np.asarray(way - (way @ rig.up) * rig.up)
+    return level if float(np.linalg.norm(level)) >= _AHEAD * float(np.ptp(points, axis=0).max()) else None

@@ -1,0 +1,55 @@
+"""Stages that are open already: read in this process, as they are, unsaved edits and all.
+
+Whoever has opened a stage has parsed its files, so that nothing is left that a reader of its own could die of.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pxr import Sdf, Usd
+
+from usdrigui.model import Layout
+from usdrigui.settings import Settings
+from usdrigui.usd.read_layout import brought_layouts, own_layouts, read_layout
+from usdrigui.usd.reader_main import cameras_toward
+from usdrigui.usd.reader_records import ReadResult
+from usdrigui.usd.rig import read_rigs
+
+if TYPE_CHECKING:
+    from collections.abc import Collection
+
+
+def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
+    """What an open stage or layer holds; raises as `usdrigui.usd.rig.read_rigs`."""
+    stage = _copy(source)
+    return _result(stage, settings, own_layouts(stage), None)
+
+
+def read_open_layouts(source: Usd.Stage | Sdf.Layer, settings: Settings) -> tuple[tuple[Layout, ...], ReadResult]:
+    """The layouts on an open stage and their characters.
+
+    Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
+    """
+    stage = _copy(source)
+    layouts = read_layout(stage)
+    return layouts, _result(stage, settings, (), {each.root for each in layouts})
+
+
+def _result(
+    stage: Usd.Stage, settings: Settings, layouts: tuple[str, ...], laid_out: Collection[str] | None
+) -> ReadResult:
+    from usdrigui.usd.layer import stage_metadata
+
+    rigs = read_rigs(stage, settings, laid_out)
+    cameras = cameras_toward(stage, rigs, settings.candidates.view)
+    return ReadResult(rigs, stage_metadata(stage.GetRootLayer()), cameras, (), layouts, "", brought_layouts(stage))
+
+
+def _copy(source: Usd.Stage | Sdf.Layer) -> Usd.Stage:
+    """The same layers composed once more: whatever is tried on that stage, the caller's is left alone."""
+    if isinstance(source, Sdf.Layer):
+        return Usd.Stage.Open(source)
+    session = Sdf.Layer.CreateAnonymous()
+    session.TransferContent(source.GetSessionLayer())
+    return Usd.Stage.Open(source.GetRootLayer(), session, source.GetPathResolverContext())
