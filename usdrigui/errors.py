@@ -8,7 +8,8 @@ records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from difflib import get_close_matches
 from typing import TypeVar
@@ -18,6 +19,7 @@ from usdrigui.codes import CODES, Exit, Severity
 __all__ = [
     "CODES",
     "Exit",
+    "Faults",
     "Issue",
     "RigUIError",
     "Severity",
@@ -51,12 +53,40 @@ class Issue:
 
 
 class RigUIError(Exception):
-    """The run cannot go on; carries one `Issue` and the exit code it calls for."""
+    """The run cannot go on; carries one `Issue` and the exit code it calls for, and what else is wrong of the kind."""
 
-    def __init__(self, found: Issue, exit_code: Exit) -> None:
+    def __init__(self, found: Issue, exit_code: Exit, others: tuple[Issue, ...] = ()) -> None:
         super().__init__(f"{found.code} {found.path}: {found.message}")
         self.issue = found
         self.exit_code = exit_code
+        self.others = others
+
+    @property
+    def issues(self) -> tuple[Issue, ...]:
+        """All that is wrong."""
+        return (self.issue, *self.others)
+
+
+class Faults:
+    """Errors that are told all at once: whoever mends a configuration wants to mend all of it."""
+
+    def __init__(self) -> None:
+        self._found: list[RigUIError] = []
+
+    @contextmanager
+    def collected(self) -> Iterator[None]:
+        """Keep the error that the block raises."""
+        try:
+            yield
+        except RigUIError as error:
+            self._found.append(error)
+
+    def raise_all(self) -> None:
+        """Raise the first error with the issues of the others, if there is any."""
+        if self._found:
+            first, *rest = self._found
+            others = (*first.others, *(each for error in rest for each in error.issues))
+            raise RigUIError(first.issue, first.exit_code, others)
 
 
 def issue(code: str, path: str, message: str) -> Issue:
@@ -79,7 +109,7 @@ def failure_json(asset: str, error: RigUIError) -> str:
         "asset": asset,
         "outcome": "refused",
         "exit": int(error.exit_code),
-        "issues": [asdict(error.issue)],
+        "issues": [asdict(each) for each in error.issues],
     }
     return json.dumps(document, indent=2, ensure_ascii=False) + "\n"
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,7 +20,7 @@ from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_convert, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
-from usdrigui.errors import Exit, RigUIError, refuse, sentences
+from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
 from usdrigui.version import __version__
 
 
@@ -28,7 +29,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     The command `usdrigui` runs it in a worker (`usdrigui.cli.supervised`).
     """
-    arguments = parser().parse_args(argv)
+    arguments = parsed(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
     for found in distributions.colliding():
         print(f"warning: {found.code} {sentences(found)}", file=sys.stderr)
@@ -63,6 +64,18 @@ def _failed(error: Exception, arguments: argparse.Namespace) -> int:
 def _refused(error: RigUIError, arguments: argparse.Namespace) -> int:
     refused(error, arguments)
     return int(error.exit_code)
+
+
+def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
+    """The command line; exits with 2 on a wrong one, with the usage of its command and the option that was meant."""
+    whole = parser()
+    arguments, unknown = whole.parse_known_args(argv)
+    if unknown:
+        own: argparse.ArgumentParser = getattr(arguments, "parser", whole)
+        options = re.findall(r"--[a-z][a-z-]*", own.format_usage())
+        hints = (meant(each.partition("=")[0], options) if each.startswith("-") else "" for each in unknown)
+        own.error(f"unrecognized arguments: {' '.join(unknown)}{next((each for each in hints if each), '')}")
+    return arguments
 
 
 def parser() -> argparse.ArgumentParser:

@@ -25,7 +25,7 @@ _ANY_SETTING = "any one setting: solve.gap=1e-3, controls.smile.maximum=0.5"
 def command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
     """A command's parser, with the options that every command has; ``run`` gives its exit code."""
     parser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
-    parser.set_defaults(run=run)
+    parser.set_defaults(run=run, parser=parser)
     parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
     parser.add_argument("-q", "--quiet", action="store_true", help="print the verdict line only")
     parser.add_argument("--strict", action="store_true", help="exit 1 if there are warnings")

@@ -47,9 +47,10 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
         from usdrigui.clients import openjd
 
         worker.print_now("\n".join(openjd.failure_lines(found)))
-    where = f" {found.path}:" if found.path else ""
-    _complain(f"usdrigui: {found.code}{where} {found.message}")
-    _complain(f"  repair: {found.repair}")
+    for each in error.issues:
+        where = f" {each.path}:" if each.path else ""
+        _complain(f"usdrigui: {each.code}{where} {each.message}")
+        _complain(f"  repair: {each.repair}")
     verdict = f"finished {asset} without its report" if found.code == "OUTPUT_STREAM" else f"refused {asset}"
     _complain(f"usdrigui: {verdict}; {getattr(arguments, 'written', '') or 'nothing was written'}")
 

@@ -23,7 +23,7 @@ def run(argv: Sequence[str], events: Events) -> int:
     arguments = argparse.Namespace(json="--json" in argv, patterns=argv[:2])
     try:
         with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
-            arguments = cli.parser().parse_args(argv)
+            arguments = cli.parsed(argv)
     except SystemExit as ended:
         outcome = Outcome(int(ended.code or 0), out.getvalue(), err.getvalue())
     else:

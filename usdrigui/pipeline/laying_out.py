@@ -62,8 +62,7 @@ def process(
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
-        if not dry_run:
-            check_replaceable(target, settings, asset if output is None else None)
+        check_replaceable(target, settings, asset if output is None else None)
         references = read_examples(examples or ExampleLayers(), settings)
     references, characters = followed(references, source.rigs)
     rigs = rigs_over(references, characters, settings)

@@ -15,6 +15,7 @@ from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Divided, divided, part_problem
+from usdrigui.pipeline.targets import default_output
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import (
     read_composed_isolated,
@@ -85,7 +86,15 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     packed.  Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING, LAYOUT_STALE where the stage lacks one of the characters,
     and everything that reading an asset can raise.
     """
-    loaded, stale = _loaded(layer, settings)
+    try:
+        loaded, stale = _loaded(layer, settings)
+    except RigUIError as error:
+        beside = default_output(layer)
+        if error.issue.code == "LAYOUT_MISSING" and beside.is_file():
+            raise refuse(
+                "LAYOUT_MISSING", str(layer), f"{error.issue.message}; {beside} beside it is a layout"
+            ) from error
+        raise
     if stale:
         raise refuse(stale[0].code, stale[0].path, stale[0].message)
     return loaded

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.table import settings_in
 
@@ -15,24 +15,26 @@ _VIEWS = ("", "front", "side")
 """Views with names; others are a camera's prim path, or two angles."""
 
 
-def check_bounds(settings: Settings) -> None:
-    """Raises RigUIError CONFIG_VALUE, naming the key, for a number outside its bounds and a view that is none."""
+def check_bounds(settings: Settings, faults: Faults) -> None:
+    """Collects RigUIError CONFIG_VALUE, naming the key, for numbers outside their bounds and a view that is none."""
     view = settings.candidates.view
     if view not in _VIEWS and not view.startswith("/"):
-        view_angles(view)
+        with faults.collected():
+            view_angles(view)
     for part in fields(settings):
         found = getattr(settings, part.name)
         if isinstance(found, Mapping):
             for name, each in found.items():
-                _check_part(f'{part.name}."{name}"', each)
+                _check_part(f'{part.name}."{name}"', each, faults)
         else:
-            _check_part(part.name, found)
+            _check_part(part.name, found, faults)
 
 
-def _check_part(where: str, part: Any) -> None:
+def _check_part(where: str, part: Any, faults: Faults) -> None:
     for each, about in settings_in(part):
         if about.bounds is not None:
-            _check(f"{where}.{each.name}", getattr(part, each.name), *about.bounds)
+            with faults.collected():
+                _check(f"{where}.{each.name}", getattr(part, each.name), *about.bounds)
 
 
 def _check(key: str, value: float | None, least: float, largest: float) -> None:

@@ -11,7 +11,7 @@ from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.settings.bounds import check_bounds
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.presets import PRESETS
@@ -27,44 +27,46 @@ def load(
 ) -> Settings:
     """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
 
-    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key.
+    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is wrong is told at once.
     """
     if preset not in PRESETS:
         hint = meant(preset, PRESETS)
         known = " and ".join(sorted(PRESETS))
         raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {known}{hint}")
-    settings = Settings()
+    settings, faults = Settings(), Faults()
     for source in (PRESETS[preset], from_environment(environment or {}), *sources):
-        settings = _merged(settings, source, "")
-    check_bounds(settings)
+        settings = _merged(settings, source, "", faults)
+    check_bounds(settings, faults)
+    faults.raise_all()
     return settings
 
 
-def _merged(base: Any, source: Mapping[str, Any], where: str) -> Any:
-    """`base` (a settings dataclass) with the keys of `source` replaced, checked against the annotations."""
+def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) -> Any:
+    """`base` (a settings dataclass) with the sound keys of `source` replaced, checked against the annotations."""
     hints = typing.get_type_hints(type(base))
     changed: dict[str, Any] = {}
     for given, value in source.items():
         key = current_name(base, given)
         path = f"{where}.{key}" if where else key
-        if key not in hints:
-            hint = meant(key, hints)
-            what = f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(hints)}"
-            raise refuse("CONFIG_UNKNOWN_KEY", path, what)
-        changed[key] = _converted(getattr(base, key), hints[key], value, path)
+        with faults.collected():
+            if key not in hints:
+                hint = meant(key, hints)
+                what = f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(hints)}"
+                raise refuse("CONFIG_UNKNOWN_KEY", path, what)
+            changed[key] = _converted(getattr(base, key), hints[key], value, path, faults)
     return replace(base, **changed)
 
 
-def _converted(current: Any, hint: Any, value: Any, path: str) -> Any:
+def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -> Any:
     if is_dataclass(hint):
-        return _merged(current, _table(value, path), path)
+        return _merged(current, _table(value, path), path, faults)
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is Mapping:
-        return _mapping(current, arguments[1], _table(value, path), path)
+        return _mapping(current, arguments[1], _table(value, path), path, faults)
     if origin is tuple:
         if not isinstance(value, (list, tuple)):
             raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
-        return tuple(_converted(None, arguments[0], item, f"{path}[{i}]") for i, item in enumerate(value))
+        return tuple(_converted(None, arguments[0], item, f"{path}[{i}]", faults) for i, item in enumerate(value))
     if origin is Literal:
         value = _EARLIER_VALUES.get(value, value) if isinstance(value, str) else value
         if value not in arguments:
@@ -75,11 +77,14 @@ def _converted(current: Any, hint: Any, value: Any, path: str) -> Any:
     return _scalar(hint, value, path)
 
 
-def _mapping(current: Mapping[str, Any], hint: Any, table: Mapping[str, Any], path: str) -> Mapping[str, Any]:
+def _mapping(
+    current: Mapping[str, Any], hint: Any, table: Mapping[str, Any], path: str, faults: Faults
+) -> Mapping[str, Any]:
     merged = dict(current)
     for name, value in table.items():
         base = merged.get(name, hint() if isinstance(hint, type) and is_dataclass(hint) else None)
-        merged[name] = _converted(base, hint, value, f'{path}."{name}"')
+        with faults.collected():
+            merged[name] = _converted(base, hint, value, f'{path}."{name}"', faults)
     return types.MappingProxyType(merged)
 
 

@@ -276,9 +276,8 @@ def _as_json(value: Any) -> Any:
 
 
 def _refusal(error: RigUIError) -> Response:
-    found = error.issue
-    clean = replace(found, path=_text(found.path), message=_text(found.message))
-    return Response(refusal=clean, exit_code=int(error.exit_code))
+    first, *others = (replace(each, path=_text(each.path), message=_text(each.message)) for each in error.issues)
+    return Response(refusal=first, exit_code=int(error.exit_code), others=tuple(others))
 
 
 def _text(value: object) -> str:

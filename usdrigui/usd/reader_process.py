@@ -113,7 +113,7 @@ def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Res
     request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100 (keeps links)
     response = _from_here(request, path) if worker.active() else _from_reader(request, path)
     if response.refusal is not None:
-        raise RigUIError(response.refusal, Exit(response.exit_code))
+        raise RigUIError(response.refusal, Exit(response.exit_code), response.others)
     return response
 
 

@@ -138,3 +138,5 @@ class Response:
     layer: LayerResult | None = None
     refusal: Issue | None = None
     exit_code: int = 0
+    others: tuple[Issue, ...] = ()
+    """What else is wrong, of the same kind."""

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, RigUIError, issue, meant, refuse
+from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import Settings
 from usdrigui.usd.binding import bound_in_vain
@@ -336,16 +336,21 @@ def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def _check_names(readings: list[_Reading], settings: Settings) -> None:
-    """Refuse names in the configuration that no rig knows."""
+    """Refuse names in the configuration that no rig knows, all at once."""
+    faults = Faults()
     for name in settings.controls:
         if all(name in reading.unknown_controls for reading in readings):
             hint = meant(name, (control.name for reading in readings for control in reading.rig.controls))
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', f"no rig of the asset has this control{hint}")
+            what = f"no rig of the asset has this control{hint}"
+            with faults.collected():
+                raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', what)
     for name in settings.joints:
         if all(name in reading.unknown_joints for reading in readings):
             hint = meant(name, (each for reading in readings for each in _names_of_joints(reading.rig)))
             known = hint or "".join(map(_joints_told, readings))
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', f"no rig of the asset has this joint{known}")
+            with faults.collected():
+                raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', f"no rig of the asset has this joint{known}")
+    faults.raise_all()
 
 
 def _names_of_joints(rig: Rig) -> list[str]:
