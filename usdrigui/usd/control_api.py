@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Control, Flags, Floats, Rig
+from usdrigui.model import Control, Floats, Rig
 from usdrigui.usd import author, schema
 
 _NOISE = 1e-6
-"""Of the largest value of its kind: weights and movements of joints below this are nothing."""
+"""Weights, rotations (radians), logarithms of scales, and translations relative to the longest bone: what is below is
+noise of the file."""
 
 
 def author_control_api(
@@ -42,7 +43,7 @@ def author_control_api(
 def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
     plain = _is_plain(rig, control)
-    driven = np.arange(len(drive.channels)) if plain else np.flatnonzero(_moving(drive.weights))
+    driven = np.flatnonzero(np.abs(drive.weights).max(axis=0, initial=0.0) > (-1.0 if plain else _NOISE))
     channels = [rig.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [animations.index(channel.animation) if channel.animation else 0 for channel in channels]
@@ -73,13 +74,18 @@ def _is_plain(rig: Rig, control: Control) -> bool:
 
 def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
-    moved = np.flatnonzero(np.any([_moving(rows) for rows in _tables(control)], axis=0))
+    reach = max((float(np.abs(joint.rest[3, :3]).max()) for joint in rig.joints), default=0.0)
+    turns, shifts, scales = (
+        np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
+        for rows, unit in ((drive.rotations, 1.0), (drive.translations, reach), (drive.scales, 1.0))
+    )
+    moved = np.flatnonzero(np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0))
     joints = [rig.joints[joint] for joint in drive.joints[moved]]
     if not joints:
         return {}
     skeletons = list(dict.fromkeys(joint.skeleton for joint in joints))
     which = [skeletons.index(joint.skeleton) for joint in joints]
-    turns, shifts, scales = (rows[:, moved].reshape(-1, 3) for rows in _tables(control))
+    turns, shifts, scales = (rows[:, moved].reshape(-1, 3) for rows in (turns, shifts, scales))
     return {
         "skeleton": [rig.skeletons[skeleton].path for skeleton in skeletons],
         "joints": [joint.path for joint in joints],
@@ -88,16 +94,6 @@ def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
         "jointTranslations": shifts if shifts.any() else (),
         "jointScaleFactors": np.exp(scales) if scales.any() else (),
     }
-
-
-def _moving(rows: Floats) -> Flags:
-    """Which columns of (keys, columns, ...) hold more than the noise of the others."""
-    sizes = np.abs(rows).max(axis=(0, *range(2, rows.ndim)), initial=0.0)
-    return np.asarray(sizes > _NOISE * sizes.max(initial=0.0))
-
-
-def _tables(control: Control) -> tuple[Floats, Floats, Floats]:
-    return control.drive.rotations, control.drive.translations, control.drive.scales
 
 
 # --- limits ------------------------------------------------------------------------------------------
