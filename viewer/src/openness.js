@@ -60,30 +60,43 @@ function bounds(points, triangles) {
 function flatten(points, middle, axes, scale, out) {
   const [mx, my, mz] = middle;
   const [r, u, d] = axes;
+  const [rx, ry, rz] = r;
+  const [ux, uy, uz] = u;
+  const [dx, dy, dz] = d;
   for (let i = 0; i < points.length; i += 3) {
-    const [x, y, z] = [points[i] - mx, points[i + 1] - my, points[i + 2] - mz];
-    out[i] = CELLS / 2 + scale * (x * r[0] + y * r[1] + z * r[2]);
-    out[i + 1] = CELLS / 2 + scale * (x * u[0] + y * u[1] + z * u[2]);
-    out[i + 2] = scale * (x * d[0] + y * d[1] + z * d[2]);
+    const x = points[i] - mx;
+    const y = points[i + 1] - my;
+    const z = points[i + 2] - mz;
+    out[i] = CELLS / 2 + scale * (x * rx + y * ry + z * rz);
+    out[i + 1] = CELLS / 2 + scale * (x * ux + y * uy + z * uz);
+    out[i + 2] = scale * (x * dx + y * dy + z * dz);
   }
 }
 
 function fill(depths, flat, a, b, c) {
-  const [ax, ay] = [flat[a], flat[a + 1]];
-  const [ux, uy, vx, vy] = [flat[b] - ax, flat[b + 1] - ay, flat[c] - ax, flat[c + 1] - ay];
+  const ax = flat[a];
+  const ay = flat[a + 1];
+  const ux = flat[b] - ax;
+  const uy = flat[b + 1] - ay;
+  const vx = flat[c] - ax;
+  const vy = flat[c + 1] - ay;
   const area = ux * vy - uy * vx;
-  const left = Math.ceil(Math.min(ax, flat[b], flat[c]) - 0.5);
-  const right = Math.floor(Math.max(ax, flat[b], flat[c]) - 0.5);
-  const low = Math.ceil(Math.min(ay, flat[b + 1], flat[c + 1]) - 0.5);
-  const high = Math.floor(Math.max(ay, flat[b + 1], flat[c + 1]) - 0.5);
   if (Math.abs(area) < 1e-9) return;
+  const left = Math.ceil(ax + Math.min(0, ux, vx) - 0.5);
+  const right = Math.floor(ax + Math.max(0, ux, vx) - 0.5);
+  const low = Math.ceil(ay + Math.min(0, uy, vy) - 0.5);
+  const high = Math.floor(ay + Math.max(0, uy, vy) - 0.5);
+  const near = flat[a + 2];
+  const nearB = flat[b + 2] - near;
+  const nearC = flat[c + 2] - near;
   for (let j = low; j <= high; j++) {
+    const y = j + 0.5 - ay;
     for (let i = left; i <= right; i++) {
-      const [x, y] = [i + 0.5 - ax, j + 0.5 - ay];
+      const x = i + 0.5 - ax;
       const wb = (x * vy - y * vx) / area;
       const wc = (ux * y - uy * x) / area;
       if (wb < 0 || wc < 0 || wb + wc > 1) continue;
-      const depth = flat[a + 2] + wb * (flat[b + 2] - flat[a + 2]) + wc * (flat[c + 2] - flat[a + 2]);
+      const depth = near + wb * nearB + wc * nearC;
       if (depth > depths[j * CELLS + i]) depths[j * CELLS + i] = depth;
     }
   }
@@ -91,10 +104,11 @@ function fill(depths, flat, a, b, c) {
 
 /** Add to `all` how much of a view's light falls on each point, and to `seen` what nothing keeps off. */
 function look({ depths, flat, normals, used, towards }, seen, all) {
+  const [tx, ty, tz] = towards;
   for (let point = 0, i = 0; point < used.length; point++, i += 3) {
     if (!used[point]) continue;
-    const length = Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
-    const share = length > 0 ? (normals[i] * towards[0] + normals[i + 1] * towards[1] + normals[i + 2] * towards[2]) / length : 0;
+    const length = Math.sqrt(normals[i] * normals[i] + normals[i + 1] * normals[i + 1] + normals[i + 2] * normals[i + 2]);
+    const share = length > 0 ? (normals[i] * tx + normals[i + 1] * ty + normals[i + 2] * tz) / length : 0;
     if (share <= 0.05) continue;
     all[point] += share;
     const cell = Math.floor(flat[i + 1]) * CELLS + Math.floor(flat[i]);
