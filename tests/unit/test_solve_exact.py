@@ -22,7 +22,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, iterated_local_search, local_search, milp, partition, reduce, solve
 from usdrigui.solve import branch_and_bound as branch_and_bound_module
 from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.branch_and_bound import branch_and_bound
@@ -194,7 +194,7 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
     monkeypatch.setattr(local_search.Incumbent, "search", _nothing)
     monkeypatch.setattr(local_search.Incumbent, "improve_from", _nothing)
     monkeypatch.setattr(local_search, "descend", _nothing)
-    monkeypatch.setattr(reduce, "iterated_local_search", lambda _, first, _seed: first)
+    monkeypatch.setattr(reduce, "iterated_local_search", lambda _, first, _budget: first)
     count = 0
     for problem in problems:
         best = solved(problem, ENUMERATE)
@@ -325,6 +325,21 @@ def test_a_row_that_is_stated_is_not_stated_again() -> None:
     program._add_violated(rows)
     again = [columns.tolist() for columns, _ in program._violated().values()]
     assert not any(columns.tolist() in again for columns, _ in rows.values())
+
+
+def test_a_local_search_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[bool] = []
+
+    def stop() -> bool:
+        asked.append(True)
+        return len(asked) > 100
+
+    tries: list[bool] = []
+    honest = iterated_local_search._put_back
+    monkeypatch.setattr(iterated_local_search, "_put_back", lambda *given: (tries.append(True), honest(*given))[1])
+    found = solve(crowd(2, variables=6, candidates=40), HIGHS, stop=stop)
+    assert (found.status, found.closed_by) == ("stopped", "interrupt")
+    assert 0 < len(tries) < 100
 
 
 def test_a_linear_program_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch) -> None:

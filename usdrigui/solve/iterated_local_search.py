@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Record
+from usdrigui.solve.budget import Budget
 from usdrigui.solve.local_search import SAME, WORSE
 
 RUNS = 12
@@ -45,8 +46,9 @@ def label_costs(start: Indices, linear: Floats, pairs: Floats) -> LabelCosts:
     """Of pair costs (n, n) above the diagonal; those that are excluded cost more than all else together."""
     spread = np.maximum.reduceat(linear, start[:-1]) - np.minimum.reduceat(linear, start[:-1])
     both = pairs + pairs.T
-    allowed = np.where(np.isfinite(both), both, 0.0)
-    np.copyto(both, 1.0 + spread.sum() + allowed.max(initial=0.0) * len(spread), where=np.isinf(both))
+    excluded = np.isinf(both)
+    both[excluded] = 0.0
+    both[excluded] = 1.0 + spread.sum() + both.max(initial=0.0) * len(spread)
     return LabelCosts(start, linear, both)
 
 
@@ -55,13 +57,13 @@ def descended(costs: LabelCosts, first: Indices) -> Indices:
     return _descended(costs, first, costs.linear + costs.pairs[first].sum(axis=0))[0]
 
 
-def iterated_local_search(costs: LabelCosts, first: Indices, seed: int) -> Indices:
+def iterated_local_search(costs: LabelCosts, first: Indices, budget: Budget) -> Indices:
     """The best layout found in a few runs: one label (index) per variable."""
-    generator = np.random.default_rng(seed)
+    generator = np.random.default_rng(budget.settings.seed)
     in_the_way = np.maximum.reduceat(costs.pairs, costs.start[:-1], axis=1) > 0
     best, value = first, np.inf
     for _ in range(RUNS):
-        chosen = _run(costs, first, in_the_way, generator)
+        chosen = _run(costs, first, in_the_way, generator, budget)
         new = costs.value(chosen)
         if abs(new - value) <= SAME:
             break
@@ -70,13 +72,18 @@ def iterated_local_search(costs: LabelCosts, first: Indices, seed: int) -> Indic
     return best
 
 
-def _run(problem: LabelCosts, first: Indices, in_the_way: Flags, generator: np.random.Generator) -> Indices:
+def _run(
+    problem: LabelCosts, first: Indices, in_the_way: Flags, generator: np.random.Generator, budget: Budget
+) -> Indices:
     """A run; `in_the_way` (n, variables) tells which labels cost anything for some label of each variable."""
     least = np.minimum.reduceat(problem.linear, problem.start[:-1])
     here, costs = _descended(problem, first, problem.linear + problem.pairs[first].sum(axis=0))
     value = best_value = _value(problem, here, costs)
     best, best_costs = here, costs
     for _ in range(TRIES * len(first)):
+        if budget.stopped():
+            break
+        budget.spend(1 + len(problem.linear) // 12)
         group = _group(in_the_way, least, here, costs, generator)
         new, new_costs = _put_back(problem, here, costs, group, generator)
         new, new_costs = _descended(problem, new, new_costs)

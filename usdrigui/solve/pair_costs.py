@@ -90,18 +90,20 @@ def _children(
     many, few = children[pairs.first], children[pairs.second]
     same = kept[pairs.first] & kept[pairs.second]
     old = NearPairs(pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same])
-    split = (~same & (many * few > 0)).nonzero()[0]
-    times = (many * few)[split]
-    source = np.repeat(split, times)
-    step = np.arange(len(source)) - np.repeat(np.cumsum(times) - times, times)
-    first = child[pairs.first[source]] + step // few[source]
-    second = child[pairs.second[source]] + step % few[source]
-    new = _evaluated(problem, label_set, pairs.sets, first, second, budget)
+    times = np.where(same, 0, many * few)
+    split = np.flatnonzero(times)
+    pieces = [old]
+    for part in np.split(split, np.flatnonzero(np.diff(np.cumsum(times[split]) // AT_ONCE)) + 1):
+        source = np.repeat(part, times[part])
+        step = np.arange(len(source)) - np.repeat(np.cumsum(times[part]) - times[part], times[part])
+        first = child[pairs.first[source]] + step // few[source]
+        second = child[pairs.second[source]] + step % few[source]
+        pieces.append(_evaluated(problem, label_set, pairs.sets, first, second, budget))
     return NearPairs(
         pairs.sets,
-        np.concatenate([old.first, new.first]),
-        np.concatenate([old.second, new.second]),
-        np.concatenate([old.costs, new.costs]),
+        np.concatenate([each.first for each in pieces]),
+        np.concatenate([each.second for each in pieces]),
+        np.concatenate([each.costs for each in pieces]),
     )
 
 

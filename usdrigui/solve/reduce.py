@@ -9,11 +9,11 @@ import numpy as np
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
-from usdrigui.solve.iterated_local_search import RUNS, TRIES, descended, iterated_local_search, label_costs
+from usdrigui.solve.iterated_local_search import descended, iterated_local_search, label_costs
 from usdrigui.solve.label_geometry import Blocks, Labels, LabelSet, block_set, member_slack, selected
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_matrix, refined
-from usdrigui.solve.partition import ONE_BY_ONE, first_blocks, split
+from usdrigui.solve.partition import FIRST_LOOK, ONE_BY_ONE, first_blocks, split
 from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced
 from usdrigui.solve.triplets import AT_ONCE, raise_bound
 
@@ -23,6 +23,8 @@ SWEEPS = 8
 """Of dual ascent on new blocks."""
 FRUSTRATED = 0.7
 """Share of the distance to the cutoff that the blocks' own solution must leave before triplets are looked for."""
+LIKELY = 40
+"""Labels of a variable, on average, among which a good layout is looked for once blocks have bounds."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 STALLED = 0.05
@@ -64,7 +66,7 @@ def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: In
     known of these labels; it is improved on the way.
     """
     found: Partition | None = _bounded(problem, labels, first_blocks(labels, budget), budget)
-    share, searched = NEAR, False
+    share, searched = NEAR, 0
     while found is not None:
         found = _swept(found, budget)
         if found is not None and found.exact:
@@ -75,9 +77,11 @@ def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: In
         incumbent.improve_from(found.representatives(labels, chosen))
         bound = found.problem.bound()
         frustrated = value - bound > FRUSTRATED * (budget.cutoff - bound)
-        if frustrated and not found.exact and not searched:
-            incumbent.improve_from(_likely_layout(problem, labels, found, budget))
-            searched = True
+        likely = ONE_BY_ONE if frustrated else min(ONE_BY_ONE, LIKELY * labels.label_set.count)
+        in_time = frustrated or likely**2 // 2 <= FIRST_LOOK * budget.work_left
+        if not found.exact and in_time and searched < (2 if frustrated else 1):
+            incumbent.improve_from(_likely_layout(problem, labels, found, likely, budget))
+            searched = 2 if frustrated else 1
         if frustrated or found.exact:
             found = _tightened(found, budget)
         if found is None or found.exact or budget.closed() or budget.stopped():
@@ -128,16 +132,12 @@ def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
     left = partition.problem
     costs = label_costs(left.start, partition.label_set.cost[left.labels], partition.pairs)
     first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-    if partition.exact:
-        budget.spend(RUNS * TRIES * left.count * len(left.costs) // 12)
-        chosen = iterated_local_search(costs, first, budget.settings.seed)
-    else:
-        chosen = descended(costs, first)
+    chosen = iterated_local_search(costs, first, budget) if partition.exact else descended(costs, first)
     return chosen, costs.value(chosen)
 
 
-def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition, budget: Budget) -> Indices:
-    """(variables,) a good layout of the labels, held in blocks, that most likely are part of one."""
+def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition, count: int, budget: Budget) -> Indices:
+    """(variables,) a good layout of so many labels, held in blocks, that most likely are part of one."""
     left = partition.problem
     room = np.full(len(partition.label_set.cost), -np.inf)
     room[left.labels] = -left.label_lower_bounds()
@@ -145,13 +145,12 @@ def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition,
     slack[partition.blocks.members] = member_slack(labels, partition.blocks, room)
     likeliest = np.lexsort((-slack, labels.label_set.variable))[labels.label_set.start[:-1]]
     slack[likeliest] = np.inf
-    kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, labels.label_set.count)])
+    kept = np.sort(np.argsort(-slack, kind="stable")[: max(count, labels.label_set.count)])
     part = selected(labels, kept)
     pairs = pair_matrix(problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label)
-    budget.spend(RUNS * TRIES * part.label_set.count * len(kept) // 12)
     first = np.flatnonzero(np.isin(kept, likeliest))
     costs = label_costs(part.label_set.start, part.label_set.cost, pairs)
-    return kept[iterated_local_search(costs, first, budget.settings.seed)]
+    return kept[iterated_local_search(costs, first, budget)]
 
 
 def _swept(partition: Partition, budget: Budget) -> Partition | None:

@@ -22,6 +22,8 @@ NEVER = 1e30
 """Stands for the cost of a pair that is excluded: infinite costs have no differences."""
 LARGEST_TESTED = 1200
 """Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their number."""
+ROWS = 256
+"""Of a large matrix that are worked on at a time."""
 MARGIN = 1e-5
 """Share of the distance to the cutoff that a pair must exceed it by: pairs are tested in single precision."""
 
@@ -91,9 +93,8 @@ class ReducedProblem:
 
     def restricted(self, alive: Flags) -> ReducedProblem:
         """The problem of the labels that are alive, at least one of every variable."""
-        part = ReducedProblem(
-            self.owner[alive], self.labels[alive], self.costs[alive], self.pairs[alive][:, alive], self.constant
-        )
+        pairs = self.pairs[np.ix_(alive, alive)]
+        part = ReducedProblem(self.owner[alive], self.labels[alive], self.costs[alive], pairs, self.constant)
         part._inherit(self, np.flatnonzero(alive))
         return part
 
@@ -103,14 +104,14 @@ class ReducedProblem:
         `parent` (m,) tells each block's index here.  `costs` (m,) and `pairs` (m, m) are its costs, `older` (n, n)
         the pair costs of this problem's blocks, all without messages; linear costs are above those of the parent.
         """
-        inherited = self.pairs[np.ix_(parent, parent)]
-        before = older[np.ix_(parent, parent)]
-        np.copyto(pairs, np.inf, where=np.isinf(inherited))
-        np.copyto(inherited, 0.0, where=np.isinf(inherited))
-        np.copyto(before, 0.0, where=np.isinf(before))
-        inherited += pairs
-        inherited -= before
-        part = ReducedProblem(self.owner[parent], labels, self.costs[parent] + costs, inherited, self.constant)
+        mine = np.empty_like(pairs)
+        for rows in np.array_split(np.arange(len(parent)), max(1, len(parent) // ROWS)):  # a matrix more would be large
+            inherited, before = (each[np.ix_(parent[rows], parent)] for each in (self.pairs, older))
+            np.copyto(pairs[rows[0] : rows[-1] + 1], np.inf, where=np.isinf(inherited))
+            inherited[np.isinf(inherited)] = 0.0
+            before[np.isinf(before)] = 0.0
+            mine[rows] = inherited + pairs[rows] - before
+        part = ReducedProblem(self.owner[parent], labels, self.costs[parent] + costs, mine, self.constant)
         part._inherit(self, parent)
         return part
 
@@ -183,10 +184,12 @@ class ReducedProblem:
     def label_lower_bounds(self) -> Floats:
         """(n,) no layout that uses a label costs less; +inf for a label that every layout excludes."""
         excess = self.excess()
-        both = self.both_ways()
-        both += excess[:, None]
-        least = np.minimum.reduceat(both, self.start[:-1], axis=0)  # 0 of the own variable: its least excess
-        return np.asarray(self.bound() + excess + least.sum(axis=0))
+        least = np.zeros(len(excess))
+        for mine in self.slices:
+            ahead, behind = self.pairs[mine, mine.stop :], self.pairs[: mine.start, mine]
+            least[mine.stop :] += (ahead + excess[mine, None]).min(axis=0)
+            least[: mine.start] += (behind + excess[mine]).min(axis=1)
+        return np.asarray(self.bound() + excess + least)
 
     def exclude_pairs(self, cutoff: float) -> int:
         """Exclude the pairs of labels that no layout below the cutoff uses; how many.
