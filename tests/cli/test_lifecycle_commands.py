@@ -11,7 +11,7 @@ from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.usd.properties import instances_applied
-from usdrigui.usd.read_layout import element_prims, read_layout
+from usdrigui.usd.read_layout import element_prims, read_layout, with_corrections
 
 
 @pytest.fixture
@@ -33,7 +33,7 @@ def anchors(layer):
 
 
 def decisions(layer):
-    (layout,) = read_layout(layer)
+    (layout,) = with_corrections(Usd.Stage.Open(str(layer)), read_layout(layer))
     return {element.name: element.pinned for element in layout.elements if element.pinned}
 
 

@@ -6,6 +6,7 @@ The schema plug-in need not be registered.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, get_args
 
 import numpy as np
@@ -125,27 +126,35 @@ _DECIDED: Mapping[Decision, frozenset[str]] = {
 
 
 def pinned(prim: Usd.Prim) -> dict[str, Any]:
-    """The decisions of a person: those on record, or those that a layer says that is stronger than the defining one.
-
-    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other points.  Raises
-    LAYOUT_INVALID.
-    """
+    """The decisions of a person that are on record; raises LAYOUT_INVALID."""
     values = value_of(prim, schema.ELEMENT, "pinned")
     unknown = sorted(set(strings(values)) - set(get_args(Decision)))
     if unknown:
         raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:pinned", f"{unknown[0]!r} is no decision")
-    said = _said_above(prim)
-    found = set(values)
-    if author.properties(schema.ELEMENT)["pinned"].name not in said:
-        found |= {decision for decision, names in _DECIDED.items() if said & names}
     place = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition"))
-    if said & _DECIDED["anchor"]:
-        known = author.properties(schema.ANCHOR)["position"].name in said
-        place = array_of(value_of(prim, schema.ANCHOR, "position")) if known else np.full(3, np.nan)
     return {
-        "pinned": tuple(each for each in get_args(Decision) if each in found),
+        "pinned": tuple(each for each in get_args(Decision) if each in values),
         "pinned_position": tuple(place.tolist()),
     }
+
+
+def corrected(element: Element, prim: Usd.Prim) -> Element:
+    """The element with what a layer says that is stronger than the defining one as decisions of a person.
+
+    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other points.
+    """
+    said = _said_above(prim)
+    found = {decision for decision, names in _DECIDED.items() if said & names}
+    if not found or author.properties(schema.ELEMENT)["pinned"].name in said:
+        return element
+    position = element.pinned_position
+    if "anchor" in found:
+        known = author.properties(schema.ANCHOR)["position"].name in said
+        x, y, z = element.anchor.position.tolist() if known else (np.nan,) * 3
+        position = (x, y, z)
+    both = found | set(element.pinned)
+    ordered = tuple(each for each in get_args(Decision) if each in both)
+    return replace(element, pinned=ordered, pinned_position=position)
 
 
 def _said_above(prim: Usd.Prim) -> set[str]:

@@ -8,6 +8,7 @@ the schema's own file.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, get_args
 
@@ -23,6 +24,7 @@ from usdrigui.usd.properties import (
     check_elements,
     check_equal,
     checked_glyph,
+    corrected,
     element_name,
     has,
     instances_applied,
@@ -55,6 +57,18 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
     if not layouts:
         raise refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
     return layouts
+
+
+def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:
+    """The layouts of a stage with what stronger layers say about elements as decisions of a person.
+
+    For those that succeed them; a check judges what is composed, whichever layer says it.
+    """
+    scopes = {str(scope.GetPath().GetParentPath()): scope for scope in layout_scopes(stage)}
+    return tuple(
+        replace(layout, elements=tuple(map(corrected, layout.elements, element_prims(scopes[layout.root]))))
+        for layout in layouts
+    )
 
 
 def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:

@@ -109,8 +109,11 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
 
 
 def _layouts(path: Path) -> LayoutsResult:
+    from usdrigui.usd.read_layout import with_corrections
+
     with _hashed_before(path) as (before, _), _kept_stages() as stages:
-        return _layouts_in(path, stages, before)
+        found = _layouts_in(path, stages, before)
+        return replace(found, layouts=with_corrections(_stage_of(path, stages), found.layouts))
 
 
 def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
