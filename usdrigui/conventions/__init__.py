@@ -51,6 +51,8 @@ class Action:
     place: tuple[float, float] | None = None
     """Where it stands on a canonical face: to the side on which it acts, and up from between the eyes, in distances of
     the pupils."""
+    radius: float = 0.4
+    """Of the region around that place in which it may stand, in the same unit."""
     vague: bool = False
     """Whether only the region is known, not which way it goes."""
 

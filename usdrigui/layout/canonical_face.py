@@ -16,7 +16,7 @@ import numpy as np
 from usdrigui.conventions import Meaning
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Floats, Motion, Record, Symmetry, Trajectories
+from usdrigui.model import Flags, Floats, Motion, Record, Symmetry, Trajectories
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
@@ -24,6 +24,8 @@ _SPAN = 0.5
 """Least spread of their heights, in distances of the pupils: controls of the mouth alone say nothing of the brows."""
 _ACROSS = 0.2
 """Distance from the middle, in the same units, from which a place says something of the width."""
+_NEAR = 0.7
+"""Share of that radius within which a place is near."""
 _SIDED = 0.1
 """A motion whose middle is nearer to the plane, in face sizes, acts on both sides."""
 
@@ -42,6 +44,13 @@ class Expectation(Record):
     """(2,) across and up, in units of `scale`."""
     both_sides: bool
     """True where the mirrored place is as good."""
+    radius: float
+    """Of the region around it, in distances of the pupils."""
+
+    def regions(self, points: Floats) -> tuple[Flags, Flags]:
+        """(p,) which of points (p, 3) in root space lie near the place, and which in the region around it."""
+        apart = self.distance(points)
+        return np.asarray(apart <= _NEAR * self.radius), np.asarray(apart <= self.radius)
 
     def distance(self, points: Floats) -> Floats:
         """(p,) of points (p, 3) in root space from the expected place, in distances of the pupils."""
@@ -59,9 +68,9 @@ def expectations(
     `meanings` (controls,) as read from the names of the rig's controls.
     """
     placed = [(m, meanings[m.control]) for m in trajectories.motions]
-    known = [(motion, each.action.place) for motion, each in placed if each is not None and each.action.place]
-    middles = np.array([_middle(trajectories, symmetry, views, motion) for motion, _ in known]).reshape(-1, 2)
-    places = np.array([place for _, place in known]).reshape(-1, 2)
+    known = [(m, each.action, each.action.place) for m, each in placed if each is not None and each.action.place]
+    middles = np.array([_middle(trajectories, symmetry, views, motion) for motion, *_ in known]).reshape(-1, 2)
+    places = np.array([place for *_, place in known]).reshape(-1, 2)
     fit = _fit(middles, places) if symmetry.normal.any() else None
     if fit is None:
         return (None,) * len(meanings)
@@ -69,11 +78,11 @@ def expectations(
     axes = np.stack([symmetry.normal, views.up])
     origin = symmetry.origin + (height - symmetry.origin @ views.up) * views.up
     found: dict[int, Expectation] = {}
-    for (motion, place), middle in zip(known, middles, strict=True):
+    for (motion, action, place), middle in zip(known, middles, strict=True):
         side = np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.face_size else 0.0
         both = side == 0.0 and place[0] != 0.0
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
-        found[motion.control] = Expectation(axes, origin, scale, target, bool(both))
+        found[motion.control] = Expectation(axes, origin, scale, target, bool(both), action.radius)
     return tuple(found.get(control) for control in range(len(meanings)))
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
 
-from usdrigui.layout.visibility import Views
-from usdrigui.model import Rig, Symmetry, Trajectories
+from usdrigui.layout.visibility import Views, clear_handles
+from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,6 +20,15 @@ class Face:
     views: Views
     handle_width: float
     """Diameter of a handle in scene units."""
+    common: Mapping[int, Floats] = field(default_factory=dict)
+    """Control to (p,) how common its displacement is at each of its points, from 0 (its own) to 1 (other controls make
+    all of it as well); empty where the objective does not ask."""
+
+    @cached_property
+    def clear(self) -> Flags:
+        """(n,) points at which a handle can be seen as a whole."""
+        base, normals = self.trajectories.base, self.trajectories.normals
+        return clear_handles(self.views, base, normals, self.handle_width)
 
     def control_name(self, control: int) -> str:
         """Name of a control by its index."""

@@ -9,12 +9,17 @@ import numpy as np
 from usdrigui.errors import refuse
 from usdrigui.layout.symmetry.front import front_of, three_quarter
 from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
-from usdrigui.rays import Caster, hidden_share, make_caster, visible_from
+from usdrigui.rays import Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.settings import view_angles
 from usdrigui.surface import mesh_triangles
+from usdrigui.ties import axis_across
 
 _ACROSS = 0.1
 """Sine of the angle to the plane of symmetry up to which a view sees both sides alike."""
+
+_EDGE_ON = 0.17
+"""Cosine of the normal with the direction to the viewer below which a handle is seen edge-on."""
+_RIM_SEEN = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,6 +120,34 @@ def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float, s
             lifted, outward = views.frame.points(tracks[ask] + depth * direction), views.frame.directions(normals[ask])
             hidden[ask] = hidden_share(views.caster, lifted, outward, views.frame.directions(direction)) > share
     return hidden
+
+
+def clear_handles(views: Views, base: Floats, normals: Floats, width: float) -> Flags:
+    """(n,) points `base` (n, 3) at which a handle of this width can be seen: some view that sees the point sees it not
+    edge-on, and at least three of four places on the handle's rim.
+
+    A point in the fold of a lid is seen through the gap; the handle on it is not.  All points seen without occlusion.
+    """
+    if views.caster is None:
+        return views.anywhere
+    found = np.zeros(len(base), dtype=bool)
+    for direction, visible in zip(views.directions, views.visible, strict=True):
+        ask = np.flatnonzero(visible & ~found & (normals @ direction >= _EDGE_ON))
+        rim = 0.5 * width * _rim(direction, views.up)
+        lifted = base[ask] + 0.5 * width * normals[ask]
+        toward = views.frame.directions(direction)
+        seen = [~blocked(views.caster, views.frame.points(lifted + each), toward) for each in rim]
+        found[ask] = np.sum(seen, axis=0) >= _RIM_SEEN
+    return found
+
+
+def _rim(direction: Floats, up: Floats) -> Floats:
+    """(4, 3) unit vectors across a direction."""
+    aside = axis_across(direction) if abs(float(direction @ up)) > 1.0 - _ACROSS else up
+    right = np.cross(aside, direction)
+    right = right / np.linalg.norm(right)
+    upright = np.cross(direction, right)
+    return np.stack([right, -right, upright, -upright])
 
 
 def screen(views: Views) -> Floats:

@@ -19,6 +19,7 @@ from usdrigui.errors import Issue, RigUIError, meant, refuse
 from usdrigui.examples import Examples, OwnExamples, decisions, own_examples, prior_layout_of, with_fixed
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
+from usdrigui.layout.classify.common_motion import common_motion
 from usdrigui.layout.control_overrides import control_overrides
 from usdrigui.layout.element.elements import layout
 from usdrigui.layout.face import Face
@@ -283,14 +284,16 @@ def measure(
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
         requests = _requests(rig, found, symmetry, settings, references)
-        told = meanings([control.name for control in rig.controls])
-        requests = replace(requests, meanings=told, expected=expectations(found, symmetry, views, told))
+        expected = expectations(found, symmetry, views, requests.meanings)
+        requests = replace(requests, expected=expected)
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)
         standing = on_face(found, classification, requests.overrides)
         width = handle_width(found, views, standing, toward, settings.objective)
-    return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
+        asked = settings.objective.distinctive_weight > 0.0
+        common = common_motion(found, alike, standing, views.anywhere) if asked else {}
+    return Measured(Face(rig, found, symmetry, views, width, common), alike, requests, classification)
 
 
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
@@ -365,7 +368,9 @@ def _requests(
     """The configuration and the existing layouts, as what they ask of each control."""
     overrides = with_twins(rig, found, symmetry, control_overrides(rig, settings))
     overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
-    return Requests(overrides, references.prior, references.existing, neighbours=references.neighbours)
+    names = [control.name for control in rig.controls]
+    told = meanings(names) if settings.candidates.conventions else (None,) * len(names)
+    return Requests(overrides, references.prior, references.existing, neighbours=references.neighbours, meanings=told)
 
 
 def _refuse_motionless(rig: Rig, found: Trajectories) -> None:

@@ -233,6 +233,18 @@ class CandidateSettings:
         bounds=(0.0, 1.0),
         level="expert",
     )
+    least_kept: float = setting(
+        1.0 / 3.0,
+        "Least share of its true peak that a control keeps at its handle; one that keeps less at every visible place "
+        "goes to the board, unless its name and what is seen of it call for a place on the face.",
+        bounds=(0.0, 1.0),
+        level="expert",
+    )
+    conventions: bool = setting(
+        True,
+        "Read what the names of controls mean by the conventions of the field: where each is expected, which belong "
+        "together, which repeat others. Motions overrule them; without, motions alone decide.",
+    )
     occlusion: bool = setting(
         True, "Drop points whose trajectory is largely inside or behind the model from every view.", level="expert"
     )
@@ -378,6 +390,15 @@ class ObjectiveSettings:
     )
     separation: bool = setting(
         True, "No two handles nearer than a handle's width, as a hard constraint.", level="expert"
+    )
+    distinctive_weight: float = setting(
+        0.3,
+        (
+            "Cost of displacement that other controls make as well: a control stands where its motion is large and its "
+            "own. At `displacement_weight` nothing of it counts any more."
+        ),
+        unit="cost",
+        bounds=(0.0, 1.0),
     )
     off_face_penalty: float = setting(
         0.3,

@@ -12,7 +12,9 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
         "paper": {
             "trajectories": {"noise": 0.0},
             "candidates": {
+                "conventions": False,
                 "peak_share": 0.0,
+                "least_kept": 0.0,
                 "occlusion_weight": 0.0,
                 "board_hidden": False,
                 "board_composite": False,
@@ -22,6 +24,7 @@ PRESETS: Mapping[str, Mapping[str, Mapping[str, Any]]] = types.MappingProxyType(
             "objective": {
                 "scene_units": True,
                 "relative_displacement": 0.0,
+                "distinctive_weight": 0.0,
                 "overlap_sharpness": 2.0,
                 "overlap_cutoff": 0.0,
                 "max_neighbours": 0.0,

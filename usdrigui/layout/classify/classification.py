@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.conventions import Meaning
 from usdrigui.errors import Issue, explained
 from usdrigui.layout.classify.composites import Composite, composites, explanation
 from usdrigui.layout.classify.visibility_shapes import visibility_shapes
@@ -14,11 +15,17 @@ from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Category, Flags, Motion, Rig, Symmetry, Trajectories
+from usdrigui.model import Category, Flags, Floats, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import CandidateSettings
 
 _UNMOVED_SHARE = 0.1
 """Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
+
+
+_CORE = 2.0
+"""Importance of the actions without which no face is animated."""
+_FELT = 0.25
+"""Displacement that can be felt, in typical peaks of the rig's controls."""
 
 
 @dataclass(frozen=True)
@@ -42,6 +49,10 @@ class _Evidence:
     moves_everything: bool
     vanishes: bool
     visible_share: float
+    kept: float
+    """Largest share of its true peak at a visible place."""
+    essential: bool
+    """Whether it stands on the face even if its peak is hidden."""
     composite: Composite | None
 
 
@@ -63,8 +74,10 @@ def classify(
     every = (*trajectories.motions, *trajectories.excluded)
     covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
     vanish = visibility_shapes(rig, trajectories, views)
-    repeated = composites(rig, trajectories, symmetry, similarity, shares[: len(trajectories.motions)])
+    shares_of_own = shares[: len(trajectories.motions)]
+    repeated = composites(rig, trajectories, symmetry, similarity, shares_of_own, requests.meanings)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    kept = _kept(trajectories, symmetry, views.anywhere)
     # The joints of a chain explain each other; what repeats a blend shape or a pose is told by those.
     joints_alone = all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions)
     found = []
@@ -74,6 +87,8 @@ def classify(
             moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
+            kept=float(kept[index]),
+            essential=_essential(requests.meanings[motion.control], kept[index] * motion.peak, trajectories),
             composite=repeated.get(index) if not (joints_alone and motion.owned is not None) else None,
         )
         category, reason = _category(evidence, motion.control, requests, settings)
@@ -99,12 +114,34 @@ def _category(
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
+    if settings.beside_hidden and evidence.kept < settings.least_kept and not evidence.essential:
+        return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
     # A control that stands on the face already is not sent away because another one was added.
     if settings.board_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
         return evidence.composite.category, ""
     if override.place == "board":
         return "requested", "placed on the board by the configuration"
     return "", ""
+
+
+def _kept(trajectories: Trajectories, symmetry: Symmetry, visible: Flags) -> Floats:
+    """(motions,) largest share of its peak that each keeps at a visible place, the same for twins; 1 for the control
+    of a joint, whose skin is its place."""
+    found = np.ones(len(trajectories.motions))
+    for index, motion in enumerate(trajectories.motions):
+        if motion.owned is None:
+            found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(motion.peak, 1e-300)
+    by_control = {motion.control: i for i, motion in enumerate(trajectories.motions)}
+    twins = [by_control.get(int(symmetry.twins[m.control]), i) for i, m in enumerate(trajectories.motions)]
+    return np.maximum(found, found[twins])
+
+
+def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories) -> bool:
+    """Whether the name is that of an atom without which no face is animated, or of one whose visible displacement, of
+    length `seen`, can be felt."""
+    if meaning is None or meaning.action.category != "atom":
+        return False
+    return meaning.action.importance >= _CORE or seen >= _FELT * trajectories.typical_length
 
 
 def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:

@@ -22,7 +22,7 @@ from typing import Literal
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.conventions import Meaning, meanings
+from usdrigui.conventions import Meaning
 from usdrigui.layout.classify.basis import Basis, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
@@ -74,15 +74,19 @@ def explanation(composite: Composite, names: Sequence[str]) -> str:
 
 
 def composites(
-    rig: Rig, trajectories: Trajectories, symmetry: Symmetry, similarity: Similarity, coverage: Floats
+    rig: Rig,
+    trajectories: Trajectories,
+    symmetry: Symmetry,
+    similarity: Similarity,
+    coverage: Floats,
+    meanings: Sequence[Meaning | None],
 ) -> dict[int, Composite]:
     """The motions that repeat others, or stand with their family off the face; both twins of a pair or neither.
 
-    `coverage` (motions,) is the share of the face that each moves.
+    `coverage` (motions,) is the share of the face that each moves, `meanings` (controls,) what the names say.
     """
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
-    told = dict(zip((c.name for c in rig.controls), meanings([c.name for c in rig.controls]), strict=True))
-    meaning = [told[name] for name in names]
+    meaning = [meanings[motion.control] for motion in trajectories.motions]
     twins = _twins(trajectories, symmetry)
     families = find_families(names, meaning, similarity.cosine, coverage)
     basis = choose_basis(

@@ -39,7 +39,7 @@ class Evidence:
     def __init__(self, face: Face, similarity: Similarity, meanings: Sequence[Meaning | None]) -> None:
         motions, controls = face.trajectories.motions, face.rig.controls
         self.face, self.similarity = face, similarity
-        self.meanings = [meanings[motion.control] if meanings else None for motion in motions]
+        self.meanings = [meanings[motion.control] for motion in motions]
         self.joints = [_joints(controls[motion.control]) for motion in motions]
         self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 

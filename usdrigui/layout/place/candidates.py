@@ -22,12 +22,10 @@ from usdrigui.ties import first_largest
 
 STAGE = "candidates"
 
-_REGION = 0.4
-"""Radius of the region where a control is expected, in distances of the pupils."""
 _NOTABLE = 1.0 / 3.0
-"""Share of its visible peak that a control must reach in that region for the expectation to hold."""
-_LOOSE = 0.2
-"""Share of the visible peak at which a control may stand when it has no better place."""
+"""Share of its visible peak that a control must reach in the region where it is expected for that to hold."""
+_MOST = 2.0 / 3.0
+"""The same for standing near the place itself."""
 
 
 def find_candidates(
@@ -62,14 +60,14 @@ def find_candidates(
 
 
 def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Settings) -> CandidateSet:
-    """The set with every visible place that the control moves by a fifth of its visible peak: for elements
-    whose copies would collide at all of their better places."""
+    """The set with every visible place where a handle keeps enough of the displacement: for elements whose copies would
+    collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     if override.anchor or not seen.any():
         return found
-    points = motion.points[seen & (motion.arc_length >= _LOOSE * float(motion.arc_length[seen].max()))]
+    points = motion.points[seen & (motion.arc_length >= _least_kept(motion, seen, settings))]
     return replace(found, points=points, sources=points, cost=linear_cost(face, motion, points, settings))
 
 
@@ -115,6 +113,7 @@ def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Set
     everywhere = np.ones(len(motion.points), dtype=bool)
     some = _standing(face, motion, requests, settings, everywhere)
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
+    seen = _with_clear_handles(face, motion, requests, settings, seen)
     # What a person says, and the skin that a joint owns, come before what a name says.
     if not requests.overrides[motion.control].near and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
@@ -130,8 +129,20 @@ def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings
     return motion.stands_on(kept_near(face, motion.control, override, motion.points, first, radius))
 
 
+def _with_clear_handles(face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags) -> Flags:
+    """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the displacement."""
+    clear = _standing(face, motion, requests, settings, seen & face.clear[motion.points])
+    return clear if motion.arc_length[clear].max(initial=0.0) >= _least_kept(motion, seen, settings) else seen
+
+
+def _least_kept(motion: Motion, seen: Flags, settings: Settings) -> float:
+    """Arc length that a handle must have: a share of the true peak, and no more than any place `seen` (p,) has."""
+    return min(settings.candidates.least_kept * motion.peak, float(motion.arc_length[seen].max(initial=0.0)))
+
+
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
-    """(p,) which points count: those `seen` in the region where the control is expected, if it moves them notably.
+    """(p,) which points count: those `seen` near the place where the control is expected, or in the region around it,
+    if it moves them notably.
 
     A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that hardly moves the
     place where its name expects it does something else.
@@ -139,8 +150,11 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     if expected is None or not seen.any():
         return seen
     arc = motion.arc_length
-    here = seen & (expected.distance(face.trajectories.base[motion.points]) <= _REGION)
-    return here if arc[here].max(initial=0.0) >= _NOTABLE * arc[seen].max() else seen
+    near, around = expected.regions(face.trajectories.base[motion.points])
+    for region, least in ((seen & near, _MOST), (seen & around, _NOTABLE)):
+        if arc[region].max(initial=0.0) >= least * arc[seen].max():
+            return region
+    return seen
 
 
 def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Settings) -> Indices:
@@ -152,7 +166,7 @@ def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Sett
         return np.zeros(0, dtype=np.int64)
     arc, asked = motion.arc_length, settings.candidates
     peak = float(arc[seen].max())
-    large = arc >= asked.peak_share * peak
+    large = arc >= max(asked.peak_share * peak, _least_kept(motion, seen, settings))
     moving = large & (arc >= min(asked.prune_at * float(arc[some].mean()), peak))
     for kept in (seen & moving, seen & large):
         points = motion.points[kept]

@@ -13,11 +13,11 @@ import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.tracks import arc_lengths, flattened, lengths, magnification, paths, resampled
-from usdrigui.layout.place.terms import linear_cost, off_plane
+from usdrigui.layout.place.terms import displacement_unit, linear_cost, off_plane
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
-from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
+from usdrigui.settings import ControlSettings, Settings
 
 
 def labels_of(
@@ -46,7 +46,7 @@ def labels_of(
         worth = weight * max(_importance(overrides[control]) for control in controls)
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
-            unit = _unit(motion, face.trajectories.typical_length, settings.objective)
+            unit = displacement_unit(motion, face.trajectories.typical_length, settings.objective)
             moved = _displacements(motion, choice.sources[:, copy], toward) / unit
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
@@ -94,14 +94,6 @@ def _displacements(motion: Motion, sources: Indices, toward: Floats | None) -> F
     if toward is None:
         return arc_lengths(motion, sources)
     return lengths(flattened(paths(motion, sources), toward))
-
-
-def _unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
-    """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
-    if settings.scene_units:
-        return 1.0
-    own, share = motion.peak, settings.relative_displacement
-    return float(typical ** (1.0 - share) * own**share)
 
 
 def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:

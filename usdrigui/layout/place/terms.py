@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Floats, Indices, Motion
-from usdrigui.settings import Settings
+from usdrigui.settings import ObjectiveSettings, Settings
 
 _MIDDLE = 1e-3
 """In handle widths: nearer to the mirror plane is on it."""
@@ -25,6 +25,7 @@ two mirror images, negligible against any other cost."""
 def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     own = occlusion(face.trajectories.normals, motion, points, settings.candidates.occlusion_weight)
+    own = own + common(face, motion, points, settings.objective)
     return own + user_linear_cost(face, motion, points, settings.objective.terms)
 
 
@@ -44,6 +45,25 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
             length = np.maximum(np.linalg.norm(step, axis=1), 1e-30)
             cosines.append(np.einsum("pi,pi->p", step, normals[points]) / length)
     return np.asarray(weight * 0.5 * (1.0 - np.mean(cosines, axis=0)), dtype=np.float64)
+
+
+def common(face: Face, motion: Motion, points: Indices, settings: ObjectiveSettings) -> Floats:
+    """(p,) A control should stand where its motion is large and its own: the weight times the displacement, by how
+    common that is (`usdrigui.layout.classify.common_motion`)."""
+    shares = face.common.get(motion.control)
+    if shares is None:
+        return np.zeros(len(points))
+    rows = np.searchsorted(motion.points, points)
+    unit = displacement_unit(motion, face.trajectories.typical_length, settings)
+    return np.asarray(settings.distinctive_weight * shares[rows] * motion.arc_length[rows] / unit)
+
+
+def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
+    """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
+    if settings.scene_units:
+        return 1.0
+    own, share = motion.peak, settings.relative_displacement
+    return float(typical ** (1.0 - share) * own**share)
 
 
 def off_plane(face: Face, points: Indices, weight: float) -> Floats:

@@ -25,9 +25,8 @@ class Requests:
     """(controls,) where the conventions of the field expect each control; empty where they are not asked."""
     neighbours: tuple[Element, ...] = ()
     """Elements of other parts of the character, from which the new ones keep clear."""
-
     meanings: tuple[Meaning | None, ...] = ()
-    """(controls,) what the name of each control says; empty where names are not asked."""
+    """(controls,) what the name of each control says; None where it says nothing or is not asked."""
 
     def expectation(self, control: int) -> Expectation | None:
         """Where a control is expected, unless nothing says so."""

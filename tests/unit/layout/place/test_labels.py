@@ -90,7 +90,9 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
 
 def test_a_group_counts_its_worst_member():
     both = chain.settings(
-        candidates={"occlusion_weight": 0.0}, symmetry={"plane_weight": 0.0}, objective={"relative_displacement": 0.0}
+        candidates={"occlusion_weight": 0.0},
+        symmetry={"plane_weight": 0.0},
+        objective={"relative_displacement": 0.0, "distinctive_weight": 0.0},
     )
     line = chain.problem_of(makers.face(), both)
     index = [variable.name for variable in line.problem.variables].index("jawRight_jawLeft")

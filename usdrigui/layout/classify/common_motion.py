@@ -1,0 +1,94 @@
+"""How much of what a control does at a point other controls do as well: what is not its own (beyond the paper).
+
+A sneer that lifts the brow more than the nose has its peak on the brow, where it does what the brow's controls do.  The
+displacement field f_i of a control is compared with the best sum of the others, none far beyond its own range:
+
+    minimise |f_i - sum_k w_k f_k|    0 <= w_k <= R
+
+Where the residual is small, the motion is not the control's own; where it is as large as the motion, nobody else does
+it.  Unlike shares of displacement at each point, the sum is one for the whole face: controls that cross in one place by
+chance take nothing from each other.  Counted is what goes beyond a half, and beyond the share at the most distinctive
+place: in a crowd of like controls all of a motion is common, and displacement decides as before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.optimize import lsq_linear
+
+from usdrigui.layout.motion.similarity import Similarity
+from usdrigui.model import Flags, Floats, Indices, Trajectories
+from usdrigui.ties import first_largest
+
+_RANGE = 2.0
+"""Times its own range that another control may go in the sum: a tiny control scaled up explains anything."""
+_ALIKE = 0.05
+"""Cosine from which another control is a part of the sum."""
+_RIDGE = 1e-4
+"""Keeps the products of nearly parallel motions invertible."""
+_HALF = 0.5
+"""Share up to which a motion is the control's own."""
+_NOTABLE = 0.5
+"""Share of its visible peak that a control keeps where it may stand."""
+_DIGITS = 6
+"""Decimals of a share: rounding of sums must not decide between places."""
+
+
+def common_motion(
+    trajectories: Trajectories, similarity: Similarity, standing: Flags, visible: Flags
+) -> Mapping[int, Floats]:
+    """Control to (p,) how common its displacement is at each of its points, from 0 (its own) to 1 (others make all of
+    it as well).
+
+    `standing` (motions,) are the controls that are to stand on the face: only they are placed, and only they are
+    others; `visible` (n,) are the points that some view sees.  A control whose joint owns skin stands there; it is left
+    out.
+    """
+    fields = similarity.fields
+    row = np.full(len(trajectories.base), -1, dtype=np.int64)
+    row[fields.places] = np.arange(len(fields.places))
+    found: dict[int, Floats] = {}
+    for index in np.flatnonzero(standing).tolist():
+        motion = trajectories.motions[index]
+        if motion.owned is None:
+            at = row[trajectories.places[motion.points]]
+            share = np.ones(len(at))
+            share[at >= 0] = _shares(similarity, index, standing, at[at >= 0])
+            found[motion.control] = _beyond_the_best(share, motion.arc_length, visible[motion.points])
+    return found
+
+
+def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
+    """(p,) by how much each share is above a half, and above that of the most distinctive of the places where the
+    control may stand; 1 where all is common."""
+    seen = length * (visible if visible.any() else 1.0)
+    own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
+    least = max(float(share[first_largest(own)]), _HALF)
+    return np.asarray(np.maximum(share - least, 0.0) / (1.0 - _HALF))
+
+
+def _shares(similarity: Similarity, index: int, standing: Flags, at: Indices) -> Floats:
+    """(a,) the shares of motion `index` at the rows `at` (a,) of the fields."""
+    own = similarity.fields.vectors[index, at].astype(np.float64)
+    parts, weights = _sum_of_others(similarity, index, standing)
+    rest = own - np.einsum("k,kai->ai", weights, similarity.fields.vectors[np.ix_(parts, at)])
+    length = np.maximum(np.linalg.norm(own, axis=1), 1e-300)
+    return np.asarray(np.round(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0), _DIGITS))
+
+
+def _sum_of_others(similarity: Similarity, index: int, standing: Flags) -> tuple[Indices, Floats]:
+    """Motions (k,) and how far each goes, in its own range, in the sum nearest to motion `index`."""
+    cosine, norm = similarity.cosine, similarity.norm
+    parts = np.flatnonzero(standing & (cosine[index] > _ALIKE))
+    parts = parts[parts != index]
+    if not len(parts):
+        return parts, np.zeros(0)
+    # As in `basis.best_sum`: the distance of fields by way of their products.
+    root = np.linalg.cholesky(cosine[np.ix_(parts, parts)] + _RIDGE * np.eye(len(parts)))
+    most = _RANGE * norm[parts] / norm[index]
+    answer = lsq_linear(root.T, np.linalg.solve(root, cosine[parts, index]), bounds=(0.0, most), method="bvls")
+    weights = np.asarray(answer.x) * norm[index] / norm[parts]
+    used = weights > 0.0
+    return parts[used], weights[used]
