@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.visibility import find_views, mostly_hidden, screen
+from usdrigui.layout.visibility import clear_handles, find_views, mostly_hidden, screen
 
 POINTS, QUADS = makers.mask()
 
@@ -70,3 +70,19 @@ def test_a_copy_of_the_face_that_is_not_shown_hides_nothing():
     ]
     for with_copy, without in zip(doubled.candidates.sets, alone.candidates.sets, strict=True):
         assert (with_copy.points - len(POINTS)).tolist() == without.points.tolist()
+
+
+def test_a_handle_is_clear_where_its_rim_is_seen_and_not_edge_on():
+    """Two plates with a gap between them, over a floor; a wall that looks nearly aside."""
+    floor = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0], [0, 0, 0]], float)
+    plates = np.array([[s * x, y, 0.5] for s in (-1, 1) for x, y in ((0.05, -1), (1, -1), (1, 1), (0.05, 1))], float)
+    quads = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [8, 7, 6, 5], [9, 10, 11, 12]]
+    points = np.concatenate([floor, plates])
+    rig = makers.rig(points, quads, {"move": np.tile([0.0, 0.0, 0.1], (len(points), 1))})
+    face = chain.face_of(rig, chain.settings(candidates={"view": "front"}))
+    views, normals = face.views, np.tile([0.0, 0.0, 1.0], (len(points), 1))
+    assert views.visible[0, 4], "the point itself is seen through the gap"
+    assert clear_handles(views, points, normals, 0.05)[4]
+    assert not clear_handles(views, points, normals, 0.4)[4]
+    aside = np.tile([0.99, 0.0, 0.1], (len(points), 1))
+    assert not clear_handles(views, points, aside, 0.05)[4]

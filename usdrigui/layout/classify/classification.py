@@ -114,7 +114,7 @@ def _category(
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
-    if settings.beside_hidden and evidence.kept < settings.least_kept and not evidence.essential:
+    if settings.board_hidden and evidence.kept < settings.least_kept and not evidence.essential:
         return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
     # A control that stands on the face already is not sent away because another one was added.
     if settings.board_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
@@ -137,11 +137,12 @@ def _kept(trajectories: Trajectories, symmetry: Symmetry, visible: Flags) -> Flo
 
 
 def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories) -> bool:
-    """Whether the name is that of an atom without which no face is animated, or of one whose visible displacement, of
-    length `seen`, can be felt."""
-    if meaning is None or meaning.action.category != "atom":
+    """Whether the name is that of an atom without which no face is animated, of one whose visible displacement, of
+    length `seen`, can be felt, or of a family, which stands together."""
+    if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
-    return meaning.action.importance >= _CORE or seen >= _FELT * trajectories.typical_length
+    core = meaning.action.in_family or meaning.action.importance >= _CORE
+    return core or seen >= _FELT * trajectories.typical_length
 
 
 def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:

@@ -21,6 +21,8 @@ from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
 STAGE = "candidates"
+SHARED_LEAST = 0.2
+"""Share of the peak at which a control may stand where it shares an element that has no better place."""
 
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that to hold."""
@@ -59,15 +61,15 @@ def find_candidates(
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Settings) -> CandidateSet:
-    """The set with every visible place where a handle keeps enough of the displacement: for elements whose copies would
-    collide at all of their better places."""
+def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Settings, least: float) -> CandidateSet:
+    """The set with every visible place where a handle keeps at least a share of the control's peak: for elements whose
+    copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     if override.anchor or not seen.any():
         return found
-    points = motion.points[seen & (motion.arc_length >= _least_kept(motion, seen, settings))]
+    points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
     return replace(found, points=points, sources=points, cost=linear_cost(face, motion, points, settings))
 
 
@@ -132,12 +134,16 @@ def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings
 def _with_clear_handles(face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the displacement."""
     clear = _standing(face, motion, requests, settings, seen & face.clear[motion.points])
-    return clear if motion.arc_length[clear].max(initial=0.0) >= _least_kept(motion, seen, settings) else seen
+    return (
+        clear
+        if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.candidates.least_kept)
+        else seen
+    )
 
 
-def _least_kept(motion: Motion, seen: Flags, settings: Settings) -> float:
+def _kept(motion: Motion, seen: Flags, least: float) -> float:
     """Arc length that a handle must have: a share of the true peak, and no more than any place `seen` (p,) has."""
-    return min(settings.candidates.least_kept * motion.peak, float(motion.arc_length[seen].max(initial=0.0)))
+    return min(least * motion.peak, float(motion.arc_length[seen].max(initial=0.0)))
 
 
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
@@ -166,7 +172,7 @@ def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Sett
         return np.zeros(0, dtype=np.int64)
     arc, asked = motion.arc_length, settings.candidates
     peak = float(arc[seen].max())
-    large = arc >= max(asked.peak_share * peak, _least_kept(motion, seen, settings))
+    large = arc >= max(asked.peak_share * peak, _kept(motion, seen, settings.candidates.least_kept))
     moving = large & (arc >= min(asked.prune_at * float(arc[some].mean()), peak))
     for kept in (seen & moving, seen & large):
         points = motion.points[kept]

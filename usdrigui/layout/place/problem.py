@@ -13,7 +13,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.layout.face import Face
-from usdrigui.layout.place.candidates import candidates_of_axis, loosened
+from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
 from usdrigui.layout.place.extensions import user_pairs
 from usdrigui.layout.place.labels import drawn_points, labels_of
 from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existing_variables
@@ -113,10 +113,13 @@ class _Costs:
 def _variable(
     costs: _Costs, sets: Mapping[int, CandidateSet], groups: tuple[Group, ...], index: int, requests: Requests
 ) -> tuple[Variable, Choice]:
-    """The variable of group `index`, with the loosened candidates where its copies collide at all others."""
+    """The variable of group `index`, with loosened candidates where its copies collide at all others, or its members
+    share none."""
     face, settings, group = costs.face, costs.settings, groups[index]
-    for loose in (False, True):
-        used = {c: loosened(face, sets[c], requests, settings) for c in group.all_controls} if loose else sets
+    for least in (None, settings.candidates.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
+        used = sets
+        if least is not None:
+            used = {c: loosened(face, sets[c], requests, settings, least) for c in group.all_controls}
         choice, cost, displacement = labels_of(face, used, groups, index, requests.overrides, settings)
         samples, handles = drawn_points(face, choice, settings)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)

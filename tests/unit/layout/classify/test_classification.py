@@ -47,6 +47,22 @@ def test_controls_of_hidden_things_are_hidden():
     assert (kept.points >= len(POINTS)).any()
 
 
+@pytest.mark.parametrize(
+    ("name", "skin_moves", "stands"),
+    [("inside", 0.7, True), ("inside", 0.5, False), ("nose", 0.5, True), ("nose", 0.1, False), ("jawOpen", 0.1, True)],
+)
+def test_a_control_that_keeps_too_little_in_sight_stands_there_only_by_a_telling_name(name, skin_moves, stands):
+    found = chain.chosen(makers.face_with_teeth(skin_moves, name=name))(name)
+    assert (found.category == "") == stands
+    assert (
+        stands
+        or found.off_face_reason == f"no visible place keeps more than {skin_moves / 3**0.5:.0%} of its displacement"
+    )
+    assert (
+        chain.chosen(makers.face_with_teeth(skin_moves, name=name), candidates={"least_kept": 0.0})(name).category == ""
+    )
+
+
 def test_coverage_is_the_share_of_the_face_for_small_controls_too():
     found = chain.chosen(makers.face_with(whole=np.full_like(POINTS, 0.2)))
     assert found("whole").coverage == pytest.approx(1.0)
