@@ -121,7 +121,7 @@ def test_visemes_and_emotions_stand_beside_and_atoms_do_not():
         ("ict_face57", "jawOpen", 0.0, 0.2),
         ("ict_face57", "mouthSmile_L", 0.2, 0.4),
         ("mh_poseunits", "JawDrop", 0.0, 0.45),
-        ("mh_poseunits", "LeftUpperLidClosed", 0.6, 0.9),
+        ("mh_poseunits", "LeftUpperLidClosed", 0.6, 0.95),
         ("vitruvian", "Eyes_Closed_Left", 0.7, 0.93),
         ("vitruvian", "Jaw_Out", 0.0, 0.35),
     ],

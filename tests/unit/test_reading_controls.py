@@ -23,7 +23,10 @@ from skel_stages import (
 
 from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
+from usdrigui.model import Channel
 from usdrigui.settings import Settings, load
+from usdrigui.usd.controls import blend_shape_drafts
+from usdrigui.usd.ranges import Authored
 from usdrigui.usd.rig import read_rigs
 
 
@@ -671,3 +674,20 @@ def test_excluding_everything_is_refused(tmp_path):
         read(head(tmp_path / "char.usda", ("smile",)), {"controls": {"smile": {"exclude": True}}})
     assert caught.value.issue.code == "CONTROLS_MISSING"
     assert "excluded" in caught.value.issue.message
+
+
+@pytest.mark.parametrize(
+    ("said", "maxima"),
+    [
+        ({"brow_L": {"maximum": 0.5}}, [0.5, 0.5]),
+        ({"brow_L": {"maximum": 0.5}, "brow_R": {"maximum": 0.8}}, [0.5, 0.8]),
+        ({"brow_L": {"maximum": 0.5, "twin": "none"}}, [0.5, 1.0]),
+        ({"brow_R": {"maximum": 0.5}, "brow_L": {"label": "Brow"}}, [0.5, 0.5]),
+    ],
+)
+def test_a_range_of_one_side_holds_for_the_other_unless_said_otherwise(said, maxima):
+    channels = tuple(Channel(token, "/anim", i) for i, token in enumerate(("brow_L", "brow_R")))
+    nothing = [[float("nan")] * 2] * 2
+    authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
+    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}))
+    assert [draft.range.maximum for draft in drafts] == maxima

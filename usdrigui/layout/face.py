@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 from usdrigui.layout.visibility import Views, clear_handles
-from usdrigui.model import Flags, Floats, Rig, Symmetry, Trajectories
+from usdrigui.model import Flags, Rig, Symmetry, Trajectories
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,9 +19,6 @@ class Face:
     views: Views
     handle_width: float
     """Diameter of a handle in scene units."""
-    common: Mapping[int, Floats] = field(default_factory=dict)
-    """Control to (p,) how common its displacement is at each of its points, from 0 (its own) to 1 (other controls make
-    all of it as well); empty where the objective does not ask."""
 
     @cached_property
     def clear(self) -> Flags:

@@ -62,6 +62,9 @@ class Motion(Record):
     owned: Floats | None = None
     """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control stands where
     it moves most."""
+    common: Floats | None = None
+    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make all of it as well);
+    None where that does not count."""
 
     @property
     def peak(self) -> float:
@@ -85,7 +88,7 @@ class Motion(Record):
             return self
         own = self.owned >= _OWN * float(self.owned.max(initial=0.0))
         points, offsets = self.points[own], self.offsets[:, own]
-        return replace(self, points=points, offsets=offsets, arc_length=self.owned[own], owned=None)
+        return replace(self, points=points, offsets=offsets, arc_length=self.owned[own], owned=None, common=None)
 
 
 @dataclass(frozen=True, eq=False)

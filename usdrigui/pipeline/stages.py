@@ -19,7 +19,7 @@ from usdrigui.errors import Issue, RigUIError, meant, refuse
 from usdrigui.examples import Examples, OwnExamples, decisions, own_examples, prior_layout_of, with_fixed
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
-from usdrigui.layout.classify.common_motion import common_motion
+from usdrigui.layout.classify.common_motion import with_common_motion
 from usdrigui.layout.control_overrides import control_overrides
 from usdrigui.layout.element.elements import layout
 from usdrigui.layout.face import Face
@@ -36,7 +36,7 @@ from usdrigui.layout.reuse.existing_layout import of_new_controls, with_drawn_ha
 from usdrigui.layout.reuse.identity import Matching, matching_issues
 from usdrigui.layout.reuse.pinned import Pins, with_decisions, with_pins, with_twins
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout
-from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.reuse.requests import Names, Requests
 from usdrigui.layout.review.review import refuse_stale
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose
 from usdrigui.layout.symmetry.mirror_plane import about_plane_of
@@ -284,16 +284,16 @@ def measure(
     with clock.stage("candidates"):
         views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
         requests = _requests(rig, found, symmetry, settings, references)
-        expected = expectations(found, symmetry, views, requests.meanings)
-        requests = replace(requests, expected=expected)
+        expected = expectations(found, symmetry, views, requests.names.meanings)
+        requests = replace(requests, names=replace(requests.names, expected=expected))
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)
         standing = on_face(found, classification, requests.overrides)
         width = handle_width(found, views, standing, toward, settings.objective)
-        asked = settings.objective.distinctive_weight > 0.0
-        common = common_motion(found, alike, standing, views.anywhere) if asked else {}
-    return Measured(Face(rig, found, symmetry, views, width, common), alike, requests, classification)
+        if settings.objective.distinctive_weight > 0.0:
+            found = with_common_motion(found, alike, standing, views.anywhere)
+    return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
 
 
 def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
@@ -370,7 +370,13 @@ def _requests(
     overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
     names = [control.name for control in rig.controls]
     told = meanings(names) if settings.candidates.conventions else (None,) * len(names)
-    return Requests(overrides, references.prior, references.existing, neighbours=references.neighbours, meanings=told)
+    return Requests(
+        overrides,
+        references.prior,
+        references.existing,
+        neighbours=references.neighbours,
+        names=Names(told),
+    )
 
 
 def _refuse_motionless(rig: Rig, found: Trajectories) -> None:

@@ -17,15 +17,25 @@ class ControlSettings:
     exclude: bool = setting(False, "Leave the control out: no element; it still counts for what the face is.")
     rename: str = setting("", "A name to use instead of its own.")
     label: str = setting("", "Text beside its element; empty takes the name.")
-    minimum: float | None = setting(None, "Least value; none takes it from the asset.", unit="its own")
-    maximum: float | None = setting(None, "Largest value; none takes it from the asset.", unit="its own")
+    minimum: float | None = setting(
+        None, "Least value; none takes it from its twin by name, else from the asset.", unit="its own"
+    )
+    maximum: float | None = setting(
+        None, "Largest value; none takes it from its twin by name, else from the asset.", unit="its own"
+    )
     default: float | None = setting(None, "Value at rest; none takes it from the asset.", unit="its own")
     twin: str = setting("", "Name of the mirror control; ``none`` unpairs; ``self`` says symmetric about the plane.")
     orbit: tuple[str, ...] = setting((), "Names of the controls of an n-fold symmetry, this one first.", level="expert")
     place: Literal["", "face", "board", "proxy"] = setting(
         "", "Where to lay it out; empty leaves the choice to the optimiser. ``proxy`` is the nearest visible point."
     )
-    near: str = setting("", "Prim path, ``joint:NAME`` or ``MESH.point[i]`` near which to stay (locality).")
+    near: str = setting(
+        "",
+        (
+            "Prim path, ``joint:NAME`` or ``MESH.point[i]`` near which to stay (locality); ``mirror:`` in front of it "
+            "names its mirror image."
+        ),
+    )
     within: float = setting(
         0.0,
         "Radius for `near`, as a share of the face size; 0 takes the default.",
@@ -34,7 +44,9 @@ class ControlSettings:
     )
     anchor: str = setting("", "``MESH_PATH#POINT``: fixed anchor of a partial layout.")
     follow_twin: bool = setting(
-        True, "Whether it moves when its twin's anchor is corrected and nothing is decided about its own."
+        True,
+        "Whether it moves when its twin's anchor is corrected, and takes its twin's `near`, `minimum` and `maximum`, "
+        "where nothing is decided about its own.",
     )
     inner_anchor: str = setting(
         "",

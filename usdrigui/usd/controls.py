@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.conventions.sides import twins_by_name
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.joint_tree import Tree
 from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff, RigMesh
@@ -68,8 +69,9 @@ def blend_shape_drafts(
         if index in used:
             by_token.setdefault(channel.token, []).append(index)
     drafts = []
+    configured = _with_ranges_of_twins(by_token, settings.controls)
     for token, indices in by_token.items():
-        override = settings.controls.get(token, ControlSettings())
+        override = configured.get(token, ControlSettings())
         span = _hull([blend_shape_range(index, authored, override, float(rest[index])) for index in indices])
         drafts.append(Draft(token, "", "blendShape", token, span, _weight_drive(indices, span)))
     return drafts
@@ -155,8 +157,9 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
     excluded: list[Control] = []
     left_off: list[LeftOff] = []
     names: set[str] = set()
+    configured = _with_ranges_of_twins([draft.name for draft in drafts], settings.controls)
     for draft in drafts:
-        override = settings.controls.get(draft.name, ControlSettings())
+        override = configured.get(draft.name, ControlSettings())
         if override.exclude:
             left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
             if draft.range.maximum > draft.range.minimum:
@@ -172,6 +175,24 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
         names.add(name)
         controls.append(_control(draft, name, override, span))
     return tuple(controls), tuple(excluded), left_off
+
+
+def _with_ranges_of_twins(
+    names: Collection[str], configured: Mapping[str, ControlSettings]
+) -> Mapping[str, ControlSettings]:
+    """The configuration with a range that is set for one side of the character set for its twin by name too, unless
+    that has one of its own or is said to be none."""
+    found, plain = dict(configured), ControlSettings()
+    ranged = [name for name, each in configured.items() if (each.minimum, each.maximum) != (None, None)]
+    twins = twins_by_name(names) if ranged else {}
+    for name in ranged:
+        one, twin = configured[name], configured[name].twin or twins.get(name, "")
+        other = configured.get(twin, plain)
+        said = (other.minimum, other.maximum) != (None, None) or "none" in (one.twin, other.twin)
+        said = said or not other.follow_twin
+        if twin in names and twin != name and not said:
+            found[twin] = replace(other, minimum=one.minimum, maximum=one.maximum)
+    return found
 
 
 def _control(draft: Draft, name: str, override: ControlSettings, span: Range) -> Control:

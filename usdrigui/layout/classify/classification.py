@@ -75,7 +75,7 @@ def classify(
     covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
     vanish = visibility_shapes(rig, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
-    repeated = composites(rig, trajectories, symmetry, similarity, shares_of_own, requests.meanings)
+    repeated = composites(rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     kept = _kept(trajectories, symmetry, views.anywhere)
     # The joints of a chain explain each other; what repeats a blend shape or a pose is told by those.
@@ -88,7 +88,7 @@ def classify(
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
             kept=float(kept[index]),
-            essential=_essential(requests.meanings[motion.control], kept[index] * motion.peak, trajectories),
+            essential=_essential(requests.names.meanings[motion.control], kept[index] * motion.peak, trajectories),
             composite=repeated.get(index) if not (joints_alone and motion.owned is not None) else None,
         )
         category, reason = _category(evidence, motion.control, requests, settings)

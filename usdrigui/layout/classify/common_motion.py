@@ -13,7 +13,7 @@ place: in a crowd of like controls all of a motion is common, and displacement d
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from scipy.optimize import lsq_linear
@@ -36,11 +36,10 @@ _DIGITS = 6
 """Decimals of a share: rounding of sums must not decide between places."""
 
 
-def common_motion(
+def with_common_motion(
     trajectories: Trajectories, similarity: Similarity, standing: Flags, visible: Flags
-) -> Mapping[int, Floats]:
-    """Control to (p,) how common its displacement is at each of its points, from 0 (its own) to 1 (others make all of
-    it as well).
+) -> Trajectories:
+    """The trajectories whose motions know how common they are.
 
     `standing` (motions,) are the controls that are to stand on the face: only they are placed, and only they are
     others; `visible` (n,) are the points that some view sees.  A control whose joint owns skin stands there; it is left
@@ -49,15 +48,16 @@ def common_motion(
     fields = similarity.fields
     row = np.full(len(trajectories.base), -1, dtype=np.int64)
     row[fields.places] = np.arange(len(fields.places))
-    found: dict[int, Floats] = {}
+    motions = list(trajectories.motions)
     for index in np.flatnonzero(standing).tolist():
-        motion = trajectories.motions[index]
+        motion = motions[index]
         if motion.owned is None:
             at = row[trajectories.places[motion.points]]
             share = np.ones(len(at))
             share[at >= 0] = _shares(similarity, index, standing, at[at >= 0])
-            found[motion.control] = _beyond_the_best(share, motion.arc_length, visible[motion.points])
-    return found
+            common = _beyond_the_best(share, motion.arc_length, visible[motion.points])
+            motions[index] = replace(motion, common=common)
+    return replace(trajectories, motions=tuple(motions))
 
 
 def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:

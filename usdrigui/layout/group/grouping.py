@@ -14,12 +14,12 @@ from itertools import chain, combinations
 
 import numpy as np
 
+from usdrigui.conventions.sides import has_side
 from usdrigui.errors import meant, refuse
 from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.evidence import Evidence, Relation
 from usdrigui.layout.motion.similarity import Similarity, bidirectional
-from usdrigui.layout.names import has_side
 from usdrigui.layout.reuse.partial_layout import has_own_place
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import two_lobed
@@ -123,7 +123,7 @@ class _Grouping:
         index = {motion.control: i for i, motion in enumerate(motions)}
         self.face, self.similarity, self.prior = face, similarity, requests.prior
         self.settings, self.double_middle, self.requests = settings.groups, settings.symmetry.double_middle, requests
-        self.evidence = Evidence(face, similarity, requests.meanings)
+        self.evidence = Evidence(face, similarity, requests.names.meanings)
         self.two_sided = frozenset(bidirectional(face.trajectories))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]

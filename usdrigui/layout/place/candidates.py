@@ -127,8 +127,8 @@ def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of each place, near
     what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.places[motion.points] == motion.points)
-    override, radius = requests.overrides[motion.control], settings.candidates.near_radius
-    return motion.stands_on(kept_near(face, motion.control, override, motion.points, first, radius))
+    radius = settings.candidates.near_radius
+    return motion.stands_on(kept_near(face, motion.control, requests, motion.points, first, radius))
 
 
 def _with_clear_handles(face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags) -> Flags:

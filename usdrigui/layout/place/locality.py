@@ -9,9 +9,10 @@ from scipy.spatial import cKDTree
 
 from usdrigui.errors import refuse
 from usdrigui.layout.face import Face
-from usdrigui.layout.reuse.partial_layout import point_index
+from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.model import Flags, Floats, Indices, Rig
-from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
 _PROXIES = 24
@@ -19,14 +20,17 @@ _PROXIES = 24
 
 
 def kept_near(
-    face: Face, control: int, override: ControlSettings, points: Indices, among: Flags, default_radius: float
+    face: Face, control: int, requests: Requests, points: Indices, among: Flags, default_radius: float
 ) -> Flags:
     """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper section 6,
     localizable); the nearest one where none is.  Radii are in face sizes.  Raises CONFIG_VALUE when ``near`` names
     nothing on the character."""
+    override = requests.overrides[control]
     if not override.near or not among.any():
         return among
-    centres = _centres(face, f'controls."{face.control_name(control)}".near', override.near)
+    centres = _centres(face, f'controls."{face.control_name(control)}".near', override.near.removeprefix(MIRROR))
+    if override.near.startswith(MIRROR):
+        centres = reflected(centres, face.symmetry)
     apart, _ = cKDTree(centres).query(face.trajectories.base[points])
     radius = (override.within or default_radius) * face.trajectories.face_size
     inside: Flags = among & (apart <= radius)

@@ -50,12 +50,11 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
 def common(face: Face, motion: Motion, points: Indices, settings: ObjectiveSettings) -> Floats:
     """(p,) A control should stand where its motion is large and its own: the weight times the displacement, by how
     common that is (`usdrigui.layout.classify.common_motion`)."""
-    shares = face.common.get(motion.control)
-    if shares is None:
+    if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
     unit = displacement_unit(motion, face.trajectories.typical_length, settings)
-    return np.asarray(settings.distinctive_weight * shares[rows] * motion.arc_length[rows] / unit)
+    return np.asarray(settings.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit)
 
 
 def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:

@@ -17,6 +17,8 @@ from usdrigui.levels import outer_first
 from usdrigui.model import Element, Floats, Layout, Motion, Rig, Symmetry
 from usdrigui.settings import ControlSettings, Settings
 
+MIRROR = "mirror:"
+"""In front of what ``near`` names: its mirror image."""
 _SAME = 0.5
 """Earlier places of two twins mirror each other when they are nearer to it than this, in handle widths."""
 
@@ -107,7 +109,7 @@ def has_own_place(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests
 
 def _region(override: ControlSettings) -> tuple[str, str, float]:
     """The configured place of a control, apart from a fixed anchor."""
-    return override.place, override.near, override.within
+    return override.place, override.near.removeprefix(MIRROR), override.within
 
 
 def _anchored(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:

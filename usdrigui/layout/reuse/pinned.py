@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.errors import Issue, RigUIError, issue
-from usdrigui.layout.reuse.partial_layout import fixed_anchor, place_of
+from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.levels import outer_first
@@ -140,11 +140,16 @@ def _decided(override: ControlSettings, pin: Pin) -> ControlSettings:
 def with_twins(
     rig: Rig, trajectories: Trajectories, symmetry: Symmetry, overrides: tuple[ControlSettings, ...]
 ) -> tuple[ControlSettings, ...]:
-    """The overrides with the anchor of one side on the other, too, where nothing is decided about that."""
+    """The overrides with the anchor of one side on the other, too, and the mirror image of what one stays near, where
+    nothing is decided about that."""
     found = list(overrides)
     for control, override in enumerate(overrides):
         twin = int(symmetry.twins[control])
-        if override.anchor and twin >= 0 and twin != control and _follows(overrides[twin]):
+        if twin in (-1, control) or not _follows(overrides[twin]):
+            continue
+        if override.near and not override.anchor:
+            found[twin] = replace(overrides[twin], near=MIRROR + override.near, within=override.within)
+        if override.anchor:
             point = fixed_anchor(rig, rig.controls[control].name, override)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
             if image >= 0:

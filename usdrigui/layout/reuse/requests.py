@@ -11,6 +11,19 @@ from usdrigui.model import Element, Layout
 from usdrigui.settings import ControlSettings
 
 
+@dataclass(frozen=True)
+class Names:
+    """What the names of controls say by the conventions of the field."""
+
+    meanings: tuple[Meaning | None, ...] = ()
+    """(controls,) how each is read; None where it says nothing or is not asked."""
+    expected: tuple[Expectation | None, ...] = ()
+    """(controls,) where each is expected; empty before the face is known."""
+
+
+NO_NAMES = Names()
+
+
 @dataclass(frozen=True, eq=False)
 class Requests:
     """What the rigger and earlier layouts ask for."""
@@ -21,16 +34,14 @@ class Requests:
     """An earlier layout that the new one should be like."""
     existing: Layout | None = None
     """A layout that stays as it is and to which the new one adds elements."""
-    expected: tuple[Expectation | None, ...] = ()
-    """(controls,) where the conventions of the field expect each control; empty where they are not asked."""
     neighbours: tuple[Element, ...] = ()
     """Elements of other parts of the character, from which the new ones keep clear."""
-    meanings: tuple[Meaning | None, ...] = ()
-    """(controls,) what the name of each control says; None where it says nothing or is not asked."""
+    names: Names = NO_NAMES
+    """What the names of the controls say."""
 
     def expectation(self, control: int) -> Expectation | None:
         """Where a control is expected, unless nothing says so."""
-        return self.expected[control] if self.expected else None
+        return self.names.expected[control] if self.names.expected else None
 
     @property
     def standing(self) -> tuple[Element, ...]:

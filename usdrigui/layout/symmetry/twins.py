@@ -10,10 +10,10 @@ from __future__ import annotations
 import networkx as nx
 import numpy as np
 
+from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
-from usdrigui.layout.names import has_side, hints_at_twin
 from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
 from usdrigui.settings import Settings
 

@@ -2,17 +2,35 @@
 
 import chain
 import makers
+import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
 
 
-def test_fixed_anchors_stay_and_unfold_their_pair():
-    controls = {"brow_L": {"anchor": "/Root/mesh#914"}, "brow_R": {"follow_twin": False}}
-    line = chain.lay_out(makers.face(), chain.settings(controls=controls))
+@pytest.mark.parametrize(
+    ("said", "mirrored"),
+    [
+        ({"brow_L": {"anchor": "/Root/mesh#914"}}, True),
+        ({"brow_L": {"anchor": "/Root/mesh#914"}, "brow_R": {"place": "face"}}, False),
+        ({"brow_L": {"anchor": "/Root/mesh#914"}, "brow_R": {"follow_twin": False}}, False),
+        ({"brow_L": {"anchor": "/Root/mesh#914", "twin": "none"}}, False),
+    ],
+)
+def test_fixed_anchors_stay_and_fix_the_twin_unless_said_otherwise(said, mirrored):
+    line = chain.lay_out(makers.face(), chain.settings(controls=said))
     elements = chain.by_name(line)
     assert elements["brow_L"].anchor.point == 914
-    assert elements["brow_R"].anchor.point != line.face.symmetry.partner[914]
+    partner = np.argmin(np.linalg.norm(POINTS - POINTS[914] * [-1, 1, 1], axis=1))
+    assert (elements["brow_R"].anchor.point == partner) == mirrored
+
+
+def test_a_place_near_which_one_twin_stays_is_mirrored_for_the_other():
+    place = int(np.argmin(np.linalg.norm(POINTS[:, :2] - [-0.2, 0.45], axis=1)))
+    near = {"near": f"/Root/mesh.point[{place}]", "within": 0.05}
+    elements = chain.by_name(chain.lay_out(makers.face(), chain.settings(controls={"brow_R": near})))
+    for name, side in (("brow_R", -1), ("brow_L", 1)):
+        assert np.linalg.norm(elements[name].anchor.position[:2] - [side * 0.2, 0.45]) < 0.12, name
 
 
 POINTS, QUADS = makers.mask()

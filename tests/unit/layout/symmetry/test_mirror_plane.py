@@ -7,10 +7,11 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.names import common_label, has_side, hints_at_twin
+from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.settings import Settings
 
