@@ -38,6 +38,12 @@ def has_side(name: str) -> bool:
     return any(word in _SWAPPED for word in _words(name))
 
 
+def side_of(name: str) -> str:
+    """``left`` or ``right`` where the name has words for one of them only, else empty."""
+    said = {"left" if word in ("left", "l", "lf") else "right" for word in _words(name) if word in _SWAPPED}
+    return said.pop() if len(said) == 1 else ""
+
+
 def twins_by_name(names: Iterable[str]) -> Mapping[str, str]:
     """Each name that has another one with its sides swapped, to that."""
     every = sorted(names)

@@ -7,12 +7,6 @@ import re
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
 
 
-def side_of(name: str) -> str:
-    """``left`` or ``right`` where the name has words for one of them only, else empty."""
-    said = {"left" if word in ("left", "l", "lf") else "right" for word in _words(name) if word in _SWAPPED}
-    return said.pop() if len(said) == 1 else ""
-
-
 def is_step_of(name: str, other: str) -> bool:
     """True when `name` is `other` with a number behind it, as flattened in-betweens are called."""
     stem = re.fullmatch(r"(.*[A-Za-z].*?)[ _.:-]?\d+", name)

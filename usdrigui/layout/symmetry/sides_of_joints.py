@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
-from usdrigui.layout.names import mirrored, side_of
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
 from usdrigui.model import Floats, Rig, Trajectories
 
