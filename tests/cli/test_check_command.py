@@ -6,6 +6,7 @@ import pytest
 from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.cli import main
+from usdrigui.usd.properties import instances_applied
 from usdrigui.usd.read_layout import element_prims
 
 
@@ -56,7 +57,7 @@ def test_a_changed_topology_is_stale(layer, capsys):
 def test_a_control_that_is_gone_and_one_that_is_new(layer, capsys):
     stage = Usd.Stage.Open(str(layer))
     element = elements(stage)[0]
-    instance = element.GetAttribute("rigUI:element:controls").Get()[0]
+    instance = instances_applied(element)[0]
     element.CreateAttribute(f"rigUI:control:{instance}:name", Sdf.ValueTypeNames.Token).Set("nobody")
     stage.GetRootLayer().Save()
     assert {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"} <= codes(layer, capsys, expected_exit=1)
