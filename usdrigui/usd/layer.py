@@ -209,7 +209,7 @@ def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
         "planeNormal": layout.plane_normal,
         "handleWidth": layout.handle_width,
         "parts": [part.name for part in layout.parts],
-        "partHandleWidths": [part.handle_width for part in layout.parts],
+        "partHandleWidths": np.array([part.handle_width for part in layout.parts], dtype=np.float64),
         "partViewDirections": [part.view for part in layout.parts],
     }
 
@@ -258,7 +258,8 @@ def author_elements(
     names = [author.identifier(element.name, used) for element in elements]
     inner = inner_names(layout.elements)
     drawn = [
-        DrawnElement(each, each.name in inner, drawn_parts(carriage, each, layout.handle_width)) for each in elements
+        DrawnElement(each, each.name in inner, drawn_parts(carriage, each, layout.handle_width_of(each)))
+        for each in elements
     ]
     subsets: dict[int, Sdf.PrimSpec] = {}
     for drawing in drawings(drawn):

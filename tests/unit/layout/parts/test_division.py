@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import chain
+import laid_out
 import limbs
 import makers
 import numpy as np
@@ -10,9 +11,11 @@ import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts.division import divide
+from usdrigui.model import LayoutPart
 from usdrigui.pipeline.stages import divided, joined, joined_assignment, part_problem
 from usdrigui.rotation import rotations
-from usdrigui.settings import Settings, load
+from usdrigui.settings import OutputSettings, Settings, load
+from usdrigui.usd import layer
 
 BODY = limbs.whole_body()
 
@@ -100,3 +103,21 @@ def test_the_configuration_names_parts_and_keeps_groups_together():
 
 def test_a_face_is_one_part():
     assert list(named(makers.face())) == ["face"]
+
+
+def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
+    rig = makers.face()
+    layout = laid_out.layout_of(rig, only=["chin", "smile_L"])
+    own = {element.name: name for element, name in zip(layout.elements, ("face", "body"), strict=True)}
+    widths = {"face": 0.02, "body": 0.3}
+    parts = tuple(LayoutPart(name, width, layout.view, "optimal", 0.0, 0.0) for name, width in widths.items())
+    layout = replace(layout, elements=tuple(replace(e, part=own[e.name]) for e in layout.elements), parts=parts)
+    drawn, draw = {}, layer.drawn_parts
+
+    def seen(carriage, element, width):
+        drawn[element.part] = width
+        return draw(carriage, element, width)
+
+    monkeypatch.setattr(layer, "drawn_parts", seen)
+    layer.layer_for([(rig, layout)], "", OutputSettings(), {})
+    assert drawn == widths
