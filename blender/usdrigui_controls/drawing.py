@@ -8,7 +8,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-_SIDES = {"left": (0.20, 0.50, 1.0), "right": (1.0, 0.30, 0.25), "middle": (1.0, 0.80, 0.20)}
+_SIDES = {"left": (77, 163, 255), "right": (242, 20, 32), "middle": (188, 240, 0)}
 _PLAIN = (0.75, 0.75, 0.75)
 _HOT = (1.0, 1.0, 1.0)
 _CORNERS = np.array([(np.cos(a), np.sin(a)) for a in np.linspace(0.0, 2.0 * np.pi, 17)[:-1]])
@@ -23,13 +23,17 @@ def draw_elements(screen, shown, radii, opacity, hot):
     lines, faces = _Batch(), _Batch()
     order = [i for i, item in enumerate(shown) if screen.faces(item.placed)]
     for i in sorted(order, key=lambda i: i == hot):
-        colour = _HOT if i == hot else _SIDES.get(shown[i].element.side, _PLAIN)
+        colour = _HOT if i == hot else _side_colour(shown[i].element.side)
         _add_element(screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if i == hot else 0.85))
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("NONE")
     lines.draw("LINES", width=2.0, viewport=(screen.width, screen.height))
     faces.draw("TRIS")
     gpu.state.blend_set("NONE")
+
+
+def _side_colour(side):
+    return tuple(part / 255.0 for part in _SIDES[side]) if side in _SIDES else _PLAIN
 
 
 def draw_label(at, text):

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from usdrigui import palette
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline.stages import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
@@ -25,7 +26,7 @@ from usdrigui.view.picture import contact_sheet, render
 from usdrigui.view.sections import sections
 
 SMALL = (640, 400)
-BLUE, RED, VIOLET = (overlay.SIDES[side] for side in ("left", "right", "board"))
+BLUE, RED, VIOLET = palette.SIDES["left"], palette.SIDES["right"], palette.BOARD
 
 
 def sided(rig, **given):

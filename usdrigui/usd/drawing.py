@@ -7,25 +7,19 @@ moves any of them.  Decision 050 says why.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from pxr import Sdf, UsdGeom, Vt
 
-from usdrigui.model import Element, Floats, Indices, Record, Rig, Side
+from usdrigui.model import Element, Floats, Indices, Record, Rig
+from usdrigui.palette import linear
 from usdrigui.usd import author, schema
 from usdrigui.usd.carry import Hold, PointShape
 from usdrigui.usd.drawn import Drawn, in_steps
 
-_COLOURS: Mapping[Side, tuple[float, float, float]] = {
-    "left": (0.15, 0.45, 0.95),
-    "right": (0.95, 0.25, 0.2),
-    "middle": (0.95, 0.8, 0.15),
-    "none": (0.75, 0.75, 0.75),
-}
-"""The animators' custom: blue on the character's left, red on its right, yellow in the middle."""
 _AREA_OPACITY = 0.4
 _GRID = 1e-6
 """Of the character's size: points are written in decimal steps below this."""
@@ -102,7 +96,7 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     # To the last bit as USD computes it of what is written, in single precision.
     extent.default = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
     sides = [elements[position].element.side for position, _ in drawing.parts]
-    colours = [_COLOURS[side] for side in dict.fromkeys(sides)]
+    colours = [linear(side) for side in dict.fromkeys(sides)]
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
     _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)

@@ -14,21 +14,11 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from usdrigui.model import Element, Flags, Floats, Layout, Record
+from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
 from usdrigui.view.shading import Camera
 
-Colour = tuple[int, int, int]
-
-SIDES: dict[str, Colour] = {
-    "left": (77, 163, 255),
-    "right": (242, 20, 32),
-    "middle": (188, 240, 0),
-    "none": (122, 92, 255),
-    "board": (122, 92, 255),
-}
-"""Colours by side, near to those that studios use; the character's own left and right.  Chosen by measure: apart from
-skin and from each other for every kind of colour vision (docs/decisions/114); viewer/src/overlay.js has the same."""
 FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "joystick": "joystick", "fan": "fan"}
 _FINE = 3
 """Sub-pixels along each axis."""
@@ -63,7 +53,7 @@ class Mark(Record):
 
 def colour_of(element: Element) -> Colour:
     """The colour in which an element is drawn."""
-    return SIDES["board" if element.anchor.on_board else element.side]
+    return BOARD if element.anchor.on_board else SIDES[element.side]
 
 
 def form_of(element: Element) -> str:

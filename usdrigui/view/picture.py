@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from PIL import Image, ImageDraw
 
+from usdrigui import palette
 from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
@@ -423,10 +424,11 @@ def _legend(page: Image.Image, layout: Layout) -> None:
         pen.text((page.width - _EDGE, y), note, fill=_QUIET, font=font, anchor="rm")
 
 
-def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, overlay.Colour, str, bool]]:
+def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
     used = {"board" if each.anchor.on_board else "middle" if each.side == "none" else each.side for each in elements}
     names = {"left": "character's left", "right": "character's right", "middle": "middle", "board": "board"}
-    entries = [("slider", overlay.SIDES[side], text, False) for side, text in names.items() if side in used]
+    colours = {**palette.SIDES, "board": palette.BOARD}
+    entries = [("slider", colours[side], text, False) for side, text in names.items() if side in used]
     forms = {overlay.form_of(each) for each in elements}
     grey = (128, 134, 142)
     if forms != {"slider"}:

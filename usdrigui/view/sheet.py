@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from PIL import Image
 
 from usdrigui.model import Layout, Rig
+from usdrigui.palette import SIDES
 from usdrigui.view.clip import clip_values
-from usdrigui.view.overlay import SIDES
 from usdrigui.view.picture import contact_sheet, film, render
 
 _FRAME = 80

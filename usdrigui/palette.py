@@ -1,0 +1,33 @@
+"""Colours of the character's sides, for the layer, pictures and pages alike.
+
+Near to those that studios use; the character's own left and right.  Chosen by measure: apart from skin and from each
+other for every kind of colour vision (docs/decisions/114).  viewer/src/overlay.js and the Blender extension have the
+same.
+"""
+
+from __future__ import annotations
+
+from usdrigui.model import Side
+
+Colour = tuple[int, int, int]
+
+SIDES: dict[str, Colour] = {
+    "left": (77, 163, 255),
+    "right": (242, 20, 32),
+    "middle": (188, 240, 0),
+    "none": (122, 92, 255),
+}
+"""In sRGB, 0 to 255."""
+BOARD: Colour = SIDES["none"]
+"""Of elements on the board in pictures."""
+
+
+def linear(side: Side) -> tuple[float, float, float]:
+    """The colour of a side in linear light, 0 to 1, to four digits: what `primvars:displayColor` holds."""
+    red, green, blue = (round(_decoded(part / 255.0), 4) for part in SIDES[side])
+    return red, green, blue
+
+
+def _decoded(part: float) -> float:
+    """Linear light of one channel of sRGB (IEC 61966-2-1)."""
+    return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
