@@ -26,7 +26,7 @@ SHARED_LEAST = 0.2
 
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that to hold."""
-_MOST = 2.0 / 3.0
+_MOST = 0.85
 """The same for standing near the place itself."""
 
 
