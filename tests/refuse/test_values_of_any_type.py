@@ -391,9 +391,13 @@ def layout(tmp_path_factory):
     return layer
 
 
+_WITHIN = {schema.ANCHOR: schema.ELEMENT, schema.HANDLE: schema.ELEMENT}
+"""Schemas that are built into another one, which is what a layer applies."""
+
+
 def _complete(layer, api):
     """Say on the first prim that has one of our schemas what its writer left to the fallbacks."""
-    path, instance = next(_holders(layer, api))
+    path, instance = next(_holders(layer, _WITHIN.get(api, api)))
     for declared in author.properties(api).values():
         name = declared.name.replace("__INSTANCE_NAME__", instance)
         spec = layer.GetPrimAtPath(path)
@@ -408,7 +412,9 @@ def _holders(layer, api):
     for prim in stage.TraverseAll():
         for name in prim.GetPrimTypeInfo().GetAppliedAPISchemas():
             if name.partition(":")[0] == api:
-                yield prim.GetPath(), name.partition(":")[2]
+                # The layout is in a variant, whose selection is part of the path in the layer.
+                path = next(spec.path for spec in prim.GetPrimStack() if spec.layer == layer)
+                yield path, name.partition(":")[2]
 
 
 @pytest.mark.parametrize("name", [*_DECLARED, *_DRAWN])
