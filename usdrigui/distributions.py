@@ -23,8 +23,11 @@ def require_usd() -> None:
 
 
 def colliding() -> tuple[Issue, ...]:
-    """USD_TWICE where several installed packages hold the same files of pxr."""
-    owners = _owners()
+    """USD_TWICE where several installed packages hold the same files of pxr; none where this user may not look."""
+    try:
+        owners = _owners()
+    except OSError:
+        return ()
     if len(owners) < 2:
         return ()
     return (issue("USD_TWICE", "", f"{' and '.join(owners)} own the same files of pxr in {_places()[0]}"),)

@@ -66,6 +66,15 @@ def test_two_packages_that_hold_pxr_are_named_by_every_command(tmp_path, monkeyp
     assert "--force-reinstall" in said
 
 
+def test_a_folder_of_packages_that_may_not_be_read_says_nothing(tmp_path, monkeypatch):
+    def denied(*_):
+        raise PermissionError(13, "Permission denied", str(tmp_path))
+
+    monkeypatch.setattr(distributions, "_places", lambda: [tmp_path])
+    monkeypatch.setattr(Path, "glob", denied)
+    assert distributions.colliding() == ()
+
+
 def test_one_package_that_holds_pxr_is_fine():
     assert distributions.colliding() == ()
 
