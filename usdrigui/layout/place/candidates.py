@@ -116,8 +116,9 @@ def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Set
     some = _standing(face, motion, requests, settings, everywhere)
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     seen = _with_clear_handles(face, motion, requests, settings, seen)
-    # What a person says, and the skin that a joint owns, come before what a name says.
-    if not requests.overrides[motion.control].near and motion.owned is None:
+    # What a person says, an earlier place and the skin that a joint owns come before what a name says.
+    told = requests.overrides[motion.control].near or motion.control in requests.prior.places
+    if not told and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
     points = _pruned(face, motion, seen, some, settings)
     return points if len(points) else _unseen(motion, some, settings)
