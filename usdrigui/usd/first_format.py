@@ -22,15 +22,15 @@ from usdrigui.usd.properties import (
     check_elements,
     check_equal,
     checked_glyph,
+    control_instances,
     declared_value,
     element_name,
+    element_names,
     has,
-    instances_applied,
     integers_of,
     pinned,
     read_anchor,
     strings,
-    targets,
     value_of,
     vectors_of,
 )
@@ -131,14 +131,7 @@ def _element(prim: Usd.Prim) -> Element:
     def get(name: str) -> Any:
         return value_of(prim, schema.ELEMENT, name)
 
-    known = instances_applied(prim)
-    instances = strings(get("controls")) or known
-    unknown = [instance for instance in instances if instance not in known]
-    if unknown or not instances:
-        what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
-    mirror, members = (targets(prim, schema.ELEMENT, each) for each in ("mirror", "members"))
-    name, stage = element_name(prim), prim.GetStage()
+    instances, name = control_instances(prim), element_name(prim)
     return Element(
         name=name,
         label=str(prim.GetMetadata("displayName") or name),
@@ -148,10 +141,10 @@ def _element(prim: Usd.Prim) -> Element:
         anchor=read_anchor(prim),
         side=get("side"),
         reversed=_positions(prim, len(instances)),
-        mirror=element_name(stage.GetPrimAtPath(mirror[0])) if mirror else "",
+        mirror=next(iter(element_names(prim, "mirror")), ""),
         category=str(_value(prim, "element:family")),
         reason=str(_value(prim, "element:reason")),
-        inner=tuple(element_name(stage.GetPrimAtPath(each)) for each in members),
+        inner=element_names(prim, "members"),
         **pinned(prim),
         **_handle(prim),
     )

@@ -71,6 +71,23 @@ def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf
     return list(relationship.GetTargets()) if relationship else []
 
 
+def control_instances(prim: Usd.Prim) -> list[str]:
+    """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, or one not applied."""
+    known = instances_applied(prim)
+    instances = strings(value_of(prim, schema.ELEMENT, "controls")) or known
+    unknown = [instance for instance in instances if instance not in known]
+    if unknown or not instances:
+        what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
+        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
+    return instances
+
+
+def element_names(prim: Usd.Prim, relationship: str) -> tuple[str, ...]:
+    """Names of the elements that a relationship of an element targets."""
+    stage = prim.GetStage()
+    return tuple(element_name(stage.GetPrimAtPath(each)) for each in targets(prim, schema.ELEMENT, relationship))
+
+
 def element_name(prim: Usd.Prim) -> str:
     """Name of the element at a prim; empty where there is none."""
     return (str(value_of(prim, schema.ELEMENT, "name")) or prim.GetName()) if prim else ""

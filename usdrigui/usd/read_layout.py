@@ -24,10 +24,11 @@ from usdrigui.usd.properties import (
     check_elements,
     check_equal,
     checked_glyph,
+    control_instances,
     corrected,
     element_name,
+    element_names,
     has,
-    instances_applied,
     integers_of,
     pinned,
     read_anchor,
@@ -265,14 +266,7 @@ def _element(prim: Usd.Prim) -> Element:
     def get(name: str) -> Any:
         return value_of(prim, schema.ELEMENT, name)
 
-    applied = instances_applied(prim)
-    instances = strings(get("controls")) or applied
-    unknown = [instance for instance in instances if instance not in applied]
-    if unknown or not instances:
-        what = f"lists {unknown[0]!r}, but does not apply it" if unknown else "has no control"
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), what)
-    mirror, members = (targets(prim, schema.ELEMENT, each) for each in ("mirror", "members"))
-    name = str(get("name")) or prim.GetName()
+    instances, name = control_instances(prim), element_name(prim)
     return Element(
         name=name,
         label=str(prim.GetMetadata("displayName") or prim.GetName()),
@@ -282,11 +276,11 @@ def _element(prim: Usd.Prim) -> Element:
         anchor=read_anchor(prim),
         side=get("side"),
         reversed=tuple(i for i, each in enumerate(instances) if value_of(prim, schema.CONTROL, "mirrorReversed", each)),
-        mirror=element_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
+        mirror=next(iter(element_names(prim, "mirror")), ""),
         category=str(get("category")),
         part=str(value_of(prim.GetParent(), schema.DRAWING, "part")),
         reason=prim.GetDocumentation() if prim.HasAuthoredDocumentation() else "",
-        inner=tuple(element_name(prim.GetStage().GetPrimAtPath(each)) for each in members),
+        inner=element_names(prim, "members"),
         adapt=value_of(prim, schema.HANDLE, "adapt"),
         glyph=_glyph(prim),
         **pinned(prim),
