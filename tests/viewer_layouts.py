@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import makers
 import numpy as np
 
 from usdrigui.deform import deform, knots, posed, sweep
 from usdrigui.model import Anchor, Element, Layout, Member
+
+MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
+"""The twins among the controls of `makers.face`."""
 
 
 def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):

@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 from browser_pages import Viewer
 from pxr import Sdf, Usd
-from viewer_layouts import peak_layout
+from viewer_layouts import MIRRORS, peak_layout
 
 from usdrigui.settings import load
 from usdrigui.view.page import page_html
 
-MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 JAW = ("jaw", "slider", ("jawLeft", "jawRight"), ((0, 1),))
 PATCH = ("lower", "patch", ("chin", "jawLeft"), ())
 
@@ -27,14 +26,6 @@ def page_path(tmp_path_factory):
     path = tmp_path_factory.mktemp("viewer") / "face.html"
     path.write_text(page_html([(rig, layout)], "face"))
     return path
-
-
-@pytest.fixture
-def viewer(browser, page_path):
-    made = Viewer(browser, page_path)
-    yield made
-    assert made.trouble == []
-    made.close()
 
 
 def on_track(track, share):

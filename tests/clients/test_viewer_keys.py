@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import makers
 import pytest
-from browser_pages import Viewer
-from viewer_layouts import peak_layout
+from viewer_layouts import MIRRORS, peak_layout
 
 from usdrigui.view.page import page_html
-
-MIRRORS = {f"{name}_{a}": f"{name}_{b}" for name in makers.LEFT_BUMPS for a, b in (("L", "R"), ("R", "L"))}
 
 
 @pytest.fixture(scope="module")
@@ -18,14 +15,6 @@ def page_path(tmp_path_factory):
     path = tmp_path_factory.mktemp("viewer") / "face.html"
     path.write_text(page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face"))
     return path
-
-
-@pytest.fixture
-def viewer(browser, page_path):
-    made = Viewer(browser, page_path)
-    yield made
-    assert made.trouble == []
-    made.close()
 
 
 def keyed(viewer):
