@@ -4,6 +4,7 @@
 import { text } from 'node:stream/consumers';
 
 import { animationLayer, poseLayer, keysFromLayer } from '../../viewer/src/animation_layer.js';
+import { keysGoing, keysWithin } from '../../viewer/src/keying.js';
 import { readScene } from '../../viewer/src/scene.js';
 import { Session } from '../../viewer/src/session.js';
 
@@ -26,6 +27,8 @@ function act(session, [name, ...rest]) {
     set: (values) => session.edit('Set', () => session.set(Object.entries(values).map(([each, value]) => [index.get(each), value]))),
     key: (names) => session.key(names.map((each) => index.get(each))),
     unkey: (names) => session.unkey(names.map((each) => index.get(each))),
+    'go on': (way, names) =>
+      session.rekey(way, keysGoing(way, session.keys, keysWithin(session.keys, names.map((each) => index.get(each)), [-Infinity, Infinity]))),
     reset: () => session.reset(),
     undo: () => session.undo(),
     redo: () => session.redo(),

@@ -99,6 +99,7 @@ def random_actions(rig, rng, last):
                 rng.choice(7, p=[0.5, 0.14, 0.1, 0.06, 0.08, 0.06, 0.06])
             ]
         )
+        actions.append(["go on", str(rng.choice(["linear", "smooth", "stepped"])), some()])
     return actions
 
 

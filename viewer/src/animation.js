@@ -1,9 +1,10 @@
 // What every control is at every frame: the rig's clip, and keys as sparse opinions over it.
 //
-// A control has the value that its keys give, linear between them.  Outside its keys it follows the clip where
+// A control has the value that its keys give (interpolation.js).  Outside its keys it follows the clip where
 // the clip moves it, beginning one frame away from the key, and holds its nearest key where the clip does not.
 // A control without keys follows the clip; one that the clip does not move either keeps what it was last set to.
 
+import { bendsOf, valueBetween } from './interpolation.js';
 import * as matrix from './matrix.js';
 
 const DEFAULT_RANGE = [1, 48];
@@ -62,7 +63,7 @@ export class Animation {
 
   /**
    * Times between which all control values are linear: every whole frame, every sample of the clip, every key,
-   * and where a key's last frame ends.
+   * where a stepped key lets go, and where a key's last frame ends.
    */
   times(keys) {
     const [first, last] = this.range(keys);
@@ -70,6 +71,7 @@ export class Animation {
     for (let frame = first; frame <= last; frame++) times.add(frame);
     for (const [control, track] of keys) {
       for (const [time] of track) times.add(time);
+      for (const time of bendsOf(track)) times.add(time);
       if (this.moving[control]) times.add(track[0][0] - 1).add(track.at(-1)[0] + 1);
     }
     return [...times].sort((a, b) => a - b);
@@ -161,25 +163,15 @@ export class Animation {
   }
 }
 
-/** The value of keys ([[time, value]], ascending) at a time; `clip` tells what holds outside them, null: the keys. */
+/** The value of keys at a time; `clip` tells what holds outside them, null: the keys. */
 export function keyedValue(track, time, clip) {
   const after = track.findIndex(([key]) => key >= time);
-  if (after > 0) {
-    const [[low, from], [high, to]] = [track[after - 1], track[after]];
-    return mixed(from, to, (time - low) / (high - low));
-  }
+  if (after > 0) return valueBetween(track, after - 1, time);
   const [edge, value] = after === 0 ? track[0] : track.at(-1);
   const away = Math.abs(time - edge);
   if (!clip || away === 0) return value;
   return away >= 1 ? clip(time) : mixed(value, clip(edge + Math.sign(time - edge)), away);
 }
-
-/** Keys with one more at a time, or another in its place. */
-export function withKey(track, time, value) {
-  return [...withoutKey(track, time), [time, value]].sort(([a], [b]) => a - b);
-}
-
-export const withoutKey = (track, time) => track.filter(([key]) => key !== time);
 
 /** How a blend-shape control is read from a weight: the first channel, and what each gains per unit. */
 function channelReading({ kind, drive }) {

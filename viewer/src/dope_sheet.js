@@ -1,19 +1,27 @@
-// Keys as marks in rows, one for all controls and one for each keyed one: picked, moved, copied and taken away.
+// All keys, in rows (one for all controls and one for each keyed one) or as curves: picked one by one or by a range, moved,
+// copied, pasted, taken away, and told how to go on to the next.
 
-import { make } from './dom.js';
-import { movedKeys, removedKeys } from './keying.js';
+import { Curves, REACH } from './curves.js';
+import { make, segmented } from './dom.js';
+import { WAYS, wayOf } from './interpolation.js';
+import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, removedKeys } from './keying.js';
 
-const ROW = 18; // pixels
+const MARKS = { linear: 'dope-key', smooth: 'dope-key round', stepped: 'dope-key square' };
 
 export class DopeSheet {
   constructor(session, say) {
     this.session = session;
     this.say = say;
     this.picked = new Set(); // 'control frame'
-    this.body = make('div', { class: 'dope-rows' });
-    this.node = make('section', { class: 'dope', hidden: true, tabIndex: 0, 'aria-label': 'Keys', onkeydown: (event) => this.key(event) }, this.body);
+    this.preview = null; // keys as they are while some are dragged
+    this.copied = null;
+    this.shows = 'rows';
+    this.body = make('div', { class: 'dope-rows', onpointerdown: (event) => this.press(event) });
+    this.curves = new Curves(this);
+    this.node = make('section', { class: 'dope', hidden: true, tabIndex: 0, 'aria-label': 'Keys', onkeydown: (event) => this.key(event) }, this.makeHead(), this.body, this.curves.node);
     session.on('time', () => this.update());
     session.on('selection', () => this.update());
+    session.on('options', () => this.head.update());
   }
 
   toggle(open = this.node.hidden) {
@@ -25,97 +33,262 @@ export class DopeSheet {
     return [...this.picked].map((each) => each.split(' ').map(Number));
   }
 
+  get keys() {
+    return this.preview ?? this.session.keys;
+  }
+
+  // --- head ------------------------------------------------------------------------------------------
+
+  makeHead() {
+    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
+    const shows = segmented('Keys as', [['rows', 'Rows', 'All keys in rows'], ['curves', 'Curves', 'The curves of the selected controls, or of all that have keys']],
+      () => this.shows, (value) => this.show(value));
+    const ways = segmented('How keys go to the next', WAYS.map((way) => [way, named(way), `${named(way)}: the picked keys, or all, and the first key of a control from now on`]),
+      () => this.way, (way) => this.go(way));
+    const counted = make('output', { class: 'hint' });
+    this.head = make('div', { class: 'dope-head' }, shows, ways,
+      act('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
+      act('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
+      act('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
+      counted);
+    this.head.update = () => {
+      shows.update();
+      ways.update();
+      counted.textContent = this.counted();
+    };
+    this.head.update();
+    return this.head;
+  }
+
+  show(what) {
+    this.shows = what;
+    this.update();
+  }
+
+  /** How the picked keys go on, or without any how a first key will; null where they differ. */
+  get way() {
+    const ways = new Set(this.pickedKeys.map(([control, frame]) => wayOf(this.session.keys.get(control).find(([when]) => when === frame))));
+    if (!ways.size) return this.session.options.interpolation;
+    return ways.size > 1 ? null : [...ways][0];
+  }
+
+  counted() {
+    if (!this.picked.size) return 'Drag a key to move it, an empty place to pick a range';
+    const frames = this.pickedKeys.map(([, frame]) => frame);
+    const [first, last] = [Math.min(...frames), Math.max(...frames)];
+    return `${plural(this.picked.size)} picked, ${first === last ? `frame ${first}` : `frames ${first} to ${last}`}`;
+  }
+
+  // --- rows ------------------------------------------------------------------------------------------
+
   /** Rows: all keyed controls together, then each of them. */
   update() {
     if (this.node.hidden) return;
     const { session } = this;
-    this.range = session.animation.range(session.keys);
+    if (this.shown === session.keys && !this.preview && !this.range && this.moveNow()) return;
+    this.shown = session.keys;
+    this.scale = session.animation.range(session.keys);
     const known = new Set([...session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
     this.picked = new Set([...this.picked].filter((each) => known.has(each)));
-    const rows = [...session.keys].map(([control, track]) => this.row(session.controls[control].label, track.map(([frame]) => [[control, frame]])));
-    const frames = [...new Set([...session.keys.values()].flat().map(([frame]) => frame))].sort((a, b) => a - b);
-    const all = frames.map((frame) => [...session.keys].filter(([, track]) => track.some(([when]) => when === frame)).map(([control]) => [control, frame]));
-    const none = make('p', { class: 'hint' }, 'No keys yet: K keys what is selected or changed, Auto-key every drag.');
-    this.body.replaceChildren(...(rows.length ? [this.row('All', all), ...rows] : [none]));
+    this.draw();
   }
 
-  row(name, marks) {
-    const line = make('div', { class: 'dope-line' }, ...marks.map((keys) => this.mark(name, keys)));
+  /** Only time has gone on. */
+  moveNow() {
+    const look = [...this.picked, this.shows, ...this.session.selection].join();
+    if (this.look !== look) return false;
+    for (const node of this.body.querySelectorAll('.dope-now')) node.style.left = this.along(this.session.frame);
+    this.curves.moveNow();
+    return true;
+  }
+
+  draw() {
+    const { session } = this;
+    this.look = [...this.picked, this.shows, ...session.selection].join();
+    this.body.hidden = this.shows !== 'rows';
+    this.curves.node.style.display = this.shows === 'curves' ? '' : 'none';
+    this.head.update();
+    if (this.shows === 'curves') return this.curves.draw();
+    const tracks = [...this.keys];
+    this.rows = [{ name: 'All', controls: tracks.map(([control]) => control) }, ...tracks.map(([control]) => ({ name: session.controls[control].label, controls: [control] }))];
+    const none = make('p', { class: 'hint' }, 'No keys yet: K keys what is selected or changed, Auto-key every drag.');
+    return this.body.replaceChildren(...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
+  }
+
+  row({ name, controls }) {
+    const frames = new Map();
+    for (const control of controls) for (const key of this.keys.get(control)) frames.set(key[0], [...(frames.get(key[0]) ?? []), [control, key]]);
+    const marks = [...frames].map(([frame, keys]) => this.mark(name, frame, keys));
     const now = make('i', { class: 'dope-now', style: { left: this.along(this.session.frame) } });
-    line.append(now);
-    return make('div', { class: 'dope-row', style: { height: `${ROW}px` } }, make('span', { title: name }, name), line);
+    return make('div', { class: 'dope-row' }, make('span', { title: name }, name), make('div', { class: 'dope-line' }, ...this.band(controls), ...marks, now));
+  }
+
+  /** The range that is being picked. */
+  band(controls) {
+    if (!this.range || !controls.some((control) => this.range.controls.has(control))) return [];
+    const [from, to] = this.range.frames.map((frame) => this.along(frame));
+    return [make('i', { class: 'dope-band', style: { left: from, width: `calc(${to} - ${from})` } })];
   }
 
   along(frame) {
-    const [first, last] = this.range;
+    const [first, last] = this.scale;
     return `${(100 * (frame - first)) / (last - first)}%`;
   }
 
   /** A mark stands for one key, or for all at a frame. */
-  mark(name, keys) {
-    const frame = keys[0][1];
-    const on = keys.every((key) => this.picked.has(key.join(' ')));
+  mark(name, frame, keys) {
+    const on = keys.every(([control]) => this.picked.has(`${control} ${this.preview ? frame - this.by : frame}`));
+    const way = wayOf(keys[0][1]);
+    const words = `${name}, frame ${frame}${way === 'linear' ? '' : `, ${way}`}`;
     return make('button', {
-      type: 'button',
-      class: 'dope-key',
-      tabIndex: -1,
-      style: { left: this.along(frame) },
-      title: `${name}, frame ${frame}`,
-      'aria-label': `${name}, frame ${frame}`,
-      'aria-pressed': String(on),
-      onpointerdown: (event) => this.press(event, keys),
+      type: 'button', class: MARKS[way], tabIndex: -1, style: { left: this.along(frame) }, title: words, 'aria-label': words, 'aria-pressed': String(on),
     });
   }
 
   // --- hand ------------------------------------------------------------------------------------------
 
-  /** Pick (shift: with those picked before) and move by dragging; with Ctrl copies are moved. */
-  press(event, keys) {
-    const line = event.currentTarget.parentElement.getBoundingClientRect();
-    const names = keys.map((key) => key.join(' '));
-    if (!event.shiftKey && !names.every((name) => this.picked.has(name))) this.picked.clear();
-    names.forEach((name) => this.picked.add(name));
-    const perPixel = (this.range[1] - this.range[0]) / line.width;
-    let by = 0;
-    const move = (moving) => (by = Math.round((moving.clientX - event.clientX) * perPixel));
-    const up = (released) => {
-      window.removeEventListener('pointermove', move);
-      if (by) this.moveBy(by, released.ctrlKey || released.metaKey);
-      else this.update();
-    };
-    window.addEventListener('pointermove', move);
-    window.addEventListener('pointerup', up, { once: true });
+  /** The row and the frame, not a whole one, at a place of the page. */
+  at({ clientX, clientY }) {
+    const nodes = [...this.body.querySelectorAll('.dope-line')];
+    const boxes = nodes.map((node) => node.getBoundingClientRect());
+    const below = boxes.findIndex(({ bottom }) => clientY <= bottom);
+    const row = below < 0 ? boxes.length - 1 : below;
+    const [first, last] = this.scale;
+    const perPixel = (last - first) / boxes[row].width;
+    return { row, frame: first + (clientX - boxes[row].left) * perPixel, perPixel };
+  }
+
+  /** On a key: pick it (shift: with those picked before) and move; elsewhere: pick a range. */
+  press(event) {
+    if (event.button || !this.session.keys.size) return;
+    const at = this.at(event);
+    const { controls } = this.rows[at.row];
+    const reach = at.perPixel * (event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
+    const near = keysWithin(this.session.keys, controls, [at.frame - reach, at.frame + reach]);
+    const frame = near.reduce((best, [, each]) => (Math.abs(each - at.frame) < Math.abs(best - at.frame) ? each : best), Infinity);
+    const hit = near.filter(([, each]) => each === frame);
+    if (hit.length) this.moving(event, at, hit);
+    else this.ranging(event, at);
     this.node.focus({ preventScroll: true });
     event.preventDefault();
   }
 
+  /** Pick keys; those picked already stay so when one of them is pressed. */
+  pick(keys, adds) {
+    const names = keys.map((key) => key.join(' '));
+    if (!adds && !names.every((name) => this.picked.has(name))) this.picked.clear();
+    names.forEach((name) => this.picked.add(name));
+  }
+
+  moving(event, start, hit) {
+    this.pick(hit, event.shiftKey);
+    this.draw();
+    this.follow(event, (moved) => {
+      this.by = Math.round((moved.clientX - event.clientX) * start.perPixel);
+      this.preview = this.by ? movedKeys(this.session.keys, this.pickedKeys, this.by, moved.ctrlKey || moved.metaKey) : null;
+      this.draw();
+    }, (released) => this.moveBy(this.by, released.ctrlKey || released.metaKey));
+  }
+
+  ranging(event, start) {
+    const before = event.shiftKey ? [...this.picked] : [];
+    this.picked = new Set(before);
+    this.follow(event, (moved) => {
+      const end = this.at(moved);
+      const controls = this.rows.slice(Math.min(start.row, end.row), Math.max(start.row, end.row) + 1).flatMap((row) => row.controls);
+      /** @type {[number, number]} */
+      const frames = [Math.min(start.frame, end.frame), Math.max(start.frame, end.frame)];
+      this.range = { controls: new Set(controls), frames };
+      this.picked = new Set([...before, ...keysWithin(this.session.keys, controls, frames).map((key) => key.join(' '))]);
+      this.draw();
+    }, () => {});
+    this.draw();
+  }
+
+  /** A drag: `move` hears of each step, `drop` of the end; nothing happens when it is broken off. */
+  follow(event, move, drop) {
+    this.by = 0;
+    const ends = new AbortController();
+    const own = (act) => (each) => each.pointerId === event.pointerId && act(each);
+    const end = (act) => own((each) => {
+      ends.abort();
+      Object.assign(this, { preview: null, range: null });
+      act(each);
+      this.draw();
+    });
+    const { signal } = ends;
+    window.addEventListener('pointermove', own(move), { signal });
+    window.addEventListener('pointerup', end(drop), { signal });
+    window.addEventListener('pointercancel', end(() => {}), { signal });
+  }
+
   key(event) {
     const steps = { ArrowLeft: -1, ArrowRight: 1 };
+    const held = event.ctrlKey || event.metaKey;
     if (event.key === 'Delete' || event.key === 'Backspace') this.remove();
-    else if (steps[event.key] && this.picked.size) this.moveBy(steps[event.key] * (event.shiftKey ? 10 : 1), event.ctrlKey || event.metaKey);
-    else if (event.key === 'a' && (event.ctrlKey || event.metaKey)) this.pickAll();
+    else if (steps[event.key] && this.picked.size) this.moveBy(steps[event.key] * (event.shiftKey ? 10 : 1), held);
+    else if (held && event.key === 'a') this.pickAll();
+    else if (held && event.key === 'c' && this.picked.size) this.copy();
+    else if (held && event.key === 'v' && this.copied) this.paste();
+    else if (event.key === 'Escape' && this.picked.size) this.picked.clear();
     else return;
+    this.draw();
     event.preventDefault();
     event.stopPropagation();
   }
 
+  // --- what is done to keys --------------------------------------------------------------------------
+
   pickAll() {
     this.picked = new Set([...this.session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
-    this.update();
   }
 
   moveBy(by, copies) {
+    if (!by || !this.picked.size) return;
+    this.change(copies ? 'Copy' : 'Move', ([frame, value]) => [frame + by, value], copies);
+  }
+
+  /** Picked keys as `change` has them; they stay picked. */
+  change(label, change, copies = false) {
+    const { keys, controls } = this.session;
     const picked = this.pickedKeys;
-    if (!picked.length) return;
-    const keys = movedKeys(this.session.keys, picked, by, copies);
-    this.picked = new Set(picked.map(([control, frame]) => `${control} ${frame + by}`));
-    this.session.rekey(`${copies ? 'Copy' : 'Move'} ${counted(picked.length)}`, keys);
+    /** @type {(key: any[], control: number) => [number, number]} */
+    const bounded = (key, control) => {
+      const [frame, value] = change(key, control);
+      return [frame, Math.min(controls[control].maximum, Math.max(controls[control].minimum, value))];
+    };
+    const frameOf = ([control, frame]) => bounded(keys.get(control).find(([when]) => when === frame), control)[0];
+    this.picked = new Set(picked.map((key) => `${key[0]} ${frameOf(key)}`));
+    this.session.rekey(`${label} ${plural(picked.length)}`, changedKeys(keys, picked, bounded, copies));
   }
 
   remove() {
     const picked = this.pickedKeys;
-    if (picked.length) this.session.rekey(`Delete ${counted(picked.length)}`, removedKeys(this.session.keys, picked));
+    if (picked.length) this.session.rekey(`Delete ${plural(picked.length)}`, removedKeys(this.session.keys, picked));
+    else this.say('No key is picked');
+  }
+
+  copy() {
+    if (this.picked.size) this.copied = copiedKeys(this.session.keys, this.pickedKeys);
+    this.say(this.picked.size ? `${plural(this.copied.length)} copied` : 'No key is picked');
+  }
+
+  paste() {
+    const { session, copied } = this;
+    if (!copied) return this.say('No key is copied');
+    this.picked = new Set(copied.map(([control, [frame]]) => `${control} ${session.frame + frame}`));
+    return session.rekey(`Paste ${plural(copied.length)}`, pastedKeys(session.keys, copied, session.frame));
+  }
+
+  /** Picked keys, or all, go to the next ones in this way, and so does the first key of a control from now on. */
+  go(way) {
+    const { session } = this;
+    const picked = this.pickedKeys.length ? this.pickedKeys : keysWithin(session.keys, [...session.keys.keys()], [-Infinity, Infinity]);
+    if (!this.picked.size) session.setOption('interpolation', way);
+    if (picked.length) session.rekey(`${named(way)}: ${plural(picked.length)}`, keysGoing(way, session.keys, picked));
+    this.draw();
   }
 }
 
-const counted = (count) => `${count} key${count === 1 ? '' : 's'}`;
+const named = (way) => way[0].toUpperCase() + way.slice(1);
+const plural = (count) => `${count} key${count === 1 ? '' : 's'}`;

@@ -1,14 +1,28 @@
-// What is done to keys and poses: pure functions from keys (control -> [[frame, value]], ascending) or values to others.
+// What is done to keys and poses: pure functions from keys (control -> [[frame, value, way]], ascending) or values to others.
 
-import { withKey, withoutKey } from './animation.js';
+import { keyOf, wayOf, withKey, withoutKey } from './interpolation.js';
 
-/** Keys with those `picked` ([control, frame] each) `by` frames later, in place of what was there; `copies` leaves the old. */
-export function movedKeys(keys, picked, by, copies = false) {
-  const found = picked.map(([control, frame]) => [control, frame, valueAt(keys, control, frame)]).filter(([, , value]) => value !== undefined);
+/** Keys of `picked` ([control, frame] each) that there are, as [control, key]. */
+const found = (keys, picked) =>
+  picked.flatMap(([control, frame]) => (keys.get(control) ?? []).filter(([when]) => when === frame).map((key) => [control, key]));
+
+/**
+ * @typedef {Map<number, any[][]>} Keys
+ *
+ * Keys with those `picked` as `change` has them, [frame, value] to [frame, value], in place of what was there; `copies` leaves
+ * the old.
+ */
+export function changedKeys(keys, picked, change, copies = false) {
   const out = copies ? new Map(keys) : removedKeys(keys, picked);
-  for (const [control, frame, value] of found) out.set(control, withKey(out.get(control) ?? [], frame + by, value));
+  for (const [control, key] of found(keys, picked)) {
+    const [frame, value] = change(key, control);
+    out.set(control, withKey(out.get(control) ?? [], frame, value, wayOf(key)));
+  }
   return out;
 }
+
+/** Keys with those picked `by` frames later. */
+export const movedKeys = (keys, picked, by, copies = false) => changedKeys(keys, picked, ([frame, value]) => [frame + by, value], copies);
 
 export function removedKeys(keys, picked) {
   const out = new Map(keys);
@@ -20,7 +34,29 @@ export function removedKeys(keys, picked) {
   return out;
 }
 
-const valueAt = (keys, control, frame) => keys.get(control)?.find(([when]) => when === frame)?.[1];
+/** Keys with those picked going to their next ones in another way. */
+export function keysGoing(way, keys, picked) {
+  const out = new Map(keys);
+  for (const [control, [frame, value]] of found(keys, picked)) out.set(control, withKey(out.get(control), frame, value, way));
+  return out;
+}
+
+/** Picked keys to be pasted elsewhere: [control, key], from frame 0. */
+export function copiedKeys(keys, picked) {
+  const first = Math.min(...picked.map(([, frame]) => frame));
+  return found(keys, picked).map(([control, key]) => [control, keyOf(key[0] - first, key[1], wayOf(key))]);
+}
+
+/** Keys with copied ones from a frame on. */
+export function pastedKeys(keys, copied, first) {
+  const out = new Map(keys);
+  for (const [control, key] of copied) out.set(control, withKey(out.get(control) ?? [], first + key[0], key[1], wayOf(key)));
+  return out;
+}
+
+/** [control, frame] of the keys of some controls between two frames. */
+export const keysWithin = (keys, controls, [first, last]) =>
+  controls.flatMap((control) => (keys.get(control) ?? []).filter(([frame]) => frame >= first && frame <= last).map(([frame]) => [control, frame]));
 
 /**
  * Values between the keys before and after a frame: [control, value] with share 0 at the one before, 1 at the one

@@ -34,7 +34,7 @@ const SHORTCUTS = [
   ['0  R  K', 'zero, reset, key the selection'],
   ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection'],
   ['Space', 'play'],
-  ['D', 'all keys in rows: drag moves, Ctrl-drag copies, Delete takes away'],
+  ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies), a drag from an empty place picks, Delete takes away'],
   ['Ctrl+C, Ctrl+V', 'copy and paste the pose of the selection, or of all'],
   ['/', 'search'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],

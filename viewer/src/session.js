@@ -1,11 +1,12 @@
 // One character in the hand: its pose, its keys, what is selected, pinned, locked and hidden, and how it is shown.
 // Everything on the page reads the session and changes it through these methods; listeners hear of it.
 
-import { Animation, withKey, withoutKey } from './animation.js';
+import { Animation } from './animation.js';
 import { Deformer } from './deform.js';
 import { Elements } from './elements.js';
 import { Influence } from './heat.js';
 import { History } from './history.js';
+import { withKey, withoutKey } from './interpolation.js';
 import { flipped, mirroredFrom, tweened } from './keying.js';
 import { Levels } from './levels.js';
 
@@ -21,6 +22,7 @@ export const DEFAULT_OPTIONS = {
   symmetric: false,
   rearrange: false,
   autoKey: false,
+  interpolation: 'linear', // of the first key of a control
   locality: 0.1,
   skinDrag: true,
 };
@@ -43,7 +45,7 @@ export class Session {
     this.history = new History();
     this.frame = this.animation.first;
     this.neutral = true; // the layout's base pose is under the values, not the frame's
-    this.keys = new Map(); // control index -> [[frame, value]], ascending
+    this.keys = new Map(); // control index -> [[frame, value, way]], ascending
     this.standing = new Map(); // control index -> value of what neither keys nor the clip animate
     this.given = Float64Array.from(this.rest); // the values before any change at this frame
     this.moved = new Map(); // element index -> where it was put by hand
@@ -245,7 +247,11 @@ export class Session {
 
   setKeys(controls) {
     const keys = new Map(this.keys);
-    for (const index of controls) keys.set(index, withKey(keys.get(index) ?? [], this.frame, this.values[index]));
+    for (const index of controls) {
+      const track = keys.get(index) ?? [];
+      const way = track.length ? undefined : this.options.interpolation;
+      keys.set(index, withKey(track, this.frame, this.values[index], way));
+    }
     this.takeKeys(keys, this.standing);
   }
 

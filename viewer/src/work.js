@@ -1,11 +1,13 @@
 // An animator's work on one character as JSON: keys, standing values, what is changed and not keyed, locks, and
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
+import { WAYS, wayOf } from './interpolation.js';
+
 /** Keys and standing values by names of controls. */
 export function sayKeys({ controls }, { keys, standing }) {
   const byName = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
   return {
-    keys: byName(keys, (track) => track.map((key) => key.map(rounded))),
+    keys: byName(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
     standing: byName(standing, rounded),
   };
 }
@@ -73,6 +75,7 @@ function byControl(entries, controls, isValid) {
   return new Map(known.map(([name, value]) => [index.get(name), value]));
 }
 
-const isTrack = (track) =>
-  Array.isArray(track) && track.length > 0 && track.every((key) => Array.isArray(key) && key.length === 2 && key.every(Number.isFinite));
+const isKey = (key) =>
+  Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
+const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every(isKey);
 const rounded = (value) => Number(value.toPrecision(9));

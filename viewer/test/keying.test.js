@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { flipped, mirroredFrom, movedKeys, removedKeys, tweened } from '../src/keying.js';
+import { changedKeys, copiedKeys, flipped, keysGoing, keysWithin, mirroredFrom, movedKeys, pastedKeys, removedKeys, tweened } from '../src/keying.js';
 
 const sorted = (keys) => [...keys].sort(([a], [b]) => a - b);
 const KEYS = new Map([[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
@@ -11,6 +11,17 @@ test('keys are moved over what is there, copied, and taken away; those given sta
   assert.deepEqual(movedKeys(KEYS, [[0, 1]], 2, true).get(0), [[1, 0.1], [3, 0.1], [5, 0.5]]);
   assert.deepEqual([...removedKeys(KEYS, [[2, 5], [0, 1], [1, 1]])], [[0, [[5, 0.5]]]]);
   assert.deepEqual(KEYS.get(0), [[1, 0.1], [5, 0.5]]);
+});
+
+test('ranges of keys are found, changed, copied elsewhere and told how to go on; each keeps its way', () => {
+  const keys = new Map([[0, [[1, 0.1, 'stepped'], [5, 0.5]]], [2, [[5, 0.9, 'smooth']]]]);
+  const range = keysWithin(keys, [0, 2], [2, 6]);
+  assert.deepEqual(range, [[0, 5], [2, 5]]);
+  assert.deepEqual(sorted(changedKeys(keys, range, ([frame, value], control) => [frame + 1, value / (control + 1)])), [[0, [[1, 0.1, 'stepped'], [6, 0.5]]], [2, [[6, 0.3, 'smooth']]]]);
+  const copied = copiedKeys(keys, [[0, 1], [2, 5]]);
+  assert.deepEqual(copied, [[0, [0, 0.1, 'stepped']], [2, [4, 0.9, 'smooth']]]);
+  assert.deepEqual(sorted(pastedKeys(keys, copied, 5)), [[0, [[1, 0.1, 'stepped'], [5, 0.1, 'stepped']]], [2, [[5, 0.9, 'smooth'], [9, 0.9, 'smooth']]]]);
+  assert.deepEqual(sorted(keysGoing('linear', keys, [[0, 1], [0, 5], [2, 5]])), [[0, [[1, 0.1], [5, 0.5]]], [2, [[5, 0.9]]]]);
 });
 
 test('a tween lies between the keys on both sides, and needs both', () => {

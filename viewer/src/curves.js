@@ -1,0 +1,183 @@
+// Curves of the selected controls, or of all that have keys, over time: each over its own range, with keys to drag in time
+// and value.
+
+import { keyedValue } from './animation.js';
+import { bendsOf } from './interpolation.js';
+import { changedKeys, keysWithin } from './keying.js';
+import { COLOURS } from './overlay.js';
+
+export const REACH = { mouse: 8, touch: 22 }; // pixels around a key
+const EDGE = 12; // pixels around the curves
+const SVG = 'http://www.w3.org/2000/svg';
+
+export class Curves {
+  /** `sheet`: whose keys are shown, picked and changed. */
+  constructor(sheet) {
+    this.sheet = sheet;
+    this.node = /** @type {SVGSVGElement} */ (svg('svg', { class: 'curves', role: 'img', 'aria-label': 'Curves' }));
+    this.node.addEventListener('pointerdown', (event) => this.press(event));
+    new ResizeObserver(() => this.sheet.shows === 'curves' && !this.sheet.node.hidden && this.draw()).observe(this.node);
+  }
+
+  get session() {
+    return this.sheet.session;
+  }
+
+  /** Keyed controls that are selected, or all that are keyed. */
+  get controls() {
+    const keyed = [...this.sheet.keys.keys()];
+    const chosen = new Set(this.session.selection.size ? this.session.chosenControls : []);
+    const both = keyed.filter((control) => chosen.has(control));
+    return both.length ? both : keyed;
+  }
+
+  draw() {
+    const { clientWidth: width, clientHeight: height } = this.node;
+    if (!this.sheet.scale || !width) return;
+    this.size = [width, height];
+    this.node.replaceChildren(
+      ...[0, 0.5, 1].map((share) => svg('line', { class: 'curve-grid', x1: 0, x2: width, y1: this.y(share), y2: this.y(share) })),
+      ...this.controls.flatMap((control) => this.curve(control)),
+      svg('line', { class: 'curve-now', y1: 0, y2: height }),
+    );
+    this.moveNow();
+  }
+
+  moveNow() {
+    const now = this.node.querySelector('.curve-now');
+    const x = this.size ? this.x(this.session.frame) : 0;
+    if (now) setAll(now, { x1: x, x2: x });
+  }
+
+  curve(control) {
+    const { session, sheet } = this;
+    const track = sheet.keys.get(control);
+    const colour = COLOURS[session.elements.byControl.get(control)?.side ?? 'none'];
+    const { label } = session.controls[control];
+    const [[first], [last]] = [track[0], track.at(-1)];
+    const times = [...new Set([...track.map(([frame]) => frame), ...bendsOf(track), ...wholeFrames(first, last)])].sort((a, b) => a - b);
+    const points = times.map((time) => this.place(control, time, keyedValue(track, time, null)).join());
+    const named = this.place(control, last, track.at(-1)[1]);
+    const ends = named[0] > this.size[0] - 120;
+    return [
+      svg('polyline', { class: 'curve', points: points.join(' '), stroke: colour }),
+      ...track.map(([frame, value]) => this.keyMark(control, frame, value, colour, label)),
+      text(label, { class: 'curve-name', x: named[0] + (ends ? -8 : 8), y: Math.max(12, named[1] - 6), fill: colour, 'text-anchor': ends ? 'end' : 'start' }),
+    ];
+  }
+
+  keyMark(control, frame, value, colour, label) {
+    const [x, y] = this.place(control, frame, value);
+    const [by] = this.moved ?? [0];
+    const on = this.sheet.picked.has(`${control} ${this.sheet.preview ? frame - by : frame}`);
+    const mark = svg('circle', { class: on ? 'curve-key on' : 'curve-key', cx: x, cy: y, r: 4.5, fill: on ? '#fff' : colour });
+    mark.append(text(`${label}, frame ${frame}: ${value.toFixed(3)}`, {}, 'title'));
+    return mark;
+  }
+
+  // --- places ----------------------------------------------------------------------------------------
+
+  x(frame) {
+    const [first, last] = this.sheet.scale;
+    return EDGE + ((frame - first) / (last - first)) * (this.size[0] - 2 * EDGE);
+  }
+
+  y(share) {
+    return this.size[1] - EDGE - share * (this.size[1] - 2 * EDGE);
+  }
+
+  place(control, frame, value) {
+    const { minimum, maximum } = this.session.controls[control];
+    return [this.x(frame), this.y((value - minimum) / (maximum - minimum))];
+  }
+
+  /** The shown key nearest to a place, as [control, frame], or null. */
+  keyAt(x, y, reach) {
+    let [best, nearest] = [null, reach];
+    for (const control of this.controls) {
+      for (const [frame, value] of this.session.keys.get(control)) {
+        const at = this.place(control, frame, value);
+        const away = Math.hypot(at[0] - x, at[1] - y);
+        if (away <= nearest) [best, nearest] = [[control, frame], away];
+      }
+    }
+    return best;
+  }
+
+  // --- hand ------------------------------------------------------------------------------------------
+
+  press(event) {
+    if (event.button || !this.size) return;
+    const box = this.node.getBoundingClientRect();
+    const at = [event.clientX - box.left, event.clientY - box.top];
+    const hit = this.keyAt(at[0], at[1], event.pointerType === 'touch' ? REACH.touch : REACH.mouse);
+    if (hit) this.moving(event, hit);
+    else this.ranging(event, box, at);
+    this.sheet.node.focus({ preventScroll: true });
+    event.preventDefault();
+  }
+
+  moving(event, hit) {
+    const { sheet, session } = this;
+    sheet.pick([hit], event.shiftKey);
+    sheet.draw();
+    const [first, last] = sheet.scale;
+    const [wide, high] = this.size.map((each) => each - 2 * EDGE);
+    this.moved = [0, 0];
+    const change = ([frame, value], control) => {
+      const { minimum, maximum } = session.controls[control];
+      return [frame + this.moved[0], Math.min(maximum, Math.max(minimum, value + this.moved[1] * (maximum - minimum)))];
+    };
+    sheet.follow(event, (now) => {
+      const [dx, dy] = [now.clientX - event.clientX, now.clientY - event.clientY];
+      const upright = now.shiftKey && Math.abs(dy) > Math.abs(dx);
+      this.moved = [upright ? 0 : Math.round((dx * (last - first)) / wide), now.shiftKey && !upright ? 0 : -dy / high];
+      sheet.preview = changedKeys(session.keys, sheet.pickedKeys, change);
+      sheet.draw();
+    }, () => {
+      if (this.moved.some((each) => each !== 0)) sheet.change('Move', change);
+    });
+  }
+
+  ranging(event, box, from) {
+    const { sheet, session } = this;
+    const before = event.shiftKey ? [...sheet.picked] : [];
+    sheet.picked = new Set(before);
+    const frame = svg('rect', { class: 'curve-band' });
+    sheet.follow(event, (now) => {
+      const to = [now.clientX - box.left, now.clientY - box.top];
+      const [low, high] = [0, 1].map((axis) => [Math.min(from[axis], to[axis]), Math.max(from[axis], to[axis])]).reduce(([l, h], [a, b]) => [[...l, a], [...h, b]], [[], []]);
+      const within = ([control, when]) => {
+        const at = this.place(control, when, session.keys.get(control).find(([each]) => each === when)[1]);
+        return at.every((value, axis) => value >= low[axis] && value <= high[axis]);
+      };
+      const keys = keysWithin(session.keys, this.controls, [-Infinity, Infinity]).filter(within);
+      sheet.picked = new Set([...before, ...keys.map((key) => key.join(' '))]);
+      sheet.draw();
+      setAll(frame, { x: low[0], y: low[1], width: high[0] - low[0], height: high[1] - low[1] });
+      this.node.append(frame);
+    }, () => {});
+    sheet.draw();
+  }
+}
+
+function* wholeFrames(first, last) {
+  for (let frame = Math.ceil(first); frame <= last; frame++) yield frame;
+}
+
+function setAll(node, attributes) {
+  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
+}
+
+function svg(tag, attributes) {
+  const node = document.createElementNS(SVG, tag);
+  setAll(node, attributes);
+  return node;
+}
+
+function text(words, attributes, tag = 'text') {
+  const node = svg(tag, attributes);
+  node.textContent = words;
+  return node;
+}
+
