@@ -1,8 +1,8 @@
 """Make generatedSchema.usda and plugInfo.json from schema.usda: ``python schemas/generate.py [FOLDER]``.
 
-Runs the `usdGenSchema` that comes with usd-core (needs jinja2), names the resource plug-in, and puts the
-full documentation back, of which usdGenSchema keeps the first sentences only.  FOLDER is where to write;
-without it, beside schema.usda.
+Runs the `usdGenSchema` that comes with usd-core (needs jinja2), names the resource plug-in, puts the full
+documentation back, of which usdGenSchema keeps the first sentences only, and says the ranges of the
+documentation as `limits`.  FOLDER is where to write; without it, beside schema.usda.
 """
 
 from __future__ import annotations
@@ -18,6 +18,8 @@ from pathlib import Path
 from pxr import Sdf
 
 HERE = Path(__file__).resolve().parent
+_RANGE = re.compile(r"^Range: [\[(](\S+), (\S+)[\])]$", re.MULTILINE)
+_NUMBER = re.compile(r"-?[\d.]+")
 _FLOW = re.compile(r"\s*\n\s*(?=\S)(?!Range:|Units:|Zero:)|(?<=\.)  ")
 
 
@@ -28,6 +30,7 @@ def generate(folder: Path) -> None:
         plug_info = json.loads(_without_comments((Path(scratch) / "plugInfo.json").read_text("utf-8")))
         schema = Sdf.Layer.OpenAsAnonymous(str(Path(scratch) / "generatedSchema.usda"))
         _restore_documentation(schema, Sdf.Layer.FindOrOpen(str(HERE / "schema.usda")))
+        _author_limits(schema)
         schema.comment = ""
         schema.documentation = "Generated from schema.usda by generate.py. Do not edit."
         (folder / "generatedSchema.usda").write_text(schema.ExportToString(), "utf-8", newline="\n")
@@ -75,6 +78,23 @@ def _property_prefix(source: Sdf.Layer, prim: Sdf.PrimSpec) -> str:
 
 def _source_property(source: Sdf.Layer, prim: Sdf.PrimSpec, name: str) -> Sdf.PropertySpec:
     return source.GetPropertyAtPath(prim.path.AppendProperty(name))
+
+
+def _author_limits(schema: Sdf.Layer) -> None:
+    """Say each range once more for machines, as hard `limits`; an end without a number has no limit."""
+    for prim in schema.rootPrims:
+        for spec in prim.attributes:
+            for ends in _RANGE.findall(spec.documentation):
+                bounds = dict(zip(("minimum", "maximum"), ends, strict=True))
+                hard = {key: _bound(spec.typeName, end) for key, end in bounds.items() if _NUMBER.fullmatch(end)}
+                if hard:
+                    spec.SetInfo("limits", {"hard": hard})
+
+
+def _bound(kind: Sdf.ValueTypeName, end: str) -> object:
+    """A limit has the type of its attribute: a vector for its components, an array with one entry for all of its."""
+    scalar = type(kind.scalarType.defaultValue)(float(end))
+    return type(kind.defaultValue)([scalar]) if kind.isArray else scalar
 
 
 def _reflowed(text: str) -> str:

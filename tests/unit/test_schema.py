@@ -6,13 +6,14 @@ import importlib.util
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
-from pxr import Sdf
+from pxr import Sdf, Usd
 
 from usdrigui.errors import RigUIError
 from usdrigui.usd import author, schema
@@ -62,10 +63,30 @@ def test_every_class_of_the_source_is_known_by_name_and_documented():
         for each in prim.properties:
             numeric = isinstance(each, Sdf.AttributeSpec) and str(each.typeName) not in NOT_NUMBERS
             assert ("Units: " in each.documentation) == numeric, each.path
+            assert ("Range: " in each.documentation) == numeric, each.path
             assert each.displayName, each.path
             assert each.displayGroup, each.path
     types = json.loads((SOURCE / "plugInfo.json").read_text())["Plugins"][0]["Info"]["Types"]
     assert {each["schemaIdentifier"] for each in types.values()} == set(schema.APIS)
+
+
+@pytest.mark.skipif(not hasattr(Usd, "AttributeLimits"), reason="USD before 25.11 has no limits")
+def test_every_bound_of_a_number_is_a_limit_of_its_type():
+    layer = Sdf.Layer.FindOrOpen(str(SOURCE / "generatedSchema.usda"))
+    stage = Usd.Stage.CreateInMemory()
+    bounded = 0
+    for each in (each for top in layer.rootPrims for each in top.attributes if "Range: " in each.documentation):
+        low, high = re.search(r"^Range: [\[(](\S+), (\S+)[\])]$", each.documentation, re.MULTILINE).groups()
+        hard = (each.GetInfo("limits") or {}).get("hard", {})
+        assert ("minimum" in hard, "maximum" in hard) == (low != "-inf", high not in ("inf", "pointCount")), each.path
+        for found, said in ((hard.get("minimum", low), low), (hard.get("maximum", high), high)):
+            assert found == said or np.all(np.asarray(found) == float(said)), each.path
+        made = stage.DefinePrim(f"/{each.owner.name}").CreateAttribute(each.name, each.typeName)
+        validated = made.GetHardLimits().Validate(hard)
+        assert validated.success, each.path
+        assert {*map(type, validated.conformedSubDict.values())} == {*map(type, hard.values())}, each.path
+        bounded += bool(hard)
+    assert bounded > 10
 
 
 def test_registration_in_time_brings_fallbacks():
@@ -79,8 +100,9 @@ prim = stage.DefinePrim("/a")
 prim.AddAppliedSchema("RigUIElementAPI")
 prim.AddAppliedSchema("RigUIControlAPI:smile")
 print(prim.GetAttribute("rigUI:element:elementType").Get(), prim.GetAttribute("rigUI:control:smile:maximum").Get())
+print(prim.GetAttribute("rigUI:control:smile:magnification").GetMetadataByDictKey("limits", "hard:minimum"))
 """
-    assert run(code) == "slider 1.0"
+    assert run(code) == "slider 1.0\n0.0"
 
 
 @pytest.mark.parametrize("early", ["Usd.Stage.CreateInMemory().DefinePrim('/a', 'Xform')", "Usd.SchemaRegistry()"])
