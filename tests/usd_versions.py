@@ -108,7 +108,8 @@ def complaint(python: str, path: Path, root: str, expected: str, plugin: bool) -
     )
     if done.returncode or done.stderr.strip():
         return f"exit {done.returncode}: {done.stderr.strip()[:500]}"
-    said, wanted = json.loads(done.stdout), json.loads(expected)
+    # Blender's Python logs about its own surroundings to the output before; USD complains to the errors.
+    said, wanted = json.loads(done.stdout.splitlines()[-1]), json.loads(expected)
     if said["handles"].keys() != wanted["handles"].keys():
         return f"other handles: {sorted(said['handles'].keys() ^ wanted['handles'].keys())}"
     worst = max(
