@@ -295,7 +295,7 @@ def _row(row: ControlRow) -> dict[str, Any]:
     }
 
 
-def _element(element: Element, standing: bool) -> dict[str, Any]:
+def _element(element: Element, existing: bool) -> dict[str, Any]:
     anchor = element.anchor
     return {
         "name": element.name,
@@ -311,7 +311,7 @@ def _element(element: Element, standing: bool) -> dict[str, Any]:
         "position": anchor.position.tolist(),
         "gains": [member.gain for member in element.members],
         "reason": element.reason,
-        "standing": standing,
+        "existing": existing,
         "members": list(element.inner),
     }
 

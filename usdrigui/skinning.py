@@ -14,6 +14,8 @@ from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternio
 
 SAME = 1e-8
 """Skinning matrices that differ by less (translations: relative to the mesh) are taken for equal."""
+_FACE_SHARE = 0.9
+"""Share of the points' influence that lies on the joint that carries a face, and below it."""
 
 
 def skinning_matrices(rig: Rig, local: Floats) -> Floats:
@@ -74,6 +76,32 @@ def bound_points(points: Floats, skin: Skin) -> Floats:
     bound = np.ones((len(points), 4))
     bound[:, :3] = points @ skin.geom_bind[:3, :3] + skin.geom_bind[3, :3]
     return bound
+
+
+def carrying_joint(rig: Rig, rows: Indices) -> int:
+    """The deepest joint on which, with the joints below it, `_FACE_SHARE` of the influence on points `rows` (q,) lies.
+
+    -1 where there is none.  By it the joint of a face is found without names.
+    """
+    share: Floats = np.zeros(len(rig.joints))
+    for row in rows.tolist():
+        mesh, local = rig.mesh_of(row)
+        skin = rig.meshes[mesh].skin
+        if skin is not None:
+            np.add.at(share, skin.joints[local], skin.weights[local])
+    total = float(share.sum())
+    if not total > 0.0:
+        return -1
+    depth = np.zeros(len(rig.joints), dtype=np.int64)
+    for i, joint in enumerate(rig.joints):
+        depth[i] = depth[joint.parent] + 1 if joint.parent >= 0 else 0
+    for i in range(len(rig.joints) - 1, -1, -1):
+        if rig.joints[i].parent >= 0:
+            share[rig.joints[i].parent] += share[i]
+    carrying = np.flatnonzero(share >= _FACE_SHARE * total)
+    if not len(carrying):
+        return int(share.argmax())
+    return int(carrying[np.lexsort((carrying, -share[carrying], -depth[carrying]))[0]])
 
 
 def skeleton_to_root(rig: Rig, skin: Skin) -> Floats:

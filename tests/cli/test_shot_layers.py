@@ -103,7 +103,7 @@ def test_check_finds_nothing_wrong_with_the_composed_layout(made, capsys):
 def test_the_report_tells_what_stands_and_the_new_ones_are_proven(made, capsys):
     told = run(capsys, "process", made / "shot.usda", "--base", made / "char.rigui.usda", "--dry-run")
     character = told["characters"][0]
-    assert {each["name"] for each in character["elements"] if not each["standing"]} == set(SHAPES)
+    assert {each["name"] for each in character["elements"] if not each["existing"]} == set(SHAPES)
     assert character["solution"]["status"] == "optimal"
     main(["process", str(made / "shot.usda"), "--base", str(made / "char.rigui.usda"), "--dry-run"])
     printed = capsys.readouterr().out
@@ -126,7 +126,7 @@ def test_a_new_handle_gives_way_to_one_that_stands(folder, capsys):
     assert run(capsys, "check", folder / "fix.rigui.usda", "--strict")["issues"] == []
 
 
-def test_standing_handles_follow_the_new_shapes_in_any_application(made):
+def test_existing_handles_follow_the_new_shapes_in_any_application(made):
     """Baked by UsdSkel with a corrective on, every handle goes where its anchor goes."""
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.subLayerPaths.append(str(made / "shot.rigui.usda"))
@@ -147,7 +147,7 @@ def test_standing_handles_follow_the_new_shapes_in_any_application(made):
         way = face[1][point] - face[0][point]
         np.testing.assert_allclose(handle[1] - handle[0], way, atol=2e-6)
         moved += np.linalg.norm(way) > 1e-3
-    assert moved > len(SHAPES), "correctives move anchors of standing elements too"
+    assert moved > len(SHAPES), "correctives move anchors of existing elements too"
 
 
 # --- shots that reference the asset ------------------------------------------------------------------

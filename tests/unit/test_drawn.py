@@ -10,8 +10,8 @@ import pytest
 
 from usdrigui.model import Anchor, Element, Layout, Member
 from usdrigui.usd import drawn
-from usdrigui.usd.carry import Carriage, PointShape
 from usdrigui.usd.drawn import drawn_parts
+from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
 ORIGIN = np.array([0.1, 0.2, 0.5])
@@ -73,7 +73,7 @@ def test_the_two_ends_of_an_axis_span_no_area_however_bent_it_is():
 def test_areas_face_along_the_normal_between_the_ends_of_tracks(degrees, areas):
     rig = makers.face(9, 11)
     fan = element(around(*degrees))
-    _, tracks = drawn_parts(Carriage(rig, layout(rig, fan)), fan, 0.1)
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, fan)), fan, 0.1)
     assert tracks.faces.counts[len(degrees) :].tolist() == areas
     assert tracks.areas == len(areas)
     ends = np.array([ORIGIN, *(each.track[-1] for each in fan.members)])
@@ -89,14 +89,14 @@ def test_two_tracks_through_the_handle_span_an_area_between_their_four_ends():
     rig = makers.face(9, 11)
     ways = [member(name, way, (-1.0, 0.0, 1.0)) for name, way in (("chin", (1, 0, 0)), ("pucker", (0, 1, 0)))]
     stick = element(ways, "patch")
-    _, tracks = drawn_parts(Carriage(rig, layout(rig, stick)), stick, 0.1)
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, stick)), stick, 0.1)
     assert tracks.faces.counts[-1] == 4
 
 
 def test_a_track_is_a_ribbon_that_ends_in_a_point():
     rig = makers.face(9, 11)
     slider = element([member("chin", (1, 0, 0), np.linspace(0.0, 1.0, 5))], "slider")
-    _, tracks = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)
     assert tracks.areas == 0
     assert tracks.faces.counts.tolist() == [4, 4, 4, 3]
     middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
@@ -119,7 +119,7 @@ def test_a_track_that_turns_back_has_no_faces_that_cross_themselves():
 def test_a_track_that_leaves_the_skin_or_stands_still_is_drawn_all_the_same(direction):
     rig = makers.face(9, 11)
     slider = element([member("chin", direction)], "slider")
-    _, tracks = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)
     assert np.isfinite(tracks.points).all()
     assert np.linalg.norm(tracks.points[0] - tracks.points[1]) == pytest.approx(0.15 * 0.1)
 
@@ -153,8 +153,8 @@ def test_beside_the_face_the_handle_stands_on_its_track_at_every_weight(keys, we
     place = ORIGIN + base * np.array([0.3, 0.1, 0])
     slider = replace(slider, anchor=replace(slider.anchor, position=place))
     values = np.array([base if control.name == "chin" else 0.0 for control in controls])
-    carriage = Carriage(rig, replace(layout(rig, slider), base_values=values))
-    handle = drawn_parts(carriage, slider, 0.1)[0]
+    skin = SkinBinding(rig, replace(layout(rig, slider), base_values=values))
+    handle = drawn_parts(skin, slider, 0.1)[0]
     (shape,) = handle.shapes
     assert shape.channel == channel
     assert 1.0 in shape.weights
@@ -169,7 +169,7 @@ def test_controls_of_several_weights_leave_the_handle_of_a_board_alone():
     mixed = replace(rig.controls[0], name="mix", drive=makers.drive((0, 1)))
     rig = replace(rig, controls=(*rig.controls, mixed))
     slider = element([member("mix", (1, 0, 0))], "slider", beside=True)
-    handle = drawn_parts(Carriage(rig, layout(rig, slider)), slider, 0.1)[0]
+    handle = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)[0]
     assert handle.shapes == ()
     assert np.allclose(handle.points.mean(axis=0), ORIGIN)
 

@@ -178,13 +178,14 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
             raise
         yield from named
         return
-    if _same(found.source, layer) or (found.brought and not found.source):
+    if _same(found.source, layer) or (found.composed_from and not found.source):
         yield from _existing(_beside(layer))
         return
     yield from _existing(layer.with_suffix(".toml"))  # char.rigui.usda → char.rigui.toml
     yield from _existing(_beside(Path(found.source)))
     above |= {os.path.realpath(layer)}
-    if found.brought and os.path.realpath(found.source) not in above:  # layers can stand over each other in a circle
+    # Layers can have each other as sublayers, in a circle.
+    if found.composed_from and os.path.realpath(found.source) not in above:
         yield from _of_layer(Path(found.source), limits, above)
 
 

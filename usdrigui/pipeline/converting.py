@@ -19,9 +19,9 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     layer brings the layout in, or a part of it), FILE_TARGET and all that reading and writing can raise.
     """
     found, own = read_layouts_isolated(layer, settings), read_layer_isolated(layer, settings)
-    if found.brought or not own.ours:
-        brought = next(iter(found.brought.values()), "another layer")
-        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {brought}")
+    if found.composed_from or not own.ours:
+        origin = next(iter(found.composed_from.values()), "another layer")
+        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {origin}")
     if not found.source:
         raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
     source = Path(found.source)

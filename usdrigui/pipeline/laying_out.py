@@ -99,7 +99,7 @@ def process_stage(
     root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
     with clock.stage("read"):
         source = in_memory.read_open_rigs(stage, settings)
-    found = (*source.layouts, *(f"{root}/{SCOPE}" for root in source.brought))
+    found = (*source.layouts, *(f"{root}/{SCOPE}" for root in source.composed_from))
     if found:
         raise refuse("SOURCE_IS_LAYOUT", str(root.identifier), f"has the layout {found[0]}")
     reports = [_lay_out(rig, settings, clock, stop, source.cameras, Examples()) for rig in source.rigs]
@@ -158,8 +158,10 @@ def _check_character(asset: Path, target: Path, source: ReadResult, settings: Se
     if any(os.path.realpath(target) == each.path for each in source.sources):
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
     for rig in source.rigs:
-        if rig.root in source.brought and not over_base:
-            raise refuse("SOURCE_HAS_LAYOUT", rig.root, f"{asset} brings in its layout from {source.brought[rig.root]}")
+        if rig.root in source.composed_from and not over_base:
+            raise refuse(
+                "SOURCE_HAS_LAYOUT", rig.root, f"{asset} brings in its layout from {source.composed_from[rig.root]}"
+            )
 
 
 def _lay_out(

@@ -289,10 +289,10 @@ def measure(
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)
-        standing = on_face(found, classification, requests.overrides)
-        width = handle_width(found, views, standing, toward, settings.objective)
+        placed = on_face(found, classification, requests.overrides)
+        width = handle_width(found, views, placed, toward, settings.objective)
         if settings.objective.distinctive_weight > 0.0:
-            found = with_common_motion(found, alike, standing, views.anywhere)
+            found = with_common_motion(found, alike, placed, views.anywhere)
     return Measured(Face(rig, found, symmetry, views, width), alike, requests, classification)
 
 

@@ -43,21 +43,21 @@ def _staged_over(
     reports: list[CharacterReport],
 ) -> Outcome:
     """Stage what a shot adds to an existing layout."""
-    from usdrigui.usd.additions import Addition, write_additions
+    from usdrigui.usd.shot_layout import ShotLayout, write_shot_layouts
 
     layer = Path(base.sources[0].path)
     if same_file(target, layer):
         raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
     composed = any(each.path == base.sources[0].path for each in source.sources)
-    additions = []
+    shots = []
     for character in reports:
         root = root_in_base(base.layouts, character.rig)
         if root != character.root and not composed and base.source and not settings.output.bare:
             raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")
         prims = tuple(prim for prim in base.prims if prim.root == root)
-        additions.append(Addition(character.rig, character.layout, character.added, root, prims))
-    return write_additions(
-        additions,
+        shots.append(ShotLayout(character.rig, character.layout, character.added, root, prims))
+    return write_shot_layouts(
+        shots,
         shot,
         layer,
         target,

@@ -91,8 +91,8 @@ def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
         return "unchanged"
     roots = [layout.root for layout in layouts]
     for root in roots:
-        if root in read.brought:
-            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.brought[root]}")
+        if root in read.composed_from:
+            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.composed_from[root]}")
     entry = relative_asset_path(layer, asset)
     return _replaced(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
 

@@ -17,8 +17,8 @@ from pxr import Sdf, UsdGeom, Vt
 from usdrigui.model import Element, Floats, Indices, Record, Rig
 from usdrigui.palette import linear
 from usdrigui.usd import author, schema
-from usdrigui.usd.carry import Hold, PointShape
 from usdrigui.usd.drawn import Drawn, in_steps
+from usdrigui.usd.skin_binding import JointBinding, PointShape
 
 _AREA_OPACITY = 0.4
 _GRID = 1e-6
@@ -47,9 +47,9 @@ class Drawing(Record):
     """With the position of the element that each belongs to; in the order of the elements."""
 
     @property
-    def hold(self) -> Hold:
+    def joint_binding(self) -> JointBinding:
         """Of the first part; the others have the same skeleton and method."""
-        return self.parts[0][1].hold
+        return self.parts[0][1].joint_binding
 
 
 def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
@@ -57,9 +57,15 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
     found: dict[tuple[object, ...], list[tuple[int, Drawn]]] = {}
     for position, each in enumerate(elements):
         for part in each.parts:
-            hold = part.hold
-            skinned = bool(len(hold.joints))  # UsdSkel takes a point without influences to the origin
-            key = (each.element.part, each.inner, hold.skeleton, hold.method if skinned else "", skinned)
+            bound = part.joint_binding
+            skinned = bool(len(bound.joints))  # UsdSkel takes a point without influences to the origin
+            key = (
+                each.element.part,
+                each.inner,
+                bound.skeleton,
+                bound.method if skinned else "",
+                skinned,
+            )
             found.setdefault(key, []).append((position, part))
     return tuple(Drawing(str(key[0]), bool(key[1]), tuple(parts)) for key, parts in found.items())
 
@@ -141,19 +147,26 @@ def _starts(counts: Iterable[int]) -> Indices:
 
 def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
     """Skeleton and influences, complete: nothing is left to be inherited."""
-    hold = drawing.hold
-    if hold.skeleton >= 0:
-        author.link(mesh, "skel:skeleton", [rig.skeletons[hold.skeleton].path])
-    if not len(hold.joints):
+    bound = drawing.joint_binding
+    if bound.skeleton >= 0:
+        author.link(mesh, "skel:skeleton", [rig.skeletons[bound.skeleton].path])
+    if not len(bound.joints):
         return
     parts = [part for _, part in drawing.parts]
-    listed = np.unique(np.concatenate([part.hold.joints for part in parts]))
+    listed = np.unique(np.concatenate([part.joint_binding.joints for part in parts]))
     author.put(mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True)
-    author.put(mesh, "primvars:skel:geomBindTransform", "matrix4d", np.linalg.inv(rig.skeletons[hold.skeleton].to_root))
-    author.put(mesh, "primvars:skel:skinningMethod", "token", hold.method, uniform=True)
-    width = max(len(part.hold.joints) for part in parts)
-    rows = [np.tile(_padded(np.searchsorted(listed, part.hold.joints), width), len(part.points)) for part in parts]
-    shares = [np.tile(_padded(_shares(part.hold.weights), width), len(part.points)) for part in parts]
+    author.put(
+        mesh,
+        "primvars:skel:geomBindTransform",
+        "matrix4d",
+        np.linalg.inv(rig.skeletons[bound.skeleton].to_root),
+    )
+    author.put(mesh, "primvars:skel:skinningMethod", "token", bound.method, uniform=True)
+    width = max(len(part.joint_binding.joints) for part in parts)
+    rows = [
+        np.tile(_padded(np.searchsorted(listed, part.joint_binding.joints), width), len(part.points)) for part in parts
+    ]
+    shares = [np.tile(_padded(_shares(part.joint_binding.weights), width), len(part.points)) for part in parts]
     for name, type_name, values in (
         ("primvars:skel:jointIndices", "int[]", rows),
         ("primvars:skel:jointWeights", "float[]", shares),
@@ -182,7 +195,7 @@ def _spans(rig: Rig, drawing: Drawing) -> Spans:
     """Every part's points with those of its shapes that the mesh's own animation drives."""
     starts = _starts(len(part.points) for _, part in drawing.parts)
     ranges = [np.arange(first, last) for first, last in itertools.pairwise(starts)]
-    skeleton = drawing.hold.skeleton
+    skeleton = drawing.joint_binding.skeleton
     driven = {"", rig.skeletons[skeleton].animation} if skeleton >= 0 else {each.animation for each in rig.channels}
     return [
         (points, [shape for shape in part.shapes if rig.channels[shape.channel].animation in driven])

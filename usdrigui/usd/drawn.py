@@ -2,8 +2,8 @@
 
 Tracks and glyphs that are curves are ribbons: importers deform meshes, and leave curves where they are.
 
-Positions come in as the layout has them, in the base pose, and go out in the rest arrangement (see
-`usdrigui.usd.carry`), with the shapes and influences that make them follow the character.  numpy only.
+Positions come in as the layout has them, in the base pose, and go out in the bind pose (see
+`usdrigui.usd.skin_binding`), with the shapes and influences that make them follow the character.  numpy only.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 
 from usdrigui.model import Control, Element, Floats, Indices, Member, Record
 from usdrigui.ties import axis_across
-from usdrigui.usd.carry import Carriage, Grip, Hold, PointShape
+from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 
 _FLAT = np.radians(2.0)
 """Two tracks closer to one line than this span no area."""
@@ -57,30 +57,30 @@ class Drawn(Record):
     base_points: Floats
     """(q, 3) in root space, in the base pose."""
     points: Floats
-    """(q, 3) in the rest arrangement."""
+    """(q, 3) in the bind pose."""
     faces: Faces
     """Counter-clockwise from outside; those of areas last."""
-    hold: Hold
+    joint_binding: JointBinding
     shapes: tuple[PointShape, ...]
     """Offsets (k, q, 3)."""
     areas: int = 0
     """How many faces are those of areas."""
 
 
-def drawn_parts(carriage: Carriage, element: Element, width: float) -> tuple[Drawn, Drawn]:
+def drawn_parts(skin: SkinBinding, element: Element, width: float) -> tuple[Drawn, Drawn]:
     """Everything to draw of one element: the handle, and the tracks with the areas between them.
 
     `width` is the diameter of the handle in scene units.
     """
-    grip = carriage.grip(element)
-    felt = tuple(_short(shape, carriage) for shape in _felt(grip.shapes, _EXACT * carriage.size))
-    grip, still = replace(grip, shapes=felt), replace(grip, shapes=_felt(grip.shapes, _HAIR * width))
-    handle = _follower(carriage, grip, element, width) if grip.deforms else _slider(carriage, grip, element, width)
-    return handle, _tracks(carriage, still, element, width)
+    binding = skin.at_anchor(element)
+    felt = tuple(_short(shape, skin) for shape in _felt(binding.shapes, _EXACT * skin.size))
+    binding, still = replace(binding, shapes=felt), replace(binding, shapes=_felt(binding.shapes, _HAIR * width))
+    handle = _follower(skin, binding, element, width) if binding.deforms else _slider(skin, binding, element, width)
+    return handle, _tracks(skin, still, element, width)
 
 
-def _short(shape: PointShape, carriage: Carriage) -> PointShape:
-    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * carriage.size))
+def _short(shape: PointShape, skin: SkinBinding) -> PointShape:
+    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * skin.size))
 
 
 def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ...]:
@@ -94,9 +94,9 @@ def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ..
 # --- tracks and areas --------------------------------------------------------------------------------
 
 
-def _tracks(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
+def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """A spike for each member, and polygons between those that are neighbours (paper section 4.1)."""
-    base = np.array([carriage.value(member.control) for member in element.members])
+    base = np.array([skin.value(member.control) for member in element.members])
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same points.
         _spike(member.track, element.anchor.normal, _TRACK_WIDTH * width / (1.0 + 0.1 * i))
@@ -112,7 +112,7 @@ def _tracks(carriage: Carriage, grip: Grip, element: Element, width: float) -> D
     rows = [_values_along(base, i, member) for i, member in enumerate(element.members)]
     values = np.concatenate([*rows, *(_values_at(base, element, ends) for ends, _ in areas)])
     positions = np.concatenate([points for points, _ in pieces])
-    return _still(carriage, grip, element, values, positions, faces, len(areas), width)
+    return _still(skin, binding, element, values, positions, faces, len(areas), width)
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
@@ -133,8 +133,8 @@ def _values_at(base: Floats, element: Element, ends: list[int]) -> Floats:
 
 
 def _still(
-    carriage: Carriage,
-    grip: Grip,
+    skin: SkinBinding,
+    binding: AnchorBinding,
     element: Element,
     values: Floats,
     positions: Floats,
@@ -147,12 +147,12 @@ def _still(
     It is bound to what the own controls leave alone.  Where they turn joints, the other shapes' offsets
     turn along the track as they do at the anchor when it is there.
     """
-    hold = grip.track
-    others = [shape for shape in grip.shapes if shape.channel not in grip.own_channels]
-    if grip.turning and others:
+    bound = binding.track
+    others = [shape for shape in binding.shapes if shape.channel not in binding.own_channels]
+    if binding.turning and others:
         controls = [member.control for member in element.members]
         settings = [dict(zip(controls, row, strict=True)) for row in values.tolist()]
-        turns = carriage.maps_at(grip, settings)[:, :3] @ hold.inverse
+        turns = skin.maps_at(binding.handle, settings)[:, :3] @ bound.inverse
         spread = [np.einsum("ki,qij->kqj", shape.offsets, turns) for shape in others]
     else:
         spread = [np.repeat(shape.offsets[:, None], len(values), axis=1) for shape in others]
@@ -160,8 +160,8 @@ def _still(
         PointShape(shape.channel, shape.weights, in_steps(offsets, _HAIR_STEP * width))
         for shape, offsets in zip(others, spread, strict=True)
     )
-    points = hold.unposed(positions) - _blended(carriage, shapes)
-    return Drawn("tracks", np.array(positions, dtype=np.float64), points, faces, hold, shapes, areas)
+    points = bound.unposed(positions) - _blended(skin, shapes)
+    return Drawn("tracks", np.array(positions, dtype=np.float64), points, faces, bound, shapes, areas)
 
 
 def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices]:
@@ -256,13 +256,13 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
 # --- handles -----------------------------------------------------------------------------------------
 
 
-def _follower(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
+def _follower(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """The handle of an element on the skin: it has every shape and influence of the anchor."""
     around, faces = _form(element, width)
-    points = grip.rest + around @ grip.handle.inverse
-    shapes = tuple(_uniform(shape, len(around)) for shape in grip.shapes)
-    base_points = (points + _blended(carriage, shapes)) @ grip.handle.base[:3] + grip.handle.base[3]
-    return Drawn("handle", base_points, points, faces, grip.handle, shapes)
+    points = binding.rest + around @ binding.handle.inverse
+    shapes = tuple(_uniform(shape, len(around)) for shape in binding.shapes)
+    base_points = (points + _blended(skin, shapes)) @ binding.handle.base[:3] + binding.handle.base[3]
+    return Drawn("handle", base_points, points, faces, binding.handle, shapes)
 
 
 def _form(element: Element, width: float) -> tuple[Floats, Faces]:
@@ -283,32 +283,32 @@ def _form(element: Element, width: float) -> tuple[Floats, Faces]:
     return np.concatenate([points for points, _ in lines]), Faces.alike(np.concatenate(quads))
 
 
-def _slider(carriage: Carriage, grip: Grip, element: Element, width: float) -> Drawn:
+def _slider(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
     """The handle of an element that does not deform: its own controls' shapes take it along the tracks."""
     around, faces = _form(element, width)
     shapes: dict[int, PointShape] = {}
     for member in element.members:
-        along = _along_track(carriage, grip, member)
+        along = _along_track(skin, binding, member)
         if along is not None:
-            shapes.setdefault(along.channel, _short(along, carriage))
-    now = _blended(carriage, tuple(shapes.values()))
-    centre = grip.track.unposed(element.anchor.position[None])[0] - now
-    points = centre + around @ grip.track.inverse
+            shapes.setdefault(along.channel, _short(along, skin))
+    now = _blended(skin, tuple(shapes.values()))
+    centre = binding.track.unposed(element.anchor.position[None])[0] - now
+    points = centre + around @ binding.track.inverse
     base_points = around + element.anchor.position
     spread = tuple(_uniform(shapes[channel], len(around)) for channel in sorted(shapes))
-    return Drawn("handle", base_points, points, faces, grip.track, spread)
+    return Drawn("handle", base_points, points, faces, binding.track, spread)
 
 
-def _along_track(carriage: Carriage, grip: Grip, member: Member) -> PointShape | None:
+def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:
     """A shape that puts the handle on its track at every weight; None unless one weight is all that is driven."""
-    control = carriage.control(member.control)
+    control = skin.control(member.control)
     drive = control.drive
     if len(drive.channels) != 1 or len(drive.joints):
         return None
     channel = int(drive.channels[0])
-    base = carriage.value(member.control)
-    weights = carriage.weights[channel] + _driven(control, member.values) - _driven(control, np.array([base]))
-    rests = grip.track.unposed(member.track)
+    base = skin.value(member.control)
+    weights = skin.weights[channel] + _driven(control, member.values) - _driven(control, np.array([base]))
+    rests = binding.track.unposed(member.track)
     if weights[0] > weights[-1]:
         weights, rests = weights[::-1], rests[::-1]
     if not (np.diff(weights) > 1e-6).all():
@@ -329,11 +329,11 @@ def _extended(keys: Floats, rows: Floats, at: Floats) -> Floats:
     return np.asarray((1.0 - share) * rows[i] + share * rows[i + 1], dtype=np.float64)
 
 
-def _blended(carriage: Carriage, shapes: tuple[PointShape, ...]) -> Floats:
+def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:
     """Sum of the shapes' offsets in the base pose, (3,) or (q, 3); without any, a zero that fits either."""
     total = np.zeros(3)
     for shape in shapes:
-        weight = float(carriage.weights[shape.channel])
+        weight = float(skin.weights[shape.channel])
         if weight:
             total = total + shape.at(weight)
     return total

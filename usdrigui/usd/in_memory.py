@@ -11,7 +11,7 @@ from pxr import Sdf, Usd
 
 from usdrigui.model import Layout
 from usdrigui.settings import Settings
-from usdrigui.usd.read_layout import brought_layouts, own_layouts, read_layout
+from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.rig import read_rigs
@@ -43,7 +43,7 @@ def _result(
 
     rigs = read_rigs(stage, settings, laid_out)
     cameras = cameras_toward(stage, rigs, settings.candidates.view)
-    return ReadResult(rigs, stage_metadata(stage.GetRootLayer()), cameras, (), layouts, "", brought_layouts(stage))
+    return ReadResult(rigs, stage_metadata(stage.GetRootLayer()), cameras, (), layouts, "", composed_layouts(stage))
 
 
 def _copy(source: Usd.Stage | Sdf.Layer) -> Usd.Stage:

@@ -22,11 +22,11 @@ from usdrigui.levels import inner_names
 from usdrigui.model import Control, Element, Layout, Member, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
-from usdrigui.usd.carry import Carriage
 from usdrigui.usd.control_api import author_control_api, author_limits
 from usdrigui.usd.drawing import DrawnElement, author_drawing, drawings
 from usdrigui.usd.drawn import drawn_parts
 from usdrigui.usd.safe_write import State, commit, file_error
+from usdrigui.usd.skin_binding import SkinBinding
 from usdrigui.version import __version__
 
 SIGNATURE = "usdrigui"
@@ -253,12 +253,12 @@ def author_elements(
     taken: Iterable[str] = (),
 ) -> list[Sdf.Path]:
     """Some elements of a layout and the meshes that draw them; returns their paths.  `taken` are other names."""
-    carriage = Carriage(rig, layout)
+    skin = SkinBinding(rig, layout)
     used = set(taken)
     names = [author.identifier(element.name, used) for element in elements]
     inner = inner_names(layout.elements)
     drawn = [
-        DrawnElement(each, each.name in inner, drawn_parts(carriage, each, layout.handle_width_of(each)))
+        DrawnElement(each, each.name in inner, drawn_parts(skin, each, layout.handle_width_of(each)))
         for each in elements
     ]
     subsets: dict[int, Sdf.PrimSpec] = {}
@@ -270,15 +270,15 @@ def author_elements(
         if drawing.inner:
             # Applications that know nothing of levels show the first one.
             author.put(mesh, "visibility", "token", "invisible")
-        subsets |= author_drawing(mesh, rig, drawing, drawn, names, carriage.size)
+        subsets |= author_drawing(mesh, rig, drawing, drawn, names, skin.size)
     paths = {element.name: _plain(subsets[i].path) for i, element in enumerate(elements)}
     for i, element in enumerate(elements):
-        _author_element(subsets[i], rig, carriage, element, paths)
+        _author_element(subsets[i], rig, skin, element, paths)
     return list(paths.values())
 
 
 def _author_element(
-    subset: Sdf.PrimSpec, rig: Rig, carriage: Carriage, element: Element, paths: Mapping[str, Sdf.Path]
+    subset: Sdf.PrimSpec, rig: Rig, skin: SkinBinding, element: Element, paths: Mapping[str, Sdf.Path]
 ) -> None:
     """What one element says about itself."""
     instances = instances_of(element)
@@ -296,9 +296,9 @@ def _author_element(
         figures = {
             "opposes": opposes.get(member.control, ""),
             "mirrorReversed": position in element.reversed,
-            **_track(member, carriage.control(member.control)),
+            **_track(member, skin.control(member.control)),
         }
-        author_control_api(subset, rig, carriage.control(member.control), instances[member.control], figures)
+        author_control_api(subset, rig, skin.control(member.control), instances[member.control], figures)
 
 
 def _track(member: Member, control: Control) -> dict[str, Any]:

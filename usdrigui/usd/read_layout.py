@@ -106,7 +106,7 @@ def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
     )
 
 
-def brought_layouts(stage: Usd.Stage) -> dict[str, str]:
+def composed_layouts(stage: Usd.Stage) -> dict[str, str]:
     """By SkelRoot, the file of the layout that another layer than the root layer brings in, active or not."""
     found: dict[str, str] = {}
     for scope in _scopes(stage):

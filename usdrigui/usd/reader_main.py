@@ -94,7 +94,7 @@ def bound(limits: Limits) -> None:
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
-    from usdrigui.usd.read_layout import brought_layouts, own_layouts, source_of
+    from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
 
     with _hashed_before(path) as (before, heard), _kept_stages() as stages:
@@ -105,7 +105,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
         sources = _sources(path, stages.GetAllStages(), before)
-        return ReadResult(rigs, metadata, cameras, sources, layouts, below, brought_layouts(stage))
+        return ReadResult(rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage))
 
 
 def _layouts(path: Path) -> LayoutsResult:
@@ -117,13 +117,13 @@ def _layouts(path: Path) -> LayoutsResult:
 
 
 def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> LayoutsResult:
-    from usdrigui.usd.read_layout import brought_layouts, read_layout, source_of
-    from usdrigui.usd.standing import standing_prims
+    from usdrigui.usd.existing_layouts import existing_prims
+    from usdrigui.usd.read_layout import composed_layouts, read_layout, source_of
 
     layouts = read_layout(path)
     stage = _stage_of(path, stages)
     sources = _sources(path, stages.GetAllStages(), before)
-    return LayoutsResult(layouts, source_of(path), sources, standing_prims(stage), brought_layouts(stage))
+    return LayoutsResult(layouts, source_of(path), sources, existing_prims(stage), composed_layouts(stage))
 
 
 def _composed(path: Path, settings: Settings) -> Response:
@@ -316,12 +316,6 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
 
 def load() -> None:
     """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
-    import usdrigui.usd.clips
-    import usdrigui.usd.faults
-    import usdrigui.usd.layer
-    import usdrigui.usd.read_layout
-    import usdrigui.usd.rig
-    import usdrigui.usd.standing  # noqa: F401
 
 
 def _peak() -> int:

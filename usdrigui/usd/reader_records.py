@@ -47,12 +47,12 @@ class ReadResult(Record):
     """Scopes of the layouts that its root layer authors itself."""
     below: str = ""
     """The asset that such a root layer stands over; empty if it has none."""
-    brought: Mapping[str, str] = field(default_factory=dict)
+    composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
 
 
 @dataclass(frozen=True, eq=False)
-class StandingSpan(Record):
+class ExistingSpan(Record):
     """Points that draw one element of a layout that exists."""
 
     element: str
@@ -64,7 +64,7 @@ class StandingSpan(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class StandingPrim(Record):
+class ExistingPrim(Record):
     """One drawn prim of a layout that exists."""
 
     root: str
@@ -74,7 +74,7 @@ class StandingPrim(Record):
     """Whether a variant brings it in, so that layers over it must speak in it too, or be weaker."""
     names: tuple[str, ...]
     """Of prims about it, which new ones must not have."""
-    spans: tuple[StandingSpan, ...]
+    spans: tuple[ExistingSpan, ...]
     shapes: tuple[str, ...]
     """``skel:blendShapes``."""
     targets: tuple[str, ...]
@@ -89,8 +89,8 @@ class LayoutsResult(Record):
     source: str
     """The asset it stands over; empty if it has none."""
     sources: tuple[SourceFile, ...]
-    prims: tuple[StandingPrim, ...] = ()
-    brought: Mapping[str, str] = field(default_factory=dict)
+    prims: tuple[ExistingPrim, ...] = ()
+    composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
 
 

@@ -37,11 +37,11 @@ _DIGITS = 6
 
 
 def with_common_motion(
-    trajectories: Trajectories, similarity: Similarity, standing: Flags, visible: Flags
+    trajectories: Trajectories, similarity: Similarity, on_face: Flags, visible: Flags
 ) -> Trajectories:
     """The trajectories whose motions know how common they are.
 
-    `standing` (motions,) are the controls that are to stand on the face: only they are placed, and only they are
+    `on_face` (motions,) are the controls that are to stand on the face: only they are placed, and only they are
     others; `visible` (n,) are the points that some view sees.  A control whose joint owns skin stands there; it is left
     out.
     """
@@ -49,12 +49,12 @@ def with_common_motion(
     row = np.full(len(trajectories.base), -1, dtype=np.int64)
     row[fields.places] = np.arange(len(fields.places))
     motions = list(trajectories.motions)
-    for index in np.flatnonzero(standing).tolist():
+    for index in np.flatnonzero(on_face).tolist():
         motion = motions[index]
         if motion.owned is None:
             at = row[trajectories.places[motion.points]]
             share = np.ones(len(at))
-            share[at >= 0] = _shares(similarity, index, standing, at[at >= 0])
+            share[at >= 0] = _shares(similarity, index, on_face, at[at >= 0])
             common = _beyond_the_best(share, motion.arc_length, visible[motion.points])
             motions[index] = replace(motion, common=common)
     return replace(trajectories, motions=tuple(motions))
@@ -69,19 +69,19 @@ def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
     return np.asarray(np.maximum(share - least, 0.0) / (1.0 - _HALF))
 
 
-def _shares(similarity: Similarity, index: int, standing: Flags, at: Indices) -> Floats:
+def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> Floats:
     """(a,) the shares of motion `index` at the rows `at` (a,) of the fields."""
     own = similarity.fields.vectors[index, at].astype(np.float64)
-    parts, weights = _sum_of_others(similarity, index, standing)
+    parts, weights = _sum_of_others(similarity, index, on_face)
     rest = own - np.einsum("k,kai->ai", weights, similarity.fields.vectors[np.ix_(parts, at)])
     length = np.maximum(np.linalg.norm(own, axis=1), 1e-300)
     return np.asarray(np.round(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0), _DIGITS))
 
 
-def _sum_of_others(similarity: Similarity, index: int, standing: Flags) -> tuple[Indices, Floats]:
+def _sum_of_others(similarity: Similarity, index: int, on_face: Flags) -> tuple[Indices, Floats]:
     """Motions (k,) and how far each goes, in its own range, in the sum nearest to motion `index`."""
     cosine, norm = similarity.cosine, similarity.norm
-    parts = np.flatnonzero(standing & (cosine[index] > _ALIKE))
+    parts = np.flatnonzero(on_face & (cosine[index] > _ALIKE))
     parts = parts[parts != index]
     if not len(parts):
         return parts, np.zeros(0)

@@ -33,20 +33,20 @@ _MANY = 2000
 def handle_width(
     trajectories: Trajectories,
     views: Views,
-    standing: Flags,
+    placed: Flags,
     toward: Floats | None,
     settings: ObjectiveSettings,
 ) -> float:
     """Diameter of a handle in scene units.
 
-    `standing` (motions,) are those of the controls that are to stand on the face, `toward` is the direction to the
+    `placed` (motions,) are those of the controls that are to stand on the face, `toward` is the direction to the
     viewer of a flat layout.
 
     The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at which no more
     than ``objective.max_neighbours`` controls are around one on average; the least where all are too wide.
     Invariant under rigid motion, uniform scale and the order and density of points.
     """
-    points, weights = _wanted(trajectories, views.anywhere, standing)
+    points, weights = _wanted(trajectories, views.anywhere, placed)
     frame = np.vstack([screen(views), views.directions[:1]])
     return fitting_width(flattened(points, toward), weights, frame, trajectories.face_size, settings)
 
@@ -94,10 +94,10 @@ def on_face(
     return np.array([here and not each.category for here, each in zip(kept, classification, strict=True)], dtype=bool)
 
 
-def _wanted(trajectories: Trajectories, anywhere: Flags, standing: Flags) -> tuple[Floats, Floats]:
-    """Places (p, 3) that the `standing` controls want, and how many want each (p,)."""
+def _wanted(trajectories: Trajectories, anywhere: Flags, placed: Flags) -> tuple[Floats, Floats]:
+    """Places (p, 3) that the `placed` controls want, and how many want each (p,)."""
     total = np.zeros(len(trajectories.base))
-    for motion in (trajectories.motions[i] for i in np.flatnonzero(standing)):
+    for motion in (trajectories.motions[i] for i in np.flatnonzero(placed)):
         seen = anywhere[motion.points] & (trajectories.places[motion.points] == motion.points)
         seen = motion.stands_on(seen)
         if not seen.any():

@@ -49,7 +49,7 @@ def placement_problem(
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     toward = face.views.flat_direction(settings.candidates.space)
     base, samples = face.trajectories.base, settings.objective.samples
-    existing = existing_variables(requests.standing, face.rig, base, samples, toward)
+    existing = existing_variables(requests.fixed_elements, face.rig, base, samples, toward)
     costs = _Costs(face, settings, overlap, separation, existing)
     variables, choices = [], []
     for index, group in enumerate(groups):

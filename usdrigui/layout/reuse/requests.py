@@ -44,7 +44,7 @@ class Requests:
         return self.names.expected[control] if self.names.expected else None
 
     @property
-    def standing(self) -> tuple[Element, ...]:
+    def fixed_elements(self) -> tuple[Element, ...]:
         """The elements that stay where they are: of the existing layout, and of other parts."""
         return (*(self.existing.elements if self.existing is not None else ()), *self.neighbours)
 

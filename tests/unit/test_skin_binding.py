@@ -1,4 +1,4 @@
-"""usdrigui.usd.carry: which joints carry what, worked out by hand on small skeletons."""
+"""usdrigui.usd.skin_binding: which joints carry what, worked out by hand on small skeletons."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import pytest
 from usdrigui.errors import RigUIError
 from usdrigui.model import Anchor, Control, Drive, Element, Joint, Layout, Member, Skeleton, Skin
 from usdrigui.pose.evaluate import evaluate, prepare
-from usdrigui.usd import carry
-from usdrigui.usd.carry import Carriage, PointShape
+from usdrigui.usd import skin_binding
+from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 PARENTS = [-1, 0, 1, 1, -1]
 """Hips, head, jaw and eye below the head, and a prop with a root of its own."""
@@ -86,7 +86,7 @@ def layout(made, *elements):
 )
 def test_influences_go_to_the_nearest_joint_that_stays(weights, own, kept):
     given = np.array(list(weights)), np.array(list(weights.values()))
-    joints, shares = carry._without(rig({HEAD: 1.0}), given, own)
+    joints, shares = skin_binding._without(rig({HEAD: 1.0}), given, own)
     assert dict(zip(joints.tolist(), np.round(shares, 12).tolist(), strict=True)) == kept
     if kept == weights:
         assert joints is given[0]
@@ -94,8 +94,8 @@ def test_influences_go_to_the_nearest_joint_that_stays(weights, own, kept):
 
 def test_controls_that_move_nothing_notable_own_nothing():
     still, moving = turning("still", [HEAD, JAW], 1e-9), turning("moving", [JAW])
-    assert carry._own_joints([still], 1.0) == set()
-    assert carry._own_joints([still, moving], 1.0) == {JAW}
+    assert skin_binding._own_joints([still], 1.0) == set()
+    assert skin_binding._own_joints([still, moving], 1.0) == {JAW}
 
 
 @pytest.mark.parametrize(
@@ -110,27 +110,28 @@ def test_controls_that_move_nothing_notable_own_nothing():
 )
 def test_static_elements_hang_on_the_joint_that_carries_the_face(weights, carrier):
     made = rig(weights)
-    grip = Carriage(made, layout(made, element(["chin"], adapt="static"))).grip(element(["chin"], adapt="static"))
-    assert (grip.handle.joints.tolist(), grip.handle.weights.tolist()) == ([carrier], [1.0])
-    assert grip.shapes == ()
+    static = element(["chin"], adapt="static")
+    binding = SkinBinding(made, layout(made, static)).at_anchor(static)
+    assert (binding.handle.joints.tolist(), binding.handle.weights.tolist()) == ([carrier], [1.0])
+    assert binding.shapes == ()
 
 
-def test_the_rest_arrangement_is_root_space_at_bind():
+def test_the_bind_pose_is_in_root_space():
     to_root = np.array([[0.0, 2, 0, 0], [-2, 0, 0, 0], [0, 0, 2, 0], [1, 2, 3, 1]])
     geom_bind = np.eye(4)
     geom_bind[3, :3] = (0.5, 0, 0)
     made = rig({HEAD: 0.5, JAW: 0.5}, to_root, geom_bind=geom_bind)
-    grip = Carriage(made, layout(made, element(["chin"]))).grip(element(["chin"]))
+    binding = SkinBinding(made, layout(made, element(["chin"]))).at_anchor(element(["chin"]))
     point = made.meshes[0].points[60] + (0.5, 0, 0)
-    assert np.allclose(grip.rest, (1 - 2 * point[1], 2 + 2 * point[0], 3 + 2 * point[2]))
-    assert np.allclose(grip.handle.base, np.eye(4)[:, :3])
-    assert np.allclose(grip.handle.unposed(grip.rest[None]), grip.rest)
+    assert np.allclose(binding.rest, (1 - 2 * point[1], 2 + 2 * point[0], 3 + 2 * point[2]))
+    assert np.allclose(binding.handle.base, np.eye(4)[:, :3])
+    assert np.allclose(binding.handle.unposed(binding.rest[None]), binding.rest)
 
 
 def test_only_shapes_that_move_the_anchor_are_taken_in_the_order_of_channels():
     made = rig({HEAD: 1.0})
     for point in (20, 60, 95):
-        found = Carriage(made, layout(made, element(["chin"], point))).grip(element(["chin"], point)).shapes
+        found = SkinBinding(made, layout(made, element(["chin"], point))).at_anchor(element(["chin"], point)).shapes
         wanted = [
             (shape.channel, shape.offsets[0][shape.points == point][0])
             for shape in made.meshes[0].shapes
@@ -151,26 +152,26 @@ def test_a_shape_bends_at_its_in_betweens_and_goes_on_beyond():
 def test_layouts_of_another_rig_are_a_bug_of_ours():
     made = rig({HEAD: 1.0})
     with pytest.raises(RigUIError, match="BUG"):
-        Carriage(made, layout(made)).grip(element(["unknown"]))
+        SkinBinding(made, layout(made)).at_anchor(element(["unknown"]))
     with pytest.raises(RigUIError, match="BUG"):
-        Carriage(made, layout(made)).grip(element(["chin"], point=99))
+        SkinBinding(made, layout(made)).at_anchor(element(["chin"], point=99))
     with pytest.raises(RigUIError, match="BUG"):
-        Carriage(made, replace(layout(made), base_values=np.zeros(2)))
+        SkinBinding(made, replace(layout(made), base_values=np.zeros(2)))
 
 
 def test_a_skeleton_that_collapses_space_is_refused():
     made = rig({HEAD: 1.0}, np.diag([1.0, 1, 0, 1]))
     with pytest.raises(RigUIError, match="SKELETON_INVALID"):
-        Carriage(made, layout(made, element(["chin"])))
+        SkinBinding(made, layout(made, element(["chin"])))
 
 
 def test_the_board_hangs_on_what_none_of_its_controls_turns():
     made = rig({JAW: 1.0}, controls=(turning("nod", [HEAD]), turning("chew", [JAW]), turning("walk", [HIPS])))
     nod, chew = (replace(element([name], beside=True), name=name) for name in ("nod", "chew"))
-    carriage = Carriage(made, layout(made, nod, chew))
-    assert [carriage.grip(each).track.joints.tolist() for each in (nod, chew)] == [[HIPS], [HIPS]]
-    alone = Carriage(made, layout(made, chew))
-    assert alone.grip(chew).track.joints.tolist() == [HEAD]
+    skin = SkinBinding(made, layout(made, nod, chew))
+    assert [skin.at_anchor(each).track.joints.tolist() for each in (nod, chew)] == [[HIPS], [HIPS]]
+    alone = SkinBinding(made, layout(made, chew))
+    assert alone.at_anchor(chew).track.joints.tolist() == [HEAD]
 
 
 def test_the_board_stays_in_one_piece_at_every_pose():

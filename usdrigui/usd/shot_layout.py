@@ -1,8 +1,8 @@
 """The layer of a shot: what it adds to a layout that stands in another layer, and nothing of that one.
 
-The new elements are children of the same Scope.  Where a shape of the shot moves the anchor of a standing
+The new elements are children of the same Scope.  Where a shape of the shot moves the anchor of an existing
 element, its drawn prims get that shape's offsets too, so that they follow the face in every application.
-Without this layer the standing layout is what it was.
+Without this layer the existing layout is what it was.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from pxr import Sdf
 
 from usdrigui.model import Element, Indices, Layout, Rig
 from usdrigui.usd import author, schema
-from usdrigui.usd.carry import Carriage, PointShape
 from usdrigui.usd.control_api import author_limits
 from usdrigui.usd.drawing import author_shapes
 from usdrigui.usd.drawn import Drawn, drawn_parts
@@ -32,27 +31,28 @@ from usdrigui.usd.layer import (
     layer_bytes,
     relative_asset_path,
 )
-from usdrigui.usd.reader_records import StandingPrim, StandingSpan
+from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
 from usdrigui.usd.safe_write import State
+from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 
 @dataclass(frozen=True)
-class Addition:
+class ShotLayout:
     """What a shot adds for one character."""
 
     rig: Rig
     layout: Layout
-    """Standing and new elements, as a client sees them that composes both layers."""
+    """Existing and new elements, as a client sees them that composes both layers."""
     added: frozenset[str]
     """Names of the new elements."""
     base_root: str
-    """The SkelRoot's path in the layer of the standing layout."""
-    prims: tuple[StandingPrim, ...]
-    """Of the standing layout, with the paths of that layer."""
+    """The SkelRoot's path in the layer of the existing layout."""
+    prims: tuple[ExistingPrim, ...]
+    """Of the existing layout, with the paths of that layer."""
 
 
-def write_additions(
-    additions: Sequence[Addition],
+def write_shot_layouts(
+    shots: Sequence[ShotLayout],
     shot: Path,
     base: Path,
     target: Path,
@@ -70,10 +70,10 @@ def write_additions(
     layer = Sdf.Layer.CreateAnonymous(".usda")
     below = "" if composed or bare else relative_asset_path(base, target)
     with Sdf.ChangeBlock():
-        author_metadata(layer, metadata, [(each.rig, each.layout) for each in additions])
+        author_metadata(layer, metadata, [(each.rig, each.layout) for each in shots])
         if not bare:
             layer.subLayerPaths.append(relative_asset_path(shot, target))
-        for each in additions:
+        for each in shots:
             if below and each.base_root != each.rig.root:
                 root = Sdf.CreatePrimInLayer(layer, each.rig.root)
                 root.referenceList.prependedItems = [Sdf.Reference(below, each.base_root)]
@@ -83,51 +83,47 @@ def write_additions(
                 _author(layer, each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [each.rig.root for each in additions if each.added]
+    roots = [each.rig.root for each in shots if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
-def _author(layer: Sdf.Layer, addition: Addition) -> None:
-    rig, layout = addition.rig, addition.layout
-    as_variant = all(prim.in_variant for prim in addition.prims)
+def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
+    rig, layout = shot.rig, shot.layout
+    as_variant = all(prim.in_variant for prim in shot.prims)
     root = author_variant(layer, rig.root) if as_variant else Sdf.CreatePrimInLayer(layer, rig.root)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
     author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)
     author.note(scope, books(layout))
-    taken = {name for prim in addition.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
-    added = [element for element in layout.elements if element.name in addition.added]
+    taken = {name for prim in shot.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
+    added = [element for element in layout.elements if element.name in shot.added]
     author_elements(scope, rig, layout, added, taken)
-    standing = [element for element in layout.elements if element.name not in addition.added]
-    _author_new_shapes(scope, addition, standing)
+    existing = [element for element in layout.elements if element.name not in shot.added]
+    _author_new_shapes(scope, shot, existing)
 
 
-def _author_new_shapes(scope: Sdf.PrimSpec, addition: Addition, elements: Sequence[Element]) -> None:
-    """Let what is drawn of standing elements follow the shapes that their layer does not know."""
-    carriage, width = Carriage(addition.rig, addition.layout), addition.layout.handle_width_of
-    parts = {each.name: drawn_parts(carriage, each, width(each)) for each in elements if not each.anchor.on_board}
-    prefixes = Sdf.Path(addition.base_root), Sdf.Path(addition.rig.root)
-    for prim in addition.prims:
+def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence[Element]) -> None:
+    """Let what is drawn of existing elements follow the shapes that their layer does not know."""
+    skin, width = SkinBinding(shot.rig, shot.layout), shot.layout.handle_width_of
+    parts = {each.name: drawn_parts(skin, each, width(each)) for each in elements if not each.anchor.on_board}
+    prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.root)
+    for prim in shot.prims:
         spans = [span for each in prim.spans if each.element in parts for span in _moved(parts[each.element], each)]
         known = set(prim.shapes)
         new = [
-            (points, [shape for shape in shapes if addition.rig.channels[shape.channel].token not in known])
+            (points, [shape for shape in shapes if shot.rig.channels[shape.channel].token not in known])
             for points, shapes in spans
         ]
         if any(shapes for _, shapes in new):
-            path = (
-                Sdf.Path(prim.path)
-                .ReplacePrefix(*prefixes)
-                .ReplacePrefix(addition.rig.root, scope.path.GetParentPath())
-            )
+            path = Sdf.Path(prim.path).ReplacePrefix(*prefixes).ReplacePrefix(shot.rig.root, scope.path.GetParentPath())
             targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
             existing = list(zip(prim.shapes, targets, strict=True))
             spec = Sdf.CreatePrimInLayer(scope.layer, path)
             taken = {target.name for target in targets} | set(prim.names)
-            author_shapes(spec, addition.rig, new, taken, existing)
+            author_shapes(spec, shot.rig, new, taken, existing)
 
 
-def _moved(parts: Sequence[Drawn], span: StandingSpan) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
+def _moved(parts: Sequence[Drawn], span: ExistingSpan) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
     """The points of a span with the shapes that move them: whoever drew it may draw otherwise than we do."""
     meant = parts[:1] if span.role == "handle" else parts[1:]
     ends = np.cumsum([len(part.points) for part in meant])

@@ -1,4 +1,4 @@
-"""The prims of a layout that stands, as far as a layer over it must know them to let them follow new shapes."""
+"""The prims of an existing layout, as far as a layer over it must know them to let them follow new shapes."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from usdrigui.usd import first_format, schema
 from usdrigui.usd.arrays import vector_count
 from usdrigui.usd.properties import element_name, has
 from usdrigui.usd.read_layout import element_prims, layout_scopes, points_of_subset
-from usdrigui.usd.reader_records import StandingPrim, StandingSpan
+from usdrigui.usd.reader_records import ExistingPrim, ExistingSpan
 from usdrigui.usd.shapes import shape_tokens
 
 
-def standing_prims(stage: Usd.Stage) -> tuple[StandingPrim, ...]:
+def existing_prims(stage: Usd.Stage) -> tuple[ExistingPrim, ...]:
     """What is drawn of every layout on the stage, and how it is shaped; in stage order.
 
     Raises ARRAY_TYPE and LAYOUT_INVALID.
@@ -23,29 +23,29 @@ def standing_prims(stage: Usd.Stage) -> tuple[StandingPrim, ...]:
     return tuple(prim for scope in layout_scopes(stage) for prim in _of_scope(scope))
 
 
-def _of_scope(scope: Usd.Prim) -> Iterator[StandingPrim]:
+def _of_scope(scope: Usd.Prim) -> Iterator[ExistingPrim]:
     root, elements = str(scope.GetPath().GetParentPath()), element_prims(scope)
     for element in elements:
         for prim, role in first_format.drawn_prims(element):
             points = np.arange(_point_count(prim), dtype=np.int64)
-            yield _standing(root, prim, (StandingSpan(element_name(element), role, points),), (element.GetName(),))
+            yield _existing(root, prim, (ExistingSpan(element_name(element), role, points),), (element.GetName(),))
     names = {element.GetName(): element_name(element) for element in elements}
     for mesh in Usd.PrimRange(scope, Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)):
         if has(mesh, schema.DRAWING):
             children = tuple(child.GetName() for child in mesh.GetAllChildren())
-            yield _standing(root, mesh, tuple(_spans(mesh, names)), children)
+            yield _existing(root, mesh, tuple(_spans(mesh, names)), children)
 
 
-def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[StandingSpan]:
+def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
     for child in mesh.GetAllChildren():
         if child.IsA(UsdGeom.Subset) and child.GetName() in names:
             handle, track = points_of_subset(child)
-            yield StandingSpan(names[child.GetName()], "handle", handle)
-            yield StandingSpan(names[child.GetName()], "track", track)
+            yield ExistingSpan(names[child.GetName()], "handle", handle)
+            yield ExistingSpan(names[child.GetName()], "track", track)
 
 
-def _standing(root: str, prim: Usd.Prim, spans: tuple[StandingSpan, ...], names: tuple[str, ...]) -> StandingPrim:
-    return StandingPrim(
+def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...], names: tuple[str, ...]) -> ExistingPrim:
+    return ExistingPrim(
         root=root,
         path=str(prim.GetPath()),
         in_variant=any(spec.path.ContainsPrimVariantSelection() for spec in prim.GetPrimStack()),

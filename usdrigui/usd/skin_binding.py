@@ -1,6 +1,6 @@
 """What carries an element: where its anchor rests, and which shapes and joints move its drawn parts.
 
-Everything drawn stands in the *rest arrangement*: the space of the SkelRoot with the skeleton in its bind
+Everything drawn stands in the *bind pose*: the space of the SkelRoot with the skeleton in its bind
 pose and no shape applied.  There the skin of a point is its mesh's, and the space is the same for every
 mesh.  numpy only.
 """
@@ -26,6 +26,7 @@ from usdrigui.model import (
     RigMesh,
     Skin,
 )
+from usdrigui.skinning import carrying_joint
 
 Method = Literal["classicLinear", "dualQuaternion"]
 
@@ -33,12 +34,10 @@ _STILL = 1e-7
 """Rotations (radians), logarithms of scales and translations (relative to the rig) below this move nothing."""
 _NO_OFFSET = 1e-9
 """Offsets below this share of the rig's size are noise of the file."""
-_FACE_SHARE = 0.9
-"""The rigid carrier of static elements is the deepest joint that carries this share of all anchors."""
 
 
 @dataclass(frozen=True, eq=False)
-class Hold(Record):
+class JointBinding(Record):
     """How a drawn part hangs on the character's joints."""
 
     skeleton: int
@@ -49,7 +48,7 @@ class Hold(Record):
     """(k,)"""
     method: Method
     base: Floats
-    """(4, 3) affine map from the rest arrangement to root space in the base pose: ``p @ base[:3] + base[3]``."""
+    """(4, 3) affine map from the bind pose to root space in the base pose: ``p @ base[:3] + base[3]``."""
 
     def unposed(self, positions: Floats) -> Floats:
         """Where points must rest to be at `positions` (q, 3) of root space in the base pose."""
@@ -69,7 +68,7 @@ class PointShape(Record):
     weights: Floats
     """(k,) ascending; contains 1, never 0."""
     offsets: Floats
-    """(k, 3) or (k, q, 3) in the rest arrangement."""
+    """(k, 3) or (k, q, 3) in the bind pose."""
 
     def at(self, weight: float) -> Floats:
         """Offset (3,) or (q, 3) at a weight, piecewise linear and extrapolated."""
@@ -83,13 +82,13 @@ class PointShape(Record):
 
 
 @dataclass(frozen=True, eq=False)
-class Grip(Record):
+class AnchorBinding(Record):
     """Everything that the drawn parts of one element need to know about the character."""
 
     rest: Floats
-    """(3,) anchor in the rest arrangement."""
-    handle: Hold
-    track: Hold
+    """(3,) anchor in the bind pose."""
+    handle: JointBinding
+    track: JointBinding
     """As `handle`, less what the element's own controls move; beside the face, those of any element there."""
     shapes: tuple[PointShape, ...]
     """Of the anchor, in the order of the channels; none for an element that does not deform."""
@@ -101,7 +100,7 @@ class Grip(Record):
     """False for elements on the board and static ones: the anchor's shapes do not act on them."""
 
 
-class Carriage:
+class SkinBinding:
     """A rig in the base pose of a layout, ready to say what carries each of its elements."""
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
@@ -113,7 +112,9 @@ class Carriage:
         self.size = _size(rig)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
-        self._rigid = _rigid_carrier(rig, on_face)
+        starts = dict(zip(self._meshes, rig.starts.tolist(), strict=False))  # one more start than meshes
+        rows = [starts[mesh.path] + point for mesh, point in on_face]
+        self._rigid = carrying_joint(rig, np.array(rows, dtype=np.int64))
         self._shapes = _shapes_of(rig, on_face, self.size)
         beside = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
         self._board = _own_joints([self.control(name) for name in beside], self.size)
@@ -128,7 +129,7 @@ class Carriage:
         """Value of a control in the base pose."""
         return float(self.values[self._positions[name]])
 
-    def grip(self, element: Element) -> Grip:
+    def at_anchor(self, element: Element) -> AnchorBinding:
         """What carries one element."""
         mesh, point = self._anchored(element)
         controls = [self.control(member.control) for member in element.members]
@@ -143,10 +144,10 @@ class Carriage:
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)
         rest = np.append(mesh.points[point], 1.0) @ to_rest
-        track = self._hold(mesh, skeleton, fixed)
-        return Grip(
+        track = self._joint_binding(mesh, skeleton, fixed)
+        return AnchorBinding(
             rest=rest,
-            handle=self._hold(mesh, skeleton, influences) if deforms and turning else track,
+            handle=self._joint_binding(mesh, skeleton, influences) if deforms and turning else track,
             track=track,
             shapes=self._shapes[mesh.path, point] if deforms else (),
             own_channels=frozenset(int(c) for control in controls for c in control.drive.channels),
@@ -154,16 +155,14 @@ class Carriage:
             deforms=deforms,
         )
 
-    def maps_at(self, grip: Grip, settings: Sequence[dict[str, float]]) -> Floats:
+    def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
         """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base pose."""
         maps = []
         for setting in settings:
             values = self.values.copy()
             for name, value in setting.items():
                 values[self._positions[name]] = value
-            maps.append(
-                self._map(grip.handle.skeleton, grip.handle.joints, grip.handle.weights, grip.handle.method, values)
-            )
+            maps.append(self._map(handle.skeleton, handle.joints, handle.weights, handle.method, values))
         return np.stack(maps)
 
     def _anchored(self, element: Element) -> tuple[RigMesh, int]:
@@ -174,13 +173,15 @@ class Carriage:
             )
         return mesh, element.anchor.point
 
-    def _hold(self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]) -> Hold:
+    def _joint_binding(self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]) -> JointBinding:
         joints, weights = influences
         method: Method = mesh.skin.method if mesh.skin is not None else "classicLinear"
-        return Hold(skeleton, joints, weights, method, self._map(skeleton, joints, weights, method, self.values))
+        return JointBinding(
+            skeleton, joints, weights, method, self._map(skeleton, joints, weights, method, self.values)
+        )
 
     def _map(self, skeleton: int, joints: Indices, weights: Floats, method: Method, values: Floats) -> Floats:
-        """(4, 3) map from rest arrangement to root space, by posing a rig of a single point."""
+        """(4, 3) map from bind pose to root space, by posing a rig of a single point."""
         if not len(joints):
             return np.eye(4)[:, :3]
         bound = np.asarray(np.linalg.inv(self.rig.skeletons[skeleton].to_root), dtype=np.float64)
@@ -200,13 +201,13 @@ def _base_values(rig: Rig, layout: Layout) -> Floats:
 
 
 def _size(rig: Rig) -> float:
-    """Diagonal of the box around the largest mesh, in the units of the rest arrangement."""
+    """Diagonal of the box around the largest mesh, in the units of the bind pose."""
     spans = [np.ptp(mesh.points @ _to_rest(rig, mesh)[:3], axis=0) for mesh in rig.meshes if len(mesh.points)]
     return max((float(np.linalg.norm(span)) for span in spans), default=1.0) or 1.0
 
 
 def _to_rest(rig: Rig, mesh: RigMesh) -> Floats:
-    """(4, 3) map from mesh space to the rest arrangement."""
+    """(4, 3) map from mesh space to the bind pose."""
     if mesh.skin is None:
         return mesh.to_root[:, :3]
     skeleton = rig.skeletons[_skeleton_of(rig, mesh)]
@@ -275,33 +276,6 @@ def _free_ancestor(rig: Rig, joint: int, own: set[int]) -> int:
             found = rig.joints[step].parent
         step = rig.joints[step].parent
     return found
-
-
-def _rigid_carrier(rig: Rig, anchors: list[tuple[RigMesh, int]]) -> int:
-    """The deepest joint below which `_FACE_SHARE` of the anchors' influence lies; -1 if there is none."""
-    share = np.zeros(len(rig.joints))
-    for mesh, point in anchors:
-        joints, weights = _influences(mesh, point)
-        np.add.at(share, joints, weights)
-    total = share.sum()
-    if not total > 0.0:
-        return -1
-    for i in range(len(rig.joints) - 1, -1, -1):
-        if rig.joints[i].parent >= 0:
-            share[rig.joints[i].parent] += share[i]
-    depth = _depths(rig)
-    carrying = np.flatnonzero(share >= _FACE_SHARE * total)
-    if not len(carrying):
-        return int(share.argmax())
-    return int(carrying[np.lexsort((carrying, -share[carrying], -depth[carrying]))[0]])
-
-
-def _depths(rig: Rig) -> Indices:
-    depth = np.zeros(len(rig.joints), dtype=np.int64)
-    for i, joint in enumerate(rig.joints):
-        if joint.parent >= 0:
-            depth[i] = depth[joint.parent] + 1
-    return depth
 
 
 def _shapes_of(
