@@ -8,6 +8,7 @@ import makers
 import numpy as np
 
 from usdrigui.model import Control, Drive, Joint, Skeleton, Skin
+from usdrigui.rotation import rotations
 from usdrigui.usd.controls import default_joint_drafts
 
 _AROUND = 12
@@ -104,14 +105,16 @@ def _placed(name, world, index, parent):
     return Joint(name, 0, parent, world[index], local, local)
 
 
-def flattened(rig):
-    """The same with every joint a root that looks along its bone, as some hands are exported."""
+def flattened(rig, aim_sign=1.0, wrist=0.0):
+    """The same with every joint a root that looks along its bone, as some hands are exported: along its own z, or
+    against it; the wrist looks `wrist` radians beside its bone."""
     joints = []
     for i, joint in enumerate(rig.joints):
         below = [each for each in rig.joints if each.parent == i]
         along = (below[len(below) // 2].bind if below else joint.bind)[3, :3] - joint.bind[3, :3]
         along = along if below else joint.bind[3, :3] - rig.joints[joint.parent].bind[3, :3]
-        aim = along / np.linalg.norm(along)
+        beside = rotations(np.array([0.0, 0.0, wrist * (joint.parent < 0)]))
+        aim = aim_sign * (along / np.linalg.norm(along)) @ beside
         side = np.cross(aim, [0.0, 0.6, 0.8])
         side /= np.linalg.norm(side)
         world = np.eye(4)

@@ -214,14 +214,17 @@ def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
     way = places[None] - places[:, None]
     apart = np.linalg.norm(way, axis=2)
     apart[apart == 0.0] = np.inf
-    best: list[int] = [-1] * len(places)
+    best, most = [-1] * len(places), 0
     for aim in (sign * frames[:, row] for row in range(3) for sign in (1.0, -1.0)):
         ahead = np.einsum("ijk,ik->ij", way, aim)
         cosine = np.maximum(ahead / apart, 1e-3)
         reach = apart / cosine**_STRAIGHT
         parents = _linked([-1] * len(places), np.where(cosine >= _AIM, reach, np.inf), places)
-        if sum(parent >= 0 for parent in parents) > sum(parent >= 0 for parent in best):
-            best = _linked(parents, np.where(cosine >= _AHEAD, reach, np.inf), places, roots_only=True)
+        whole = _linked(parents, np.where(cosine >= _AHEAD, reach, np.inf), places, roots_only=True)
+        # From its tips to its wrist a hand has as many joints in line; what is left there hangs on no common root.
+        linked = sum(parent >= 0 for parent in (*parents, *whole))
+        if linked > most:
+            best, most = whole, linked
     return tuple(best)
 
 

@@ -21,7 +21,11 @@ def kinds(rig):
     return {name: found.count(name) for name in sorted(set(found))}
 
 
-@pytest.mark.parametrize("made", [HAND, limbs.flattened(HAND)], ids=["hierarchy", "flat"])
+@pytest.mark.parametrize(
+    "made",
+    [HAND, limbs.flattened(HAND), *(limbs.flattened(HAND, sign, 0.5) for sign in (1.0, -1.0))],
+    ids=["hierarchy", "flat", "wrist aside", "wrist aside, looking back"],
+)
 def test_a_hand_gets_a_curl_and_a_spread_per_finger_and_a_wrist(made):
     assert kinds(made) == {"curl": 4, "spread": 4, "rx": 1, "ry": 1, "rz": 1}
 
