@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from usdrigui.conventions.sides import mirrored, side_of
@@ -17,17 +19,17 @@ _ACROSS = 0.5
 """Cosine to that plane's normal from which a pair lies across it."""
 _AHEAD = 0.1
 """Least distance of the joints of a face ahead of its head, as a share of the head's extent."""
+_COUNT = re.compile(r"[ _.-]*\d+$")
+"""What an exporter counts the joints with."""
 
 
 def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
     """Normal (3,) to the left and offset of the plane between the joints whose names tell left and right, at the base
     pose; None where too few do or they do not agree."""
     places, last = joint_places(rig), [joint.path.rsplit("/", 1)[-1] for joint in rig.joints]
-    known = {(joint.skeleton, name.lower()): i for i, (joint, name) in enumerate(zip(rig.joints, last, strict=True))}
     pairs = []
-    for i, name in enumerate(last):
-        other = known.get((rig.joints[i].skeleton, mirrored(name)), i)
-        if side_of(name) == "left" and other != i and (places[i] != places[other]).any():
+    for i, other in _twins(rig, last).items():
+        if side_of(last[i]) == "left" and (places[i] != places[other]).any():
             pairs.append((places[i], places[other]))
     if len(pairs) < _PAIRS:
         return None
@@ -39,6 +41,20 @@ def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
         return None
     normal = normal / length
     return normal, float(np.median(0.5 * (left + right) @ normal))
+
+
+def _twins(rig: Rig, names: list[str]) -> dict[int, int]:
+    """Joints whose names are those of others with the sides swapped, to these; a number at the end, by which exporters
+    count joints, may differ where the name is the only one of its kind."""
+    found: dict[int, int] = {}
+    for told in (names, [_COUNT.sub("", name) for name in names]):
+        keys = [(joint.skeleton, name.lower()) for joint, name in zip(rig.joints, told, strict=True)]
+        alone = {key: i for i, key in enumerate(keys) if keys.count(key) == 1}
+        for i, (skeleton, name) in enumerate(keys):
+            other = alone.get((skeleton, mirrored(name)), i)
+            if other != i and i in alone.values():
+                found.setdefault(i, other)
+    return found
 
 
 def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
