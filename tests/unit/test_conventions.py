@@ -38,7 +38,36 @@ _RIGS = {
         "Eye_R_Look_Up": ("eyeLookUp", "right"),
         "V_Explosive": ("viseme", ""),
         "Mouth_Roll_In_Upper_L": ("mouthRollUpper", "left"),
+        "Mouth_L": ("mouthLeft", ""),
+        "Eye_L_Look_R": ("eyeLookRight", "left"),
+        "Mouth_Tighten_L": ("mouthTighten", "left"),
     },
+    "Meta and Unified Expressions": {
+        "EyesLookRightL": ("eyeLookRight", "left"),
+        "EyesLookLeftL": ("eyeLookLeft", "left"),
+        "LipPressorL": ("mouthPress", "left"),
+        "LowerLipDepressorR": ("mouthLowerDown", "right"),
+        "LipSuckLB": ("mouthSuck", "left"),
+        "MouthCornerPullLeft": ("mouthSmile", "left"),
+        "MouthRaiserLower": ("mouthShrugLower", ""),
+        "NasalDilationRight": ("nostrilDilate", "right"),
+    },
+    "MetaHuman": {
+        "CTRL_expressions_mouthFunnelUL": ("mouthFunnel", "left"),
+        "CTRL_expressions_jawClenchR": ("jawClench", "right"),
+        "CTRL_expressions_mouthLipsTogetherDR": ("mouthClose", "right"),
+    },
+    "Mixamo": {
+        "MouthNarrow_Left": ("mouthNarrow", "left"),
+        "Midmouth_Right": ("mouthRight", ""),
+        "NoseScrunch_Left": ("noseSneer", "left"),
+    },
+    "action units with their names": {
+        "AU27_MouthStretch": ("jawOpen", ""),
+        "AU_12_LipCornerPuller_L": ("mouthSmile", "left"),
+        "AA_VI_01_PP": ("viseme", ""),
+    },
+    "MikuMikuDance": {"まばたき": ("eyeBlink", ""), "ウィンク右": ("eyeBlink", "right"), "あ": ("viseme", "")},
     "MakeHuman": {
         "eye-left-slit": ("eyeSquint", "left"),
         "mouth-corner-puller": ("mouthSmile", ""),
@@ -67,6 +96,17 @@ def test_a_word_that_all_names_share_says_nothing():
     assert [each and each.action.name for each in prefixed] == [
         each and each.action.name for each in meanings(_ARKIT.split())
     ]
+
+
+def test_a_word_that_says_whose_names_they_are_says_nothing_beside_names_of_another_maker():
+    vroid = {"Fcl_MTH_A": "viseme", "Fcl_BRW_Joy": "browMood", "Fcl_MTH_Up": "mouthUp", "Fcl_MTH_Down": "mouthDown"}
+    daz = {"facs_ctrl_vAA": "viseme", "facs_bs_JawOpen": "jawOpen", "facs_ctrl_MouthSmile": "mouthSmile"}
+    others = {"facs_ctrl_JawForward": "jawForward", "facs_ctrl_BrowDown": "browDown", "Fcl_EYE_Close_L": "eyeBlink"}
+    costumes = dict.fromkeys(("coat_a", "coat_b", "coat_c"))
+    expected = {**vroid, **daz, **others, **dict.fromkeys(_ARKIT.split(), ...), **costumes}
+    found = meanings(list(expected))
+    wanted = {name: action for name, action in expected.items() if action is not ...}
+    assert {n: e and e.action.name for n, e in zip(expected, found, strict=True) if n in wanted} == wanted
 
 
 def test_a_side_glued_to_a_known_word_comes_off_and_a_known_word_stays_whole():

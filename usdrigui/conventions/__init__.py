@@ -10,6 +10,7 @@ read as a phrase (``phrases.toml``: *brow* and *up* is `browUp`).  ``actions.tom
 
 from __future__ import annotations
 
+import itertools
 import re
 import tomllib
 from collections import Counter
@@ -29,9 +30,14 @@ Region = Literal[
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
 _SIDES: Mapping[str, Side] = {
     "left": "left", "right": "right", "l": "left", "r": "right", "lf": "left", "rt": "right", "lt": "left",
+    "lb": "left", "rb": "right",
 }  # fmt: skip
+_GAZE = frozenset({"look", "gaze"})
+"""Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
 _SHARED = 0.8
 """Share of a rig's names that begin (or end) with a word from which the word says nothing."""
+_SEVERAL = 3
+"""Names of actions with which a word must begin to be their maker's."""
 _CODED = 0.5
 """Share of a rig's names that are numbers of action units from which its numbers are such."""
 
@@ -73,10 +79,14 @@ class Meaning:
 
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     """(names,) how each name of one rig is read; None where it says nothing that is known."""
-    bare = _without_shared([words(name) for name in names])
+    every = [words(name) for name in names]
+    bare = _without_makers(_without_shared(every))
     units = sum(_action_unit(each) is not None for each in bare)
     coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
-    return tuple(_meaning(each, action_units=coded) for each in bare)
+    told = [
+        _called_unit(whole) or (_action_unit(each) if coded else None) for whole, each in zip(every, bare, strict=True)
+    ]
+    return tuple(_meaning(each, unit) for each, unit in zip(bare, told, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,12 +124,13 @@ def _spelling(each: tuple[str, ...]) -> Spelling:
 
 def words(name: str) -> tuple[str, ...]:
     """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come apart alike."""
+    codes = _table("codes")
     found: list[str] = []
-    for word in _WORD.findall(name):
+    for word in _WORD.findall(codes["japanese"].get(name, name)):
         # A side is glued to the front of a word that is known: LbrowUp.
         glued = word[0] in "LR" and word[1:] in _vocabulary() and word.lower() not in _vocabulary()
         found += [word[0], word[1:]] if glued else [word]
-    return tuple(_table("codes")["abbreviations"].get(word.lower(), word.lower()) for word in found)
+    return tuple(codes["abbreviations"].get(word.lower(), word.lower()) for word in found)
 
 
 def joysticks() -> Mapping[str, tuple[str, str]]:
@@ -127,18 +138,19 @@ def joysticks() -> Mapping[str, tuple[str, str]]:
     return {name: (pair[0], pair[1]) for name, pair in _table("actions")["_joysticks"].items()}
 
 
-def _meaning(each: tuple[str, ...], *, action_units: bool) -> Meaning | None:
-    """The words as they stand first (in mouthLeft the side is a direction), then without the side."""
-    side, rest = _side(each)
-    unit = _action_unit(each) if action_units else None
+def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
+    """The words as they stand first (in mouthLeft the side is a direction), then without the side; before both the
+    action `unit` of which the name is the number."""
+    side, toward, rest = _side_and_direction(each)
     if unit is not None:
         return Meaning(unit, side)
     if found := _coded(each):
         return Meaning(found, "")
     for phrase in _phrases():
-        if phrase.fits(rest, side):
+        if phrase.fits(rest, toward):
             # In mouthLeft the only side is the direction; in lookLeft_R there is another one.
-            spent = phrase.directed and not phrase.fits(rest, "")
+            alone = sum(word in _SIDES for word in each) == 1
+            spent = phrase.directed and alone and not phrase.fits(rest, "")
             return Meaning(_actions()[phrase.action], "" if spent else side)
     return None
 
@@ -153,8 +165,8 @@ class _Phrase:
     directed: bool
     """Whether a word for a side is a direction here: mouthLeft goes to the left."""
 
-    def fits(self, rest: tuple[str, ...], side: Side) -> bool:
-        own = {*rest, side} if self.directed else set(rest)
+    def fits(self, rest: tuple[str, ...], toward: Side) -> bool:
+        own = {*rest, toward} if self.directed else set(rest)
         if self.without & own:
             return False
         return all(alternatives & own for alternatives in self.every)
@@ -166,6 +178,18 @@ def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
         if each[i] in _SIDES and len(each) > 1:
             return _SIDES[each[i]], each[:i] + each[i + 1 :]
     return "", each
+
+
+def _side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, ...]]:
+    """The side on which a name says that a control acts, the one to which it may go, and the words without the two:
+    one word says both unless there is another one behind which the eyes look."""
+    looks = [i for i, word in enumerate(each) if word in _GAZE]
+    behind = [i for i, word in enumerate(each) if word in _SIDES and looks and i > looks[0]]
+    side, rest = _side(each)
+    if not behind or sum(word in _SIDES for word in each) < 2:
+        return side, side, rest
+    side, rest = _side(each[: behind[0]] + each[behind[0] + 1 :])
+    return side, _SIDES[each[behind[0]]], rest
 
 
 def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
@@ -180,6 +204,22 @@ def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return names
 
 
+def _without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """The names without what only says whose they are: a word of no convention with which several names begin that
+    mean actions without it.  VRoid's Fcl_MTH_A stands beside ARKit's names in some rigs."""
+    while True:
+        heads = Counter(each[0] for each in names if len(each) > 1 and _acts(each[1:]))
+        found = {word for word, count in heads.items() if count >= _SEVERAL and word not in _known()}
+        if not found:
+            return names
+        names = [each[1:] if len(each) > 1 and each[0] in found else each for each in names]
+
+
+def _acts(each: tuple[str, ...]) -> bool:
+    _, toward, rest = _side_and_direction(each)
+    return any(phrase.fits(rest, toward) for phrase in _phrases())
+
+
 def _action_unit(each: tuple[str, ...]) -> Action | None:
     """The action unit of ``AU12``, ``L12`` or ``12``, whatever side it names."""
     numbers = [word for word in each if word.isdigit()]
@@ -187,6 +227,12 @@ def _action_unit(each: tuple[str, ...]) -> Action | None:
     if len(numbers) != 1 or others:
         return None
     return next((a for a in _actions().values() if int(numbers[0]) in _units().get(a.name, ())), None)
+
+
+def _called_unit(each: tuple[str, ...]) -> Action | None:
+    """The action unit of a name that says it is one: ``AU_27_MouthStretch``."""
+    numbers = {int(after) for word, after in itertools.pairwise(each) if word == "au" and after.isdigit()}
+    return next((a for a in _actions().values() if len(numbers) == 1 and numbers <= {*_units().get(a.name, ())}), None)
 
 
 def _counted(names: list[tuple[str, ...]]) -> bool:
@@ -199,10 +245,11 @@ def _coded(each: tuple[str, ...]) -> Action | None:
     """Visemes by their phonemes, moods and identity series by their words."""
     codes = _table("codes")
     plain = [word for word in each if not word.isdigit()]
-    if not plain:
+    if not plain or plain in (["mouth", "l"], ["mouth", "r"]):  # To the left and right, not the letters.
         return None
     phonemes, parts = codes["visemes"]["phonemes"], codes["emotions"]["parts"]
-    if plain[0] in codes["visemes"]["prefixes"] or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
+    said = plain[0] in codes["visemes"]["prefixes"] or not {*plain}.isdisjoint(codes["visemes"]["words"])
+    if said or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
         return _actions()["viseme"] if plain != ["mouth"] else None
     if plain[-1] in codes["emotions"]["words"] and (len(plain) == 1 or (len(plain) == 2 and plain[0] in parts)):
         return _actions()[parts[plain[0]] if len(plain) == 2 else "emotion"]
@@ -240,6 +287,15 @@ def _phrases() -> tuple[_Phrase, ...]:
 @cache
 def _vocabulary() -> frozenset[str]:
     return frozenset(word for phrase in _phrases() for every in phrase.every for word in every)
+
+
+@cache
+def _known() -> frozenset[str]:
+    """Words that mean something at the front of a name."""
+    codes = _table("codes")
+    lists = (("visemes", "words"), ("visemes", "prefixes"), ("visemes", "phonemes"), ("emotions", "words"))
+    said = {word for table, key in (*lists, ("identities", "prefixes")) for word in codes[table][key]}
+    return _vocabulary() | said | {"au", *codes["emotions"]["parts"], *_SIDES}
 
 
 def _phrase(row: Mapping[str, Any]) -> _Phrase:
