@@ -214,6 +214,41 @@ def test_a_saved_pose_is_the_pose_shown(replayed, tmp_path):
             assert of_joints < TOLERANCE + HALF, (seed, actions)
 
 
+def test_kept_poses_are_skel_animations_of_their_own_channels(replayed):
+    reached = 0
+    for seed, (_, found) in zip(SEEDS, replayed, strict=True):
+        shelf = found["shelf"]
+        assert shelf["again"] == [[name, pytest.approx(values, rel=1e-8)] for name, values in shelf["kept"]], seed
+        stage = Usd.Stage.CreateInMemory()
+        assert stage.GetRootLayer().ImportFromString(shelf["text"]), seed
+        poses = stage.GetDefaultPrim().GetChildren()
+        assert [prim.GetDisplayName() for prim in poses] == [name for name, _ in shelf["kept"]]
+        for prim, expected in zip(poses, shelf["expected"], strict=True):
+            written = {}
+            for animation in map(UsdSkel.Animation, prim.GetChildren()):
+                tokens, weights = animation.GetBlendShapesAttr().Get() or [], animation.GetBlendShapeWeightsAttr().Get()
+                written |= dict(zip(map(str, tokens), weights or [], strict=True))
+            assert written == pytest.approx(expected, abs=TOLERANCE), seed
+            reached += len(written)
+    assert reached > 50
+
+
+def test_a_layer_that_usd_has_written_anew_gives_its_keys_back(replayed):
+    layers = [found["layer"] for _, found in replayed if found["layer"]]
+    rewritten = Sdf.Layer.CreateAnonymous(".usda")
+    rewritten.ImportFromString(layers[0])
+    script = (
+        "import { stringsNamed } from './viewer/src/animation_layer.js'; import { text } from 'node:stream/consumers';"
+        "process.stdout.write(stringsNamed('work', await text(process.stdin))[0])"
+    )
+    root = Path(__file__).resolve().parents[2]
+    done = subprocess.run(
+        ["node", "--input-type=module", "-e", script],
+        input=rewritten.ExportToString(), capture_output=True, text=True, timeout=60, check=True, cwd=root,
+    )  # fmt: skip
+    assert json.loads(done.stdout) == json.loads(rewritten.customLayerData["usdrigui"]["work"])
+
+
 def test_joints_without_keys_are_left_to_the_source(replayed):
     left = 0
     for seed, ((_, rig, _, _), found) in zip(SEEDS, replayed, strict=True):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import wave
+
 import makers
 import pytest
 from viewer_layouts import MIRRORS, peak_layout
@@ -82,3 +84,44 @@ def test_a_pose_is_copied_pasted_flipped_and_mirrored(viewer):
     for _ in range(3):
         viewer.page.keyboard.press("Control+z")
     assert viewer.moved() == pytest.approx(pose)
+
+
+def test_ways_shelf_and_sound_are_undone_and_come_back_with_the_page(viewer, tmp_path):
+    """Picked keys go on smoothly; a pose is kept and taken; a sound lengthens time; outlines show keys around."""
+    page = viewer.page
+    session = "usdrigui.app.session"
+    for frame, value in ((1, 0.2), (11, 0.6), (31, 0.4)):
+        key(viewer, frame, brow_L=value)
+    page.keyboard.press("d")
+    line = page.locator(".dope-row", has_text="brow_L").locator(".dope-line").bounding_box()
+    page.mouse.move(line["x"] + 0.15 * line["width"], line["y"] + 8)
+    page.mouse.down()
+    page.mouse.move(line["x"] + 0.7 * line["width"], line["y"] + 8, steps=3)
+    page.mouse.up()
+    page.get_by_role("button", name="Smooth").click()
+    ways = {"brow_L": [[1, 0.2], [11, 0.6, "smooth"], [31, 0.4, "smooth"]]}
+    assert keyed(viewer) == ways
+    sound = tmp_path / "voice.wav"
+    with wave.open(str(sound), "wb") as out:
+        out.setparams((1, 2, 8000, 0, "NONE", ""))
+        out.writeframes(bytes(2 * 8000 * 3))
+    with page.expect_file_chooser() as asked:
+        page.get_by_role("button", name="Sound…").click()
+    asked.value.set_files(str(sound))
+    viewer.until("usdrigui.app.timeline.sound.isReady")
+    assert page.evaluate(f"{session}.range") == [1, 73]
+    page.get_by_role("button", name="Keep pose").click()
+    viewer.set(smile_R=0.8)
+    page.get_by_role("button", name="Take the pose pose 1").click()
+    assert viewer.moved() == pytest.approx({"brow_L": 0.4})
+    page.evaluate("usdrigui.app.timeline.go(20)")
+    page.keyboard.press("o")
+    viewer.until("usdrigui.app.view.onion.drawn.length > 0")
+    page.reload()
+    viewer.until("window.usdrigui !== undefined")
+    page.get_by_role("button", name="Restore").click()
+    assert keyed(viewer) == ways
+    said = page.evaluate(f"({{ shelf, sound }} = {session}, [shelf.map(({{ name }}) => name), sound])")
+    assert said == [["pose 1"], {"name": "voice.wav", "start": 1, "seconds": 3}]
+    page.keyboard.press("Control+z")
+    assert page.evaluate(f"[{session}.shelf.length, {session}.sound, {session}.keys.size]") == [0, None, 0]

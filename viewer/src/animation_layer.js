@@ -32,11 +32,25 @@ export function poseLayer(session) {
   return layer(session, all, states, frame, frame, sayKeys(session, { keys: new Map(), standing }));
 }
 
+/**
+ * Values by control index as SkelAnimations of default values, [{path of the character's own, lines}], with the channels and
+ * joints that these controls drive alone; and names of controls that none drives.
+ */
+export function poseAnimations(session, values) {
+  const { character, controls } = session;
+  const all = Float64Array.from(controls, ({ default: off }, i) => values.get(i) ?? off);
+  const states = statesAt(session, [null], () => ({ values: all, weights: null, locals: null }));
+  const { animations, unwritten } = animationsOf(session, [...values.keys()]);
+  const driven = new Set([...values.keys()].flatMap((control) => controls[control].drive.channels));
+  const own = (each) => ({ ...each, channels: each.channels.filter((channel) => driven.has(channel)), joints: each.joints.filter((joint) => each.driven.has(joint)) });
+  return { animations: [...animations].map(([path, each]) => ({ path, lines: animationLines(character, own(each), states) })), unwritten };
+}
+
 /** Keys and standing values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
 export function keysFromLayer(text, session) {
-  const match = /string work = ("(?:[^"\\]|\\.)*")/.exec(text);
-  if (!text.startsWith('#usda') || !match) throw new Error('This layer was not written by the viewer.');
-  const found = keysFrom(JSON.parse(unquoted(match[1])), session);
+  const [work] = stringsNamed('work', text);
+  if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
+  const found = keysFrom(JSON.parse(work), session);
   if (!found.keys.size && !found.standing.size) throw new Error('No control of this character is named in the layer.');
   return found;
 }
@@ -197,7 +211,9 @@ function animationLines(character, { channels, joints }, states) {
 
 const tokens = (name, values) => `uniform token[] ${name} = [${values.map(quoted).join(', ')}]`;
 
+/** Samples over time, or the default value where the only state has no time. */
 function samples(attribute, states, items) {
+  if (states[0].time === null) return [`${attribute} = [${items(states[0]).join(', ')}]`];
   const rows = states.map((state) => `    ${number(state.time)}: [${items(state).join(', ')}],`);
   return [`${attribute}.timeSamples = {`, ...rows, '}'];
 }
@@ -241,11 +257,16 @@ function rendered({ children }, indent = '') {
   ]);
 }
 
-function quoted(text) {
+export function quoted(text) {
   const escaped = text.replace(/["\\]/g, '\\$&').replace(/\n/g, '\\n');
   return `"${escaped}"`;
 }
 
-const unquoted = (text) => text.slice(1, -1).replace(/\\(["\\n])/g, (_, character) => (character === 'n' ? '\n' : character));
+/** Values of the strings of a name in a layer, as the page or USD itself has quoted them. */
+export function stringsNamed(name, text) {
+  const found = text.matchAll(new RegExp(`string ${name} = ("(?:[^"\\\\]|\\\\.)*"|'(?:[^'\\\\]|\\\\.)*')`, 'g'));
+  return [...found].map(([, said]) => said.slice(1, -1).replace(/\\(.)/g, (_, character) => (character === 'n' ? '\n' : character)));
+}
+
 const rounded = (value) => Number(value.toPrecision(9));
 const number = (value) => String(rounded(value) + 0);

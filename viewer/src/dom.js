@@ -57,13 +57,13 @@ export function download(name, text, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-/** Ask for a text file; resolves to {name, text}, or null when none was chosen. */
+/** Ask for a file; resolves to {name, file, text}, the text only of text, or null when none was chosen. */
 export function askForFile(accept) {
   return new Promise((resolve) => {
     const input = make('input', { type: 'file', accept });
     input.addEventListener('change', async () => {
       const file = input.files[0];
-      resolve(file ? { name: file.name, text: await file.text() } : null);
+      resolve(file ? { name: file.name, file, text: accept.startsWith('audio') ? '' : await file.text() } : null);
     });
     input.addEventListener('cancel', () => resolve(null));
     input.click();

@@ -9,9 +9,10 @@ import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, 
 const MARKS = { linear: 'dope-key', smooth: 'dope-key round', stepped: 'dope-key square' };
 
 export class DopeSheet {
-  constructor(session, say) {
+  constructor(session, say, sound) {
     this.session = session;
     this.say = say;
+    this.sound = sound;
     this.picked = new Set(); // 'control frame'
     this.preview = null; // keys as they are while some are dragged
     this.copied = null;
@@ -85,9 +86,10 @@ export class DopeSheet {
   update() {
     if (this.node.hidden) return;
     const { session } = this;
-    if (this.shown === session.keys && !this.preview && !this.range && this.moveNow()) return;
+    if (this.shown === session.keys && this.heard === session.sound && !this.preview && !this.range && this.moveNow()) return;
     this.shown = session.keys;
-    this.scale = session.animation.range(session.keys);
+    this.heard = session.sound;
+    this.scale = session.range;
     const known = new Set([...session.keys].flatMap(([control, track]) => track.map(([frame]) => `${control} ${frame}`)));
     this.picked = new Set([...this.picked].filter((each) => known.has(each)));
     this.draw();
@@ -112,7 +114,13 @@ export class DopeSheet {
     const tracks = [...this.keys];
     this.rows = [{ name: 'All', controls: tracks.map(([control]) => control) }, ...tracks.map(([control]) => ({ name: session.controls[control].label, controls: [control] }))];
     const none = make('p', { class: 'hint' }, 'No keys yet: K keys what is selected or changed, Auto-key every drag.');
-    return this.body.replaceChildren(...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
+    return this.body.replaceChildren(...this.waveRow(), ...(tracks.length ? this.rows.map((row) => this.row(row)) : [none]));
+  }
+
+  waveRow() {
+    if (!this.sound.isReady) return [];
+    const wave = make('div', { class: 'dope-wave' }, this.sound.wave(this.scale[0], this.scale[1], 36));
+    return [make('div', { class: 'dope-row heard' }, make('span', {}, this.sound.name), wave)];
   }
 
   row({ name, controls }) {

@@ -6,6 +6,7 @@ import { familyName } from './dock.js';
 import { askForFile, download, longName, make, segmented, shownValue, toggle } from './dom.js';
 import { COLOURS } from './overlay.js';
 import { poseFromJson, poseToJson } from './pose_io.js';
+import { Shelf } from './shelf.js';
 import { sideName } from './view.js';
 
 const MOST_RANKED = 12;
@@ -30,6 +31,7 @@ export class Inspector {
       section('Display', this.display()),
       section('Pulling the skin', this.pulling(), false),
       section('Pose', this.poses()),
+      section('Shelf', new Shelf(session, view, say).node),
       section('Layout', this.layout(), false),
     );
     view.onInfluences = (hit) => this.showInfluences(hit);
@@ -218,6 +220,7 @@ export class Inspector {
       this.slide('opacity', 'Opacity', 'How strongly handles and tracks are drawn', 0.1, 1),
       this.check('fade', 'Fade the others while dragging'),
       this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),
+      this.check('onion', 'Onion skin', 'The keys before and after as outlines, amber and blue (O)'),
       this.check('follow', 'Elements follow the skin', 'Off: they stay where they are at rest'),
       this.updating(showAll),
       this.updating(this.drawnBy()),

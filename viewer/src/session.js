@@ -22,6 +22,7 @@ export const DEFAULT_OPTIONS = {
   symmetric: false,
   rearrange: false,
   autoKey: false,
+  onion: false,
   interpolation: 'linear', // of the first key of a control
   locality: 0.1,
   skinDrag: true,
@@ -47,6 +48,8 @@ export class Session {
     this.neutral = true; // the layout's base pose is under the values, not the frame's
     this.keys = new Map(); // control index -> [[frame, value, way]], ascending
     this.standing = new Map(); // control index -> value of what neither keys nor the clip animate
+    this.shelf = []; // kept poses: {name, values: control index -> value, picture}
+    this.sound = null; // {name, start: the frame at which it begins, seconds}
     this.given = Float64Array.from(this.rest); // the values before any change at this frame
     this.moved = new Map(); // element index -> where it was put by hand
     this.options = { ...DEFAULT_OPTIONS };
@@ -171,8 +174,8 @@ export class Session {
   /** All that undo gives back. */
   snapshot() {
     this.compare(false);
-    const { frame, neutral, keys, standing } = this;
-    return { frame, neutral, keys, standing, values: Float64Array.from(this.values), given: this.given };
+    const { frame, neutral, keys, standing, shelf, sound } = this;
+    return { frame, neutral, keys, standing, shelf, sound, values: Float64Array.from(this.values), given: this.given };
   }
 
   restore({ values, ...state }) {
@@ -277,6 +280,27 @@ export class Session {
     const before = this.snapshot();
     this.takeKeys(keys, this.standing);
     this.step(label, before);
+  }
+
+  /** Other kept poses, as one undoable step. */
+  reshelve(label, shelf) {
+    const before = this.snapshot();
+    this.shelf = shelf;
+    this.step(label, before);
+  }
+
+  /** First and last frame of the clip, the keys and the sound. */
+  get range() {
+    const [first, last] = this.animation.range(this.keys);
+    const { start, seconds } = this.sound ?? { start: first, seconds: 0 };
+    return [Math.min(first, start), Math.max(last, Math.ceil(start + seconds * this.animation.rate))];
+  }
+
+  /** Another sound, or its beginning at another frame, as one undoable step. */
+  resound(label, sound) {
+    const before = this.snapshot();
+    this.sound = sound;
+    this.step(label, before, 'sound');
   }
 
   // --- poses -----------------------------------------------------------------------------------------

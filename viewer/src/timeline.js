@@ -2,7 +2,8 @@
 
 import { animationLayer } from './animation_layer.js';
 import { DopeSheet } from './dope_sheet.js';
-import { download, make, toggle } from './dom.js';
+import { askForFile, download, make, toggle } from './dom.js';
+import { Sound } from './sound.js';
 
 export class Timeline {
   constructor(session, say) {
@@ -10,7 +11,8 @@ export class Timeline {
     this.say = say;
     this.rate = session.animation.rate;
     this.playing = false;
-    this.sheet = new DopeSheet(session, say);
+    this.sound = new Sound(session);
+    this.sheet = new DopeSheet(session, say, this.sound);
     this.node = this.build();
     session.on('editing', () => this.stop());
     session.on('time', () => this.update());
@@ -34,9 +36,18 @@ export class Timeline {
       type: 'range',
       step: 1,
       'aria-label': 'Frame',
-      oninput: () => this.go(Number(this.slider.value)),
+      oninput: () => {
+        this.go(Number(this.slider.value));
+        this.sound.blip(this.frame);
+      },
     });
     this.ticks = make('div', { class: 'ticks', 'aria-hidden': 'true' });
+    this.waves = make('div', { class: 'waves', 'aria-hidden': 'true' });
+    this.soundButton = button('Sound…', '', () => this.openSound());
+    this.soundStart = make('input', {
+      type: 'number', class: 'sound-start', title: 'The frame at which the sound begins', 'aria-label': 'The frame at which the sound begins',
+      onchange: () => this.session.resound('Move the sound', { ...this.session.sound, start: Math.round(Number(this.soundStart.value)) }),
+    });
     this.number = make('output', { class: 'frame' });
     this.unkeyed = make('output', { class: 'unkeyed', title: 'Changed here and not keyed: they end with this frame. K keys them.' });
     return make(
@@ -47,19 +58,21 @@ export class Timeline {
       button('›', 'Next key', () => this.step(1)),
       this.number,
       this.unkeyed,
-      make('div', { class: 'scrub' }, this.ticks, this.slider),
+      make('div', { class: 'scrub' }, this.waves, this.ticks, this.slider),
       button('Key', 'Key the selected controls, or all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
       this.autoButton,
       this.tween(),
       this.sheetButton,
+      this.soundButton,
+      this.soundStart,
       button('Save animation layer', 'Download the keys over the clip as a USD layer', () => this.save()),
     );
   }
 
   update() {
     const { session } = this;
-    const [first, last] = session.animation.range(session.keys);
+    const [first, last] = session.range;
     const along = (frame) => `${(100 * (frame - first)) / (last - first)}%`;
     this.number.textContent = session.neutral && session.animation.clip?.times.length > 1 ? 'neutral' : `${this.frame}`;
     this.number.title = session.neutral ? 'The pose of the layout; the time line shows the animation' : 'Frame';
@@ -69,7 +82,32 @@ export class Timeline {
     const loose = session.unkeyed().length;
     this.unkeyed.textContent = loose ? `${loose} not keyed` : '';
     this.autoButton.setAttribute('aria-pressed', String(session.options.autoKey));
+    this.showSound(first, last);
     this.ticks.replaceChildren(...this.keyFrames().map((frame) => make('i', { style: { left: along(frame) } })));
+  }
+
+  // --- sound -----------------------------------------------------------------------------------------
+
+  showSound(first, last) {
+    const { sound, session } = this;
+    const { name, start } = session.sound ?? {};
+    const ready = sound.isReady;
+    this.soundButton.textContent = !name ? 'Sound…' : ready ? shortened(name) : `Open ${shortened(name)} again`;
+    this.soundButton.title = !name ? 'Open a sound of your disk; it is played in step with the frames and sent nowhere' : `${name}: open it again, or another`;
+    this.soundStart.hidden = !name;
+    if (name) this.soundStart.value = start;
+    const wave = ready ? sound.wave(first, last) : null;
+    if (this.waves.firstChild !== wave) this.waves.replaceChildren(...(wave ? [wave] : []));
+  }
+
+  async openSound() {
+    const file = await askForFile('audio/*,.wav,.mp3,.ogg,.m4a,.flac');
+    if (!file) return;
+    try {
+      await this.sound.read(file.file);
+    } catch (error) {
+      this.say(error.message);
+    }
   }
 
   openSheet(open) {
@@ -118,7 +156,7 @@ export class Timeline {
 
   step(direction) {
     const frames = this.keyFrames();
-    const [first, last] = this.session.animation.range(this.session.keys);
+    const [first, last] = this.session.range;
     const next = direction > 0 ? frames.find((frame) => frame > this.frame) : frames.findLast((frame) => frame < this.frame);
     this.go(next ?? Math.min(last, Math.max(first, this.frame + direction)));
   }
@@ -138,23 +176,28 @@ export class Timeline {
   stop() {
     if (!this.playing) return;
     this.playing = false;
+    this.sound.stop();
     this.update();
   }
 
-  play() {
-    const [first, last] = this.session.animation.range(this.session.keys);
+  /** Frames by the clock of what is heard, where there is a sound. */
+  async play() {
+    const [first, last] = this.session.range;
     if (this.session.neutral || this.frame >= last) this.go(this.frame >= last ? first : this.frame);
     this.playing = true;
     this.update();
-    const began = performance.now() - (1000 * (this.frame - first)) / this.rate;
-    const tick = (now) => {
+    const clock = await this.sound.play(this.frame);
+    if (!this.playing) return this.sound.stop();
+    const began = clock() - (this.frame - first) / this.rate;
+    const length = last - first + 1;
+    const tick = () => {
       if (!this.playing) return;
-      const length = last - first + 1;
-      const frame = first + (Math.floor((Math.max(0, now - began) * this.rate) / 1000) % length);
+      const frame = first + (Math.floor(Math.max(0, clock() - began) * this.rate) % length);
+      if (frame < this.frame) this.sound.from(frame);
       if (frame !== this.frame) this.go(frame);
       requestAnimationFrame(tick);
     };
-    requestAnimationFrame(tick);
+    return requestAnimationFrame(tick);
   }
 
   // --- out -------------------------------------------------------------------------------------------
@@ -177,6 +220,8 @@ export class Timeline {
     if (notes.length) this.say(notes.join(' · '));
   }
 }
+
+const shortened = (name) => (name.length > 18 ? `${name.slice(0, 8)}…${name.slice(-8)}` : name);
 
 /** "jawOpen" or "3 changes". */
 function named({ controls }, indices) {

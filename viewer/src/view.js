@@ -2,6 +2,7 @@
 
 import { OrbitCamera, dot } from './camera.js';
 import { Gestures } from './gestures.js';
+import { Onion } from './onion.js';
 import { COLOURS, Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
@@ -24,7 +25,8 @@ export class View {
     this.surface = make('div', { class: 'surface', tabIndex: 0, role: 'application', 'aria-label': 'Face: drag handles or skin' });
     this.stage = new Stage(session.character, session.deformer.points, drawingAsked());
     this.stage.onlost = () => this.changed('camera');
-    this.node = make('div', { class: 'view' }, this.stage.node, marks, this.surface, this.captions, ...this.sides, this.tip);
+    this.onion = new Onion(this);
+    this.node = make('div', { class: 'view' }, this.stage.node, this.onion.node, marks, this.surface, this.captions, ...this.sides, this.tip);
     this.overlay = new Overlay(marks, session);
     this.camera = new OrbitCamera(session.character.up, (session.section ?? session.character.layout).view);
     this.picker = new ScreenSurface(session.deformer.points, this.stage.triangles);
@@ -227,6 +229,7 @@ export class View {
     }
     this.arrangeOverlay(turned);
     this.overlay.draw();
+    this.onion.follow();
     this.placeTip();
     this.nameSides();
   }

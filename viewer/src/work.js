@@ -2,13 +2,14 @@
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
 import { WAYS, wayOf } from './interpolation.js';
+import { poseFrom } from './pose_library.js';
 
 /** Keys and standing values by names of controls. */
 export function sayKeys({ controls }, { keys, standing }) {
-  const byName = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
+  const byNames = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
   return {
-    keys: byName(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
-    standing: byName(standing, rounded),
+    keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
+    standing: byNames(standing, rounded),
   };
 }
 
@@ -17,18 +18,24 @@ export function keysFrom({ keys, standing }, { controls }) {
   return { keys: byControl(keys, controls, isTrack), standing: byControl(standing, controls, Number.isFinite) };
 }
 
+/** Values by names of controls, and back; what the character lacks and what is no number is left out. */
+export const valuesByName = (session, values) => sayKeys(session, { keys: new Map(), standing: values }).standing;
+export const byName = (values, controls) => byControl(values, controls, Number.isFinite);
+
 /** All work of a session; null where there is none. */
 export function workOf(session) {
-  const { frame, neutral, values, controls, elements, moved, locks } = session;
+  const { frame, neutral, values, controls, elements, moved, locks, shelf, sound } = session;
   const from = neutral ? session.rest : session.given;
   const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
-  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size) return null;
+  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound) return null;
   return {
     frame,
     neutral,
     ...sayKeys(session, session),
     changed: Object.fromEntries(changed.map((index) => [controls[index].name, values[index]])),
     locks: [...locks].map((index) => controls[index].name),
+    shelf: shelf.map((pose) => ({ ...pose, values: valuesByName(session, pose.values) })),
+    sound,
     moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
   };
 }
@@ -50,14 +57,16 @@ export function resume(session, work) {
   const given = neutral ? Float64Array.from(session.rest) : session.animation.at(frame, { keys, standing }).values;
   const values = Float64Array.from(given);
   byControl(work.changed, controls, Number.isFinite).forEach((value, index) => (values[index] = value));
-  session.restore({ frame, neutral, keys, standing, given, values });
+  const shelf = (work.shelf ?? []).map((pose) => poseFrom(pose, session)).filter(Boolean);
+  const sound = isSound(work.sound) ? work.sound : null;
+  session.restore({ frame, neutral, keys, standing, given, values, shelf, sound });
   session.step('Restore work', before);
   session.emit('options');
   session.emit('layout');
 }
 
 /** "12 keys of 3 controls, 2 changes that are not keyed". */
-export function worded({ keys, standing, changed, moved }) {
+export function worded({ keys, standing, changed, moved, shelf, sound }) {
   const tracks = Object.values(keys ?? {});
   const count = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
   const sum = tracks.reduce((total, track) => total + track.length, 0);
@@ -66,6 +75,8 @@ export function worded({ keys, standing, changed, moved }) {
     sum ? `${count(sum, 'key')} of ${count(tracks.length, 'control')}` : '',
     loose ? `${count(loose, 'control')} changed without a key` : '',
     moved?.length ? `${count(moved.length, 'element')} moved` : '',
+    shelf?.length ? `${count(shelf.length, 'pose')} on the shelf` : '',
+    sound ? `the place of ${sound.name}` : '',
   ].filter(Boolean).join(', ') || 'locks';
 }
 
@@ -75,6 +86,7 @@ function byControl(entries, controls, isValid) {
   return new Map(known.map(([name, value]) => [index.get(name), value]));
 }
 
+const isSound = (sound) => typeof sound?.name === 'string' && Number.isFinite(sound.start) && sound.seconds >= 0;
 const isKey = (key) =>
   Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
 const isTrack = (track) => Array.isArray(track) && track.length > 0 && track.every(isKey);

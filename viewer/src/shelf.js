@@ -1,0 +1,100 @@
+// A shelf of poses: each a name, a small picture and values of some controls or of all.  It is part of the session's work,
+// and goes out and in as a USD layer of SkelAnimations, one Scope for each pose (docs/decisions/141).
+
+import { posesLayer, posesFromLayer } from './pose_library.js';
+import { askForFile, download, make } from './dom.js';
+import { portrait } from './portrait.js';
+
+export class Shelf {
+  constructor(session, view, say) {
+    this.session = session;
+    this.view = view;
+    this.say = say;
+    this.share = 1; // of the way to a pose that a click goes
+    this.grid = make('div', { class: 'shelf' });
+    const act = (label, title, onclick) => make('button', { type: 'button', title, onclick }, label);
+    this.saving = act('Save shelf', 'Download the poses as a USD layer', () => this.save());
+    this.node = make('div', {}, this.grid, this.amount(),
+      make('div', { class: 'actions' },
+        act('Keep pose', 'Put the pose of the selection, or of all controls, on the shelf', () => this.keep()),
+        this.saving,
+        act('Open…', 'Add the poses of a layer saved before', () => this.open())));
+    session.on('time', () => this.update());
+    this.update();
+  }
+
+  amount() {
+    const input = make('input', {
+      type: 'range', min: 0, max: 100, value: 100, title: 'How far a click goes from the present pose to the kept one', 'aria-label': 'Share of the pose',
+      oninput: () => {
+        this.share = Number(input.value) / 100;
+        input.style.setProperty('--at', `${input.value}%`);
+      },
+    });
+    input.style.setProperty('--at', '100%');
+    return make('label', { class: 'field' }, make('span', {}, 'Share'), input);
+  }
+
+  update() {
+    const { shelf } = this.session;
+    if (this.shown === shelf) return;
+    this.shown = shelf;
+    this.saving.disabled = !shelf.length;
+    const none = make('p', { class: 'hint' }, 'No poses yet. Keep the present one; a click on its picture gives it back.');
+    this.grid.replaceChildren(...(shelf.length ? shelf.map((pose) => this.item(pose)) : [none]));
+  }
+
+  item(pose) {
+    const name = make('input', {
+      type: 'text', value: pose.name, 'aria-label': `Name of the pose ${pose.name}`,
+      onchange: () => this.session.reshelve('Rename a pose', this.session.shelf.map((each) => (each === pose ? { ...pose, name: name.value || pose.name } : each))),
+    });
+    const words = `${pose.name}: ${pose.values.size} control${pose.values.size === 1 ? '' : 's'}`;
+    return make('div', { class: 'pose' },
+      make('button', { type: 'button', class: 'pose-picture', title: words, 'aria-label': `Take the pose ${pose.name}`, onclick: () => this.take(pose) },
+        pose.picture ? make('img', { src: pose.picture, alt: '' }) : null),
+      name,
+      make('button', { type: 'button', class: 'pose-away', title: 'Take it off the shelf', 'aria-label': `Take ${pose.name} off the shelf`,
+        onclick: () => this.session.reshelve('Take a pose off the shelf', this.session.shelf.filter((each) => each !== pose)) }, '×'));
+  }
+
+  keep() {
+    const { session } = this;
+    const picture = portrait(session, this.view.stage);
+    const name = unused(`pose ${session.shelf.length + 1}`, session.shelf);
+    session.reshelve('Keep a pose', [...session.shelf, { name, values: session.copy(), picture }]);
+  }
+
+  /** The pose, of what is selected where it says something of it, as far as `share` says. */
+  take({ name, values }) {
+    const { session } = this;
+    const selected = new Set(session.selection.size ? session.chosenControls : []);
+    const both = [...values].filter(([control]) => selected.has(control));
+    const pose = (both.length ? both : [...values]).map(([control, value]) => [control, session.values[control] + this.share * (value - session.values[control])]);
+    session.asWritten(`Pose ${name}`, pose);
+  }
+
+  save() {
+    const { text, unwritten } = posesLayer(this.session, this.session.shelf);
+    download('poses.usda', text, 'text/plain');
+    this.session.emit('saved');
+    if (unwritten.length) this.say(`No animation drives ${unwritten.join(', ')}`);
+  }
+
+  async open() {
+    const file = await askForFile('.usda,.usd');
+    if (!file) return;
+    try {
+      const found = posesFromLayer(file.text, this.session);
+      this.session.reshelve(`Open ${file.name}`, [...this.session.shelf, ...found]);
+      this.say(`${found.length} pose${found.length === 1 ? '' : 's'} added`);
+    } catch (error) {
+      this.say(error.message);
+    }
+  }
+}
+
+function unused(name, shelf) {
+  const taken = new Set(shelf.map((pose) => pose.name));
+  for (let number = 2, free = name; ; free = `${name} (${number++})`) if (!taken.has(free)) return free;
+}
