@@ -57,7 +57,7 @@ class Similarity(Record):
     shared: Floats
     """Cosine of the displacement lengths, in [0, 1]: 1 where both act on the same region alike."""
 
-    @property
+    @cached_property
     def direction(self) -> Floats:
         """Displacement-weighted cosine of the directions where both act; 0 where they share nothing."""
         ratio = np.divide(self.cosine, self.shared, out=np.zeros_like(self.cosine), where=self.shared > 1e-6)
