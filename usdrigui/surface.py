@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
+from scipy.sparse.csgraph import connected_components, dijkstra
 
 from usdrigui.model import Floats, Indices, RigMesh
 
@@ -144,6 +144,24 @@ def components(corners: Indices, places: Indices) -> Indices:
     return np.asarray(labels[places], dtype=np.int64)
 
 
+def surface_distances(points: Floats, corners: Indices, places: Indices, sources: Indices) -> Floats:
+    """``(n,)`` shortest way along the surface from the nearest of the points `sources`; inf where none leads there.
+
+    The ways go along edges and across each edge from corner to opposite corner, which makes them at most
+    some 8 % longer than the shortest on a regular mesh.
+    """
+    corners = places[corners]
+    sides = np.sort(corners[:, [[1, 2], [2, 0], [0, 1]]], axis=2).reshape(-1, 2)
+    order = np.lexsort((sides[:, 1], sides[:, 0]))
+    twins = np.flatnonzero((sides[order[1:]] == sides[order[:-1]]).all(axis=1))  # two triangles at one edge
+    opposite = corners.reshape(-1)
+    across = np.stack([opposite[order[twins]], opposite[order[twins + 1]]], axis=1)
+    pairs = np.unique(np.sort(np.concatenate([edges(corners), across[across[:, 0] != across[:, 1]]]), axis=1), axis=0)
+    graph = _graph(pairs, len(points), np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1))
+    found = dijkstra(graph, directed=False, indices=np.unique(places[sources]), min_only=True)
+    return np.asarray(found[places], dtype=np.float64)
+
+
 def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:
     """Faces some triangle of whose fan is turned against the face as a whole: the fan leaves the face there.
 
@@ -213,6 +231,6 @@ def _row_keys(cells: Indices) -> Indices:
     return keys
 
 
-def _graph(pairs: Indices, count: int) -> csr_array:
+def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:
     first, second = pairs.astype(np.int32).T  # the only index type that every graph routine of scipy takes
-    return csr_array((np.ones(len(pairs)), (first, second)), shape=(count, count))
+    return csr_array((np.ones(len(pairs)) if lengths is None else lengths, (first, second)), shape=(count, count))

@@ -1,5 +1,6 @@
 """usdrigui.surface: triangulation, normals, welding and distances on meshes small enough to reason about."""
 
+import makers
 import numpy as np
 import pytest
 
@@ -107,3 +108,22 @@ def test_areas_sum_to_the_surface_and_fall_to_the_first_point_of_a_place():
     area = surface.point_areas(points, corners, places)
     assert area.sum() == pytest.approx(2.0)
     assert area[[4, 7]].tolist() == [0.0, 0.0]
+
+
+def test_ways_along_the_surface_are_little_longer_than_the_shortest():
+    points, quads = makers.mask()
+    points[:, 2] = 0.0
+    corners = surface.triangles(points, [4] * len(quads), np.ravel(quads))
+    found = surface.surface_distances(points, corners, np.arange(len(points)), np.array([0]))
+    straight = np.linalg.norm(points - points[0], axis=1)
+    assert (found >= straight - 1e-12).all()
+    assert (found <= 1.09 * straight + 1e-12).all()
+
+
+def test_no_way_leads_to_another_piece_and_the_nearest_source_counts():
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 0, 0], [6, 0, 0], [5, 1, 0], [1, 0, 0], [2, 0, 0]])
+    corners = np.array([[0, 1, 2], [3, 4, 5], [6, 7, 2]])
+    places = np.array([0, 1, 2, 3, 4, 5, 1, 7])  # point 6 is point 1 at a seam
+    found = surface.surface_distances(points, corners, places, np.array([0, 7]))
+    assert found[[0, 1, 6, 7]].tolist() == [0.0, 1.0, 1.0, 0.0]
+    assert np.isinf(found[3:6]).all()

@@ -38,7 +38,7 @@ class ControlSettings:
     )
     within: float = setting(
         0.0,
-        "Radius for `near`, as a share of the face size; 0 takes the default.",
+        "Radius for `near` along the surface; 0 takes the default.",
         unit="face sizes",
         bounds=(0.0, 1000000.0),
     )
@@ -303,7 +303,7 @@ class CandidateSettings:
         True, "Send controls that repeat what others do to the board.", level="expert", was="beside_composite"
     )
     near_radius: float = setting(
-        0.15, "Default radius of locality.", unit="face sizes", bounds=(1e-06, 1000000.0), level="expert"
+        0.15, "Default for `within`.", unit="face sizes", bounds=(1e-06, 1000000.0), level="expert"
     )
 
 

@@ -13,6 +13,7 @@ from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.model import Flags, Floats, Indices, Rig
+from usdrigui.surface import mesh_triangles, surface_distances
 from usdrigui.ties import first_smallest
 
 _PROXIES = 24
@@ -23,15 +24,12 @@ def kept_near(
     face: Face, control: int, requests: Requests, points: Indices, among: Flags, default_radius: float
 ) -> Flags:
     """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper section 6,
-    localizable); the nearest one where none is.  Radii are in face sizes.  Raises CONFIG_VALUE when ``near`` names
-    nothing on the character."""
+    localizable); the nearest one where none is.  Radii are in face sizes, along the surface.  Raises
+    CONFIG_VALUE when ``near`` names nothing on the character."""
     override = requests.overrides[control]
     if not override.near or not among.any():
         return among
-    centres = _centres(face, f'controls."{face.control_name(control)}".near', override.near.removeprefix(MIRROR))
-    if override.near.startswith(MIRROR):
-        centres = reflected(centres, face.symmetry)
-    apart, _ = cKDTree(centres).query(face.trajectories.base[points])
+    apart = _distances(face, f'controls."{face.control_name(control)}".near', override.near)[points]
     radius = (override.within or default_radius) * face.trajectories.face_size
     inside: Flags = among & (apart <= radius)
     if not inside.any():
@@ -50,18 +48,34 @@ def proxies(face: Face, point: int) -> Indices:
     return np.sort(seen[np.atleast_1d(nearest)])
 
 
-def _centres(face: Face, where: str, near: str) -> Floats:
-    rig = face.rig
-    if near.startswith("joint:"):
-        return _joint_position(rig, where, near.removeprefix("joint:"))[None]
+def _distances(face: Face, where: str, near: str) -> Floats:
+    """(n,) how far every point is from what `near` names: along the surface, so that a lip is not near the other, and
+    straight where no surface leads there (another mesh, a joint)."""
+    base, name = face.trajectories.base, near.removeprefix(MIRROR)
+    joint = name.startswith("joint:")
+    if joint:
+        centres = _joint_position(face.rig, where, name.removeprefix("joint:"))[None]
+    else:
+        centres = np.array(base[_named_points(face.rig, where, name)])
+    if near.startswith(MIRROR):
+        centres = reflected(centres, face.symmetry)
+    straight, _ = cKDTree(centres).query(base)
+    if joint:
+        return np.asarray(straight)
+    _, sources = cKDTree(base).query(centres)
+    along = surface_distances(base, mesh_triangles(face.rig.meshes), face.trajectories.places, np.asarray(sources))
+    return np.where(np.isfinite(along), along, straight)
+
+
+def _named_points(rig: Rig, where: str, near: str) -> Indices:
     if match := re.fullmatch(r"(.+)\.point\[(\d+)\]", near):
-        return np.array(face.trajectories.base[[point_index(rig, where, match[1], int(match[2]))]])
+        return np.array([point_index(rig, where, match[1], int(match[2]))])
     for start, mesh in zip(rig.starts, rig.meshes, strict=False):
         if mesh.path == near:
-            return np.array(face.trajectories.base[start : start + len(mesh.points)])
+            return np.arange(start, start + len(mesh.points))
         for subset in mesh.subsets:
             if subset.path == near:
-                return np.array(face.trajectories.base[start + subset.points])
+                return np.asarray(start + subset.points)
     raise refuse("CONFIG_VALUE", where, f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}")
 
 
