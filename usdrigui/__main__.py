@@ -15,10 +15,10 @@ def main() -> int:
     """Run the command line of this process; returns the exit code."""
     early: list[Any] = []
     tell = early.append
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as under nohup
-            signal.signal(number, lambda *_: tell("stop"))
+    named = (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP"))
+    heeded = [each for each in named if each is not None and signal.getsignal(each) is not signal.SIG_IGN]  # nohup
+    for number in heeded:
+        signal.signal(number, lambda *_: tell("stop"))
     _keep_standard_streams()
     from queue import SimpleQueue
 
@@ -28,7 +28,11 @@ def main() -> int:
         tell(each)
     from usdrigui.cli.supervised import run
 
-    return run(sys.argv[1:], events)
+    code = run(sys.argv[1:], events)
+    # The verdict is out: Python puts the default actions back before it has ended, and must not die of a signal then.
+    for number in heeded:
+        signal.signal(number, signal.SIG_IGN)
+    return code
 
 
 def _keep_standard_streams() -> None:

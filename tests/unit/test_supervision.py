@@ -205,3 +205,19 @@ sys.exit(main())
     assert done.returncode == Exit.LIMIT
     assert "INTERRUPTED" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_a_signal_after_the_verdict_changes_no_exit_code(tmp_path):
+    # The last that Python does, after it has put the default actions of signals back, is to empty the modules.
+    program = """
+import os, signal, sys
+from usdrigui.__main__ import main
+class Last:
+    def __del__(self, kill=os.kill, me=os.getpid(), number=signal.SIGHUP):
+        kill(me, number)
+signal.last = Last()
+sys.argv = ["usdrigui", "--version"]
+sys.exit(main())
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert (done.returncode, done.stdout.split()[0]) == (0, "usdrigui")
