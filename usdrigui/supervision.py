@@ -256,7 +256,7 @@ class _Watch:
 
     def _on_wrote(self, message: dict[str, Any]) -> None:
         self.writing = ()
-        self.written += message["paths"]
+        self.written += [each for each in message["paths"] if each not in self.written]
 
     def _on_end(self, message: dict[str, Any]) -> None:
         self.closing = message

@@ -1,8 +1,13 @@
 """`usdrigui view`: a page from a layer; what is wrong is said before anything opens."""
 
+import os
+import signal
+import subprocess
+import sys
 import threading
 import urllib.request
 
+import pytest
 from pxr import Usd, UsdGeom
 
 from usdrigui.cli import main
@@ -17,7 +22,7 @@ def test_writes_one_page(layer, tmp_path):
 def test_serves_and_says_where(layer, monkeypatch, capsys):
     real, stop = serve.serve, threading.Event()
 
-    def once(html, open_browser, announce, name):
+    def once(html, open_browser, announce, name, live):
         def told(address):
             announce(address)
             assert urllib.request.urlopen(address, timeout=10).status == 200
@@ -29,6 +34,7 @@ def test_serves_and_says_where(layer, monkeypatch, capsys):
             announce=lambda address: threading.Thread(target=told, args=[address]).start(),
             stop=stop,
             name=name,
+            live=live,
         )
 
     monkeypatch.setattr(serve, "serve", once)
@@ -86,3 +92,56 @@ def test_nothing_is_served_or_opened_for_a_layer_that_is_refused(layer, monkeypa
     said = capsys.readouterr().err
     assert [code in said for code in ("LAYOUT_MISSING", "LAYOUT_STALE", "LAYER_MISSING")] == [True, True, True]
     assert said.count("repair: ") == 3
+
+
+EDIT = b'#usda 1.0\n(\n    customLayerData = { dictionary usdrigui = { string work = "{}" } }\n)\n'
+
+
+def test_a_live_file_is_none_that_was_read_and_none_of_anybody_else(layer, tmp_path, monkeypatch, capsys):
+    """The layout, its source, a layer below a shot by a link, a file of other work; nothing is served then."""
+    monkeypatch.setattr(serve, "serve", lambda *_, **__: pytest.fail("a page was served"))
+    source = layer.with_name("char.usda")
+    os.link(source, tmp_path / "edit.usda")
+    (tmp_path / "work.usda").write_text("#usda 1.0\n")
+    before = {path: path.read_bytes() for path in (layer, source, tmp_path / "work.usda")}
+    for target in (layer, source, tmp_path / "edit.usda", tmp_path / "work.usda", tmp_path / "edit.json"):
+        assert main(["view", str(layer), "--live", str(target)]) == 3, target
+        assert "FILE_TARGET" in capsys.readouterr().err
+    assert main(["view", str(layer), "--live", str(tmp_path / "e.usda"), "--html", str(tmp_path / "e.html")]) == 2
+    assert {path: path.read_bytes() for path in before} == before
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_live_link_ends_with_ctrl_c_and_leaves_a_whole_file(layer, tmp_path):
+    """Amid writes, as fast as they come; with exit code 0 and no temporary file."""
+    edit = tmp_path / "live" / "edit.usda"
+    edit.parent.mkdir()
+    command = [sys.executable, "-u", "-m", "usdrigui", "view", str(layer), "--no-browser", "--live", str(edit)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    address = process.stdout.readline().strip()
+    origin, stop, writes = "/".join(address.split("/")[:3]), threading.Event(), []
+
+    def write(known='"absent"'):
+        while not stop.is_set():
+            text = EDIT + b"#" * 100_000 + b"%d\n" % len(writes)
+            asked = urllib.request.Request(f"{address}edit", text, {"If-Match": known, "Origin": origin}, method="PUT")
+            try:
+                with urllib.request.urlopen(asked, timeout=10) as answer:
+                    known = answer.headers["ETag"]
+            except OSError:
+                return
+            writes.append(text)
+            if len(writes) == 5:
+                process.send_signal(signal.SIGINT)
+
+    writer = threading.Thread(target=write)
+    writer.start()
+    out, err = process.communicate(timeout=60)
+    stop.set()
+    writer.join(timeout=30)
+    assert (process.returncode, "Traceback" in out + err) == (0, False), err
+    assert "usdrigui: showed" in out
+    assert [path.name for path in edit.parent.iterdir()] == ["edit.usda"]
+    assert edit.read_bytes().startswith(EDIT)
+    assert edit.read_bytes().endswith(b"\n")

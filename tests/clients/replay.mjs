@@ -4,10 +4,10 @@
 import { text } from 'node:stream/consumers';
 
 import { animationLayer, poseLayer, keysFromLayer } from '../../viewer/src/animation_layer.js';
-import { keysGoing, keysWithin } from '../../viewer/src/keying.js';
 import { readScene } from '../../viewer/src/scene.js';
 import { posesFromLayer, posesLayer } from '../../viewer/src/pose_library.js';
 import { Session } from '../../viewer/src/session.js';
+import { act, at, shown } from './acting.mjs';
 
 const found = [];
 for (const { scene, actions, times } of JSON.parse(await text(process.stdin))) {
@@ -21,23 +21,6 @@ for (const { scene, actions, times } of JSON.parse(await text(process.stdin))) {
   found.push({ pose, shelf, layer, unwritten, frames, again: reloaded(characters[0], layer, times) });
 }
 process.stdout.write(JSON.stringify(found));
-
-function act(session, [name, ...rest]) {
-  const index = new Map(session.controls.map((control, i) => [control.name, i]));
-  const acts = {
-    go: (frame) => session.go(frame),
-    set: (values) => session.edit('Set', () => session.set(Object.entries(values).map(([each, value]) => [index.get(each), value]))),
-    key: (names) => session.key(names.map((each) => index.get(each))),
-    unkey: (names) => session.unkey(names.map((each) => index.get(each))),
-    'go on': (way, names) =>
-      session.rekey(way, keysGoing(way, session.keys, keysWithin(session.keys, names.map((each) => index.get(each)), [-Infinity, Infinity]))),
-    reset: () => session.reset(),
-    undo: () => session.undo(),
-    redo: () => session.redo(),
-    autoKey: (on) => session.setOption('autoKey', on),
-  };
-  acts[name](...rest);
-}
 
 /** The pose of all controls and of every other one as a layer; what comes back from it, and channels by pose. */
 function shelved(session) {
@@ -57,16 +40,6 @@ function shelved(session) {
   const again = posesFromLayer(text, session).map(({ name, values: found }) => [name, Object.fromEntries(found)]);
   const kept = session.shelf.map(({ name, values: found }) => [name, Object.fromEntries(found)]);
   return { text, unwritten, expected, again, kept };
-}
-
-function shown({ deformer, character }) {
-  const locals = character.joints.map((_, joint) => Array.from(deformer.skeletons.localAt(joint, deformer.moves)));
-  return { weights: Array.from(deformer.weights), locals };
-}
-
-function at(session, time) {
-  session.go(time);
-  return shown(session);
 }
 
 /** The same times in another session that has loaded the layer. */

@@ -9,6 +9,7 @@ import threading
 
 import pytest
 
+from usdrigui.view.live import LiveFile
 from usdrigui.view.serve import page_server, serve
 
 PAGE = "<!DOCTYPE html><title>ä</title>"
@@ -105,3 +106,78 @@ def test_serve_announces_and_stops():
 
     serve(PAGE, open_browser=False, announce=announce, stop=stop)
     assert told[0].startswith("http://127.0.0.1:")
+
+
+# --- the file of a live link -------------------------------------------------------------------------
+
+EDIT = b'#usda 1.0\n(\n    customLayerData = { dictionary usdrigui = { string work = "{}" } }\n)\n'
+
+
+@pytest.fixture
+def live(tmp_path):
+    with page_server(PAGE, live=LiveFile(tmp_path / "edit.usda", ())) as made:
+        thread = threading.Thread(target=made.serve_forever, args=(0.02,), daemon=True)
+        thread.start()
+        yield made
+        made.shutdown()
+        thread.join()
+
+
+def ask(server, method, body=None, path=None, **headers):
+    """Status and revision; `origin` and `host` are the page's own unless given."""
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
+    given = {"Host": server.host, "Origin": f"http://{server.host}", **headers}
+    connection.request(method, path or f"{server.path}edit", body=body, headers={k: v for k, v in given.items() if v})
+    response = connection.getresponse()
+    content = response.read()
+    connection.close()
+    return response.status, response.headers["ETag"], content
+
+
+def test_a_live_file_is_replaced_by_who_knows_what_it_holds(live):
+    assert ask(live, "GET") == (200, '"absent"', b"")
+    status, first, _ = ask(live, "PUT", EDIT, **{"If-Match": '"absent"'})
+    assert (status, live.live.path.read_bytes()) == (200, EDIT)
+    assert ask(live, "GET") == (200, first, EDIT)
+    assert ask(live, "GET", **{"If-None-Match": first})[0] == 304
+    other = EDIT + b"# two\n"
+    for known in ('"absent"', "", '"0"'):
+        assert ask(live, "PUT", other, **{"If-Match": known})[0] == 412
+    assert live.live.path.read_bytes() == EDIT
+    assert ask(live, "PUT", other, **{"If-Match": first})[0] == 200
+    assert ask(live, "GET")[1] != first
+
+
+@pytest.mark.parametrize(
+    ("status", "change"),
+    [
+        (403, {"Origin": "http://evil.example"}),
+        (403, {"Origin": "null"}),
+        (403, {"Origin": ""}),
+        (404, {"Host": "evil.example"}),
+        (404, {"path": "/edit"}),
+        (400, {"body": b"#usda 1.0\n"}),
+        (400, {"body": b"work"}),
+        (413, {"body": EDIT + b"#" * 1000}),
+    ],
+)
+def test_others_write_nothing(live, monkeypatch, status, change):
+    monkeypatch.setattr("usdrigui.view.serve._MOST_WRITTEN", 1000)
+    asked = {"body": EDIT, "If-Match": '"absent"', **change}
+    assert ask(live, "PUT", **asked)[0] == status
+    assert not live.live.path.exists()
+
+
+def test_a_disk_that_refuses_is_told_to_the_page(live):
+    live.live.path.mkdir()
+    status, _, words = ask(live, "GET")
+    assert (status, words.split()[0]) == (507, b"FILE_TARGET")
+
+
+def test_without_a_live_file_nothing_is_written(server):
+    assert ask(server, "PUT", EDIT)[0] == 405
+
+
+def test_nothing_is_written_after_the_end(live):
+    live.live.close()
+    assert ask(live, "PUT", EDIT, **{"If-Match": '"absent"'})[0] == 412

@@ -15,6 +15,7 @@ from usdrigui.errors import Exit, refuse
 if TYPE_CHECKING:
     from usdrigui import pipeline
     from usdrigui.model import Layout, Rig
+    from usdrigui.view.live import LiveFile
 
 
 def add_view(commands: Any) -> None:
@@ -25,6 +26,9 @@ def add_view(commands: Any) -> None:
     parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
     parser.add_argument(
         "--study", action="store_true", help="offer the evaluation: match target faces with three interfaces"
+    )
+    parser.add_argument(
+        "--live", type=Path, metavar="USDA", help="keep the animation in this layer, written as it is made in the page"
     )
     add_configuration(parser)
 
@@ -87,15 +91,27 @@ def _view(arguments: argparse.Namespace) -> Exit:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
     read = _spared((arguments.html,), loaded, arguments)
     name = Path(arguments.layer).name
-    html = page.page_html(loaded.characters, title=name, study=arguments.study)
+    live = _live(arguments, read)
+    html = page.page_html(loaded.characters, name, arguments.study, arguments.live.name if live else "")
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html, read)
         say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
     worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
-    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name)
+    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live)
     say(f"usdrigui: showed {arguments.layer}", arguments)
     return Exit.OK
+
+
+def _live(arguments: argparse.Namespace, read: Sequence[Path]) -> LiveFile | None:
+    """The file of the live link, if there is to be one."""
+    from usdrigui.view.live import LiveFile
+
+    if arguments.live is None:
+        return None
+    if arguments.html or arguments.study:
+        raise refuse("CONFIG_VALUE", "--live", "needs the page to be served, and not as a study")
+    return LiveFile(arguments.live, read)
 
 
 def _picture(arguments: argparse.Namespace) -> Exit:

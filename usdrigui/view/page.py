@@ -36,21 +36,22 @@ _PAGE = """<!DOCTYPE html>
 """
 
 
-def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False) -> str:
+def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False, live: str = "") -> str:
     """One HTML file in which the characters can be posed by their layouts.
 
     The same records and title always give the same text.  With ``study`` the page offers the evaluation of
-    the paper's section 5 as well (docs/decisions/073).  Raises RigUIError VIEW_MISMATCH when a layout
+    the paper's section 5 as well (docs/decisions/073); with the name of a file ``live`` it keeps its animation there,
+    by way of the server that it comes from (docs/decisions/079).  Raises RigUIError VIEW_MISMATCH when a layout
     does not belong to its rig, or when there is no character at all.
     """
     if not rig_layouts:
         raise refuse("VIEW_MISMATCH", "", "there is no character with a layout to show")
     script, style = _asset("viewer.js"), _asset("viewer.css")
     return _PAGE.format(
-        policy=_policy(script, style),
+        policy=_policy(script, style, live),
         title=markup(title),
         style=style,
-        flags=" data-study" if study else "",
+        flags=(" data-study" if study else "") + (f' data-live="{markup(live)}"' if live else ""),
         scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
         script=script,
     )
@@ -62,11 +63,12 @@ def _asset(name: str) -> str:
     return text.replace("</script", "<\\/script").replace("</style", "<\\/style")
 
 
-def _policy(script: str, style: str) -> str:
-    """Content security policy: this script and this style, pictures made by them, and nothing else."""
+def _policy(script: str, style: str, live: str) -> str:
+    """Content security policy: this script and this style, pictures made by them, the server of a live link."""
+    link = "connect-src 'self'; " if live else ""
     return (
         f"default-src 'none'; script-src 'sha256-{_digest(script)}'; style-src 'sha256-{_digest(style)}'; "
-        "img-src data: blob:; base-uri 'none'; form-action 'none'"
+        f"{link}img-src data: blob:; base-uri 'none'; form-action 'none'"
     )
 
 

@@ -1,18 +1,28 @@
-"""A loopback server for one page, behind an address that nobody can guess."""
+"""A loopback server for one page, and the file of its live link, behind an address that nobody can guess."""
 
 from __future__ import annotations
 
 import hashlib
 import os
 import secrets
+import sys
 import threading
 import webbrowser
 from collections.abc import Callable
 from contextlib import suppress
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+from usdrigui import worker
+from usdrigui.errors import RigUIError, sentences
+from usdrigui.view.live import Content, LiveFile, is_animation
 
 _MOST_DRAINED = 1 << 20
+_MOST_WRITTEN = 1 << 28
+"""Bytes of an animation layer that a page may send."""
+_ASKED_AGAIN = 0.2
+"""Seconds between looks for a request to stop that came while a file was written."""
 _FIRST_PORT, _PORTS = 49152, 16384
 _PORTS_TRIED = 8
 
@@ -23,26 +33,36 @@ def serve(
     announce: Callable[[str], None] | None = None,
     stop: threading.Event | None = None,
     name: str = "",
+    live: LiveFile | None = None,
 ) -> None:
     """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
 
     The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits and a port that
     `name` chooses: browsers keep what a page stores by its port, so that a page of the same name finds its work
     again.  Every other path or host name gets 404, every other method than GET and HEAD gets 405.  `announce` is
-    told the address before the browser opens.
+    told the address before the browser opens.  The file of a live link is at ``edit`` below the address, for GET and
+    PUT by the page itself.
     """
-    with page_server(html, name) as server:
+    with page_server(html, name, live) as server:
         threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
         if announce is not None:
             announce(server.address)
         if open_browser:
             webbrowser.open(server.address)
         try:
-            (stop or threading.Event()).wait()
+            _wait(stop or threading.Event())
         except KeyboardInterrupt:
             pass
         finally:
             server.shutdown()
+            if live is not None:
+                live.close()
+
+
+def _wait(stop: threading.Event) -> None:
+    """Until `stop` is set or the run is to end: a request that comes amid a write interrupts nothing."""
+    while not stop.wait(_ASKED_AGAIN) and not worker.stop_requested():
+        pass
 
 
 class PageServer(ThreadingHTTPServer):
@@ -52,20 +72,25 @@ class PageServer(ThreadingHTTPServer):
     allow_reuse_address = os.name == "posix"
     """Elsewhere it would let two servers share a port."""
 
-    def __init__(self, page: bytes, port: int) -> None:
+    def __init__(self, page: bytes, port: int, live: LiveFile | None) -> None:
         super().__init__(("127.0.0.1", port), _Handler)
-        self.page = page
+        self.page, self.live = page, live
         self.path = f"/{secrets.token_urlsafe(32)}/"
         self.host = f"127.0.0.1:{self.server_port}"
         self.address = f"http://{self.host}{self.path}"
 
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Say nothing of a page that went away amid an answer."""
+        if not isinstance(sys.exc_info()[1], OSError):
+            super().handle_error(request, client_address)
 
-def page_server(html: str, name: str = "") -> PageServer:
+
+def page_server(html: str, name: str = "", live: LiveFile | None = None) -> PageServer:
     """A server, bound but not yet serving, of one page; at any free port where those of its name are taken."""
     first = int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "big") % _PORTS
     for port in (*(_FIRST_PORT + (first + i) % _PORTS for i in range(_PORTS_TRIED)), 0):
         with suppress(OSError):
-            return PageServer(html.encode("utf-8"), port)
+            return PageServer(html.encode("utf-8"), port, live)
     raise OSError("no port of 127.0.0.1 can be bound")
 
 
@@ -82,12 +107,60 @@ class _Handler(BaseHTTPRequestHandler):
     def do_HEAD(self) -> None:
         self._answer(with_body=False)
 
+    def do_PUT(self) -> None:
+        """Replace the file of the live link, if it is as the page knows it."""
+        live = self.server.live
+        if live is None or not self._is_asked("edit"):
+            self.send_error(HTTPStatus.NOT_IMPLEMENTED if live is None else HTTPStatus.NOT_FOUND)
+            return
+        if self.headers.get("Origin") != f"http://{self.server.host}":
+            self.send_error(HTTPStatus.FORBIDDEN)
+            return
+        length = self.headers.get("Content-Length", "")
+        if not length.isdecimal() or int(length) > _MOST_WRITTEN:
+            self.send_error(HTTPStatus.REQUEST_ENTITY_TOO_LARGE if length else HTTPStatus.LENGTH_REQUIRED)
+            return
+        text = self.rfile.read(int(length))
+        if len(text) < int(length) or not is_animation(text):
+            self._send(HTTPStatus.BAD_REQUEST, b"this is no animation layer\n", "text/plain", with_body=True)
+            return
+        self._with_file(lambda: self._replaced(live, text))
+
     def _answer(self, with_body: bool) -> None:
-        """The page for its exact path and host (so that no other site's name can be pointed here), else 404."""
-        known = secrets.compare_digest(self.path.encode(), self.server.path.encode())
-        found = known and self.headers.get("Host") == self.server.host
+        """The page, or the file of its live link, for its exact path; else 404."""
+        if (live := self.server.live) is not None and self._is_asked("edit"):
+            self._with_file(lambda: self._read(live, with_body))
+            return
+        found = self._is_asked("")
         status = HTTPStatus.OK if found else HTTPStatus.NOT_FOUND
         self._send(status, self.server.page if found else b"", "text/html", with_body)
+
+    def _is_asked(self, name: str) -> bool:
+        """Whether a name below the address is asked for, of this host: no other site's name can be pointed here."""
+        known = secrets.compare_digest(self.path.encode(), f"{self.server.path}{name}".encode())
+        return known and self.headers.get("Host") == self.server.host
+
+    def _read(self, live: LiveFile, with_body: bool) -> None:
+        found = live.content()
+        if self.headers.get("If-None-Match") == _tag(found):
+            self._send(HTTPStatus.NOT_MODIFIED, b"", "text/plain", with_body=False, tag=_tag(found))
+        else:
+            self._send(HTTPStatus.OK, found.text, "text/plain", with_body, tag=_tag(found))
+
+    def _replaced(self, live: LiveFile, text: bytes) -> None:
+        made = live.replace(text, self.headers.get("If-Match", "").strip('"'))
+        if made is None:
+            self._send(HTTPStatus.PRECONDITION_FAILED, b"", "text/plain", with_body=False)
+        else:
+            self._send(HTTPStatus.OK, b"", "text/plain", with_body=False, tag=_tag(made))
+
+    def _with_file(self, act: Callable[[], None]) -> None:
+        """Read or write the file; what the disk refuses is told to the page."""
+        try:
+            act()
+        except RigUIError as error:
+            words = f"{error.issue.code} {sentences(error.issue)}\n".encode()
+            self._send(HTTPStatus.INSUFFICIENT_STORAGE, words, "text/plain", with_body=True)
 
     def send_error(self, code: int, *_words: str | None) -> None:
         """One line instead of the base class's page; a method without a function here is told what there is."""
@@ -102,12 +175,14 @@ class _Handler(BaseHTTPRequestHandler):
             with suppress(OSError):
                 self.rfile.read(min(int(length), _MOST_DRAINED))
 
-    def _send(self, status: HTTPStatus, content: bytes, kind: str, with_body: bool) -> None:
+    def _send(self, status: HTTPStatus, content: bytes, kind: str, with_body: bool, tag: str = "") -> None:
         self.send_response(status)
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
         if status == HTTPStatus.METHOD_NOT_ALLOWED:
             self.send_header("Allow", "GET, HEAD")
+        if tag:
+            self.send_header("ETag", tag)
         self.send_header("Cache-Control", "no-store")
         self.send_header("Referrer-Policy", "no-referrer")
         self.send_header("X-Content-Type-Options", "nosniff")
@@ -117,3 +192,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - the base class's name
         """Say nothing: the terminal belongs to the command line."""
+
+
+def _tag(content: Content) -> str:
+    return f'"{content.revision}"'

@@ -12,14 +12,29 @@ import { keysFrom, sayKeys } from './work.js';
  * of controls that it cannot hold, since no Skeleton with an animation is known for them.
  */
 export function animationLayer(session) {
+  const { animations, unwritten, ...rest } = animated(session, saidKeys(session));
+  return { text: animations.size ? layerOf([rest]) : '', unwritten };
+}
+
+/** One layer of all characters, each with its work; equal works give equal text. */
+export function animationLayerOf(sessions, workOf) {
+  return layerOf(sessions.map((session) => animated(session, workOf(session))));
+}
+
+/** A session's keys and what stands at all frames, by name. */
+export function saidKeys(session) {
   const { animation, keys } = session;
   const standing = new Map([...session.stood()].filter(([control]) => !animation.isAnimated(control, keys)));
-  const written = [...new Set([...keys.keys(), ...standing.keys()])];
-  if (!written.length) return { text: '', unwritten: [] };
-  const work = { keys, standing };
-  const states = statesAt(session, timesOf(animation, work), (time) => animation.at(time, work));
-  const [first, last] = animation.range(keys);
-  return layer(session, written, states, first, last, sayKeys(session, work));
+  return sayKeys(session, { keys, standing });
+}
+
+/** What is written of a character; keys are those of the work as a reader has them, to the digits that it says. */
+function animated(session, said) {
+  const { animation } = session;
+  const work = keysFrom(said, session);
+  const written = [...new Set([...work.keys.keys(), ...work.standing.keys()])].sort((a, b) => a - b);
+  const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
+  return contentOf(session, written, states, animation.range(work.keys), sayKeys(session, work));
 }
 
 /** The present pose as such a layer, with one sample at the present frame. */
@@ -29,7 +44,8 @@ export function poseLayer(session) {
   const states = statesAt(session, [frame], () => ({ ...base, values }));
   const all = [...session.controls.keys()];
   const standing = new Map(all.map((control) => [control, values[control]]));
-  return layer(session, all, states, frame, frame, sayKeys(session, { keys: new Map(), standing }));
+  const posed = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), standing }));
+  return { text: posed.animations.size ? layerOf([posed]) : '', unwritten: posed.unwritten };
 }
 
 /**
@@ -48,11 +64,18 @@ export function poseAnimations(session, values) {
 
 /** Keys and standing values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
 export function keysFromLayer(text, session) {
-  const [work] = stringsNamed('work', text);
-  if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
-  const found = keysFrom(JSON.parse(work), session);
+  const works = worksOf(text);
+  const found = keysFrom(works.find(({ root }) => root === session.character.root) ?? works[0], session);
   if (!found.keys.size && !found.standing.size) throw new Error('No control of this character is named in the layer.');
   return found;
+}
+
+/** The works in a layer that the viewer wrote, whatever program saved it since: {root, keys, standing} per character. */
+export function worksOf(text) {
+  const [work] = stringsNamed('work', text);
+  if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
+  const said = JSON.parse(work);
+  return (said.characters ?? [said]).map(({ root, keys = {}, standing = {} }) => ({ root, keys, standing }));
 }
 
 // --- states ------------------------------------------------------------------------------------------
@@ -97,7 +120,8 @@ function statesAt(session, times, at) {
 
 // --- what is written where ---------------------------------------------------------------------------
 
-function layer(session, controls, states, first, last, work) {
+/** What a layer says of one character: {animations, unwritten, prims, range, rate, root, work}. */
+function contentOf(session, controls, states, range, work) {
   const { character, animation } = session;
   const { animations, unwritten } = animationsOf(session, controls);
   const prims = new Map();
@@ -105,25 +129,31 @@ function layer(session, controls, states, first, last, work) {
     if (each.made) each.skeletons.forEach((skeleton) => bind(prims, character.skeletons[skeleton].path, path));
     put(prims, path, { type: each.made ? 'def SkelAnimation' : 'over', lines: animationLines(character, each, states) });
   }
-  const text = [
+  return { animations, unwritten, prims, range, rate: animation.rate, work: { root: character.root, ...work } };
+}
+
+/** The parts of all characters as one layer. */
+function layerOf(parts) {
+  const [{ rate, work }] = parts;
+  const works = parts.map((each) => each.work);
+  return [
     '#usda 1.0',
     '(',
-    `    defaultPrim = ${quoted(character.root.split('/')[1] ?? '')}`,
-    `    startTimeCode = ${number(first)}`,
-    `    endTimeCode = ${number(last)}`,
-    `    timeCodesPerSecond = ${number(animation.rate)}`,
-    `    framesPerSecond = ${number(animation.rate)}`,
+    `    defaultPrim = ${quoted(work.root.split('/')[1] ?? '')}`,
+    `    startTimeCode = ${number(Math.min(...parts.map(({ range }) => range[0])))}`,
+    `    endTimeCode = ${number(Math.max(...parts.map(({ range }) => range[1])))}`,
+    `    timeCodesPerSecond = ${number(rate)}`,
+    `    framesPerSecond = ${number(rate)}`,
     '    customLayerData = {',
     '        dictionary usdrigui = {',
-    `            string work = ${quoted(JSON.stringify({ root: character.root, ...work }))}`,
+    `            string work = ${quoted(JSON.stringify(works.length > 1 ? { characters: works } : work))}`,
     '        }',
     '    }',
     ')',
     '',
-    ...rendered(nested(prims)),
+    ...rendered(nested(new Map(parts.flatMap(({ prims }) => [...prims])))),
     '',
   ].join('\n');
-  return { text: animations.size ? text : '', unwritten };
 }
 
 /**

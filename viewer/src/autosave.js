@@ -6,8 +6,9 @@ import { worded, workOf } from './work.js';
 const DELAY = 300; // milliseconds after a change
 
 export class Autosave {
-  /** `storage` null: the browser keeps nothing for this page. */
-  constructor(session, storage) {
+  /** `storage` null: the browser keeps nothing for this page; `isElsewhere` tells whether all work is kept elsewhere. */
+  constructor(session, storage, isElsewhere = () => false) {
+    this.isElsewhere = isElsewhere;
     this.session = session;
     this.storage = storage;
     this.prefix = `usdrigui ${session.character.identity} `;
@@ -32,7 +33,7 @@ export class Autosave {
   flush() {
     clearTimeout(this.timer);
     if (!this.storage || this.session.trial) return;
-    const work = workOf(this.session);
+    const work = this.isElsewhere() ? null : workOf(this.session);
     const text = JSON.stringify(work);
     try {
       if (work) this.storage.setItem(this.slot, JSON.stringify({ saved: Date.now(), work }));
@@ -47,7 +48,7 @@ export class Autosave {
   /** Whether work would be lost with the page: neither stored here nor saved to a file as it is. */
   get isUnsaved() {
     const text = JSON.stringify(workOf(this.session));
-    return text !== 'null' && text !== this.stored && text !== this.filed;
+    return text !== 'null' && text !== this.stored && text !== this.filed && !this.isElsewhere();
   }
 
   /** The newest work that another page has left: {slot, saved, work, words}; null without any. */

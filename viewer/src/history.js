@@ -11,15 +11,20 @@ export class History {
 
   /**
    * Record a change that has already happened.  Changes in quick succession with the same `merge` name
-   * (presses of an arrow key, steps of a list's slider) become one.
+   * (presses of an arrow key, steps of a list's slider) become one.  `states` are those that the functions give back.
    */
-  push(label, undo, redo, merge = null) {
+  push(label, undo, redo, merge = null, states = []) {
     const now = performance.now();
     const last = this.done.at(-1);
-    if (merge && last?.merge === merge && now - last.when < MERGE_WITHIN) Object.assign(last, { redo, when: now });
-    else this.done.push({ label, undo, redo, merge, when: now });
+    if (merge && last?.merge === merge && now - last.when < MERGE_WITHIN) Object.assign(last, { redo, when: now, states: [...last.states, ...states] });
+    else this.done.push({ label, undo, redo, merge, states, when: now });
     if (this.done.length > this.limit) this.done.shift();
     this.undone = [];
+  }
+
+  /** All states that undo and redo give back. */
+  get states() {
+    return [...this.done, ...this.undone].flatMap(({ states }) => states);
   }
 
   /** Label of the change taken back, or null. */

@@ -7,12 +7,13 @@ import { make, segmented, toggle } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
 import { Inspector } from './inspector.js';
 import { Stops, listenToKeys } from './keyboard.js';
+import { Live } from './live.js';
 import { Pull } from './pull.js';
 import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { Timeline } from './timeline.js';
 import { View } from './view.js';
-import { resume } from './work.js';
+import { isAllKeys, resume } from './work.js';
 
 const IN_TRIALS = new Set(['Ctrl+z', 'Ctrl+Shift+z', 'Ctrl+y', 'Escape']); // keys that help no interface more than another
 const ROOMY = 1200; // pixels of width from which the panel is open at first
@@ -50,7 +51,9 @@ class App {
     this.offer = make('div', { class: 'offer', role: 'alertdialog', 'aria-label': 'Work from before', hidden: true });
     this.storage = browserStorage();
     this.kept = scene.characters.map(() => null);
+    this.live = this.makeLive();
     this.open(0);
+    this.live?.run();
     for (const event of ['pagehide', 'beforeunload']) window.addEventListener(event, (leaving) => this.leave(leaving));
     listenToKeys(this.shortcuts(), {
       h: (on) => this.view.hold('bare', on),
@@ -68,6 +71,7 @@ class App {
     this.index = index;
     const { session, autosave } = (this.kept[index] ??= this.begin(this.scene.characters[index]));
     this.session = session;
+    this.live?.follow(session);
     autosave.listen(() => this.say('This browser has no room to keep your work: save it before you close the page'));
     this.view = new View(this.session);
     this.timeline = new Timeline(this.session, (text) => this.say(text));
@@ -89,7 +93,21 @@ class App {
 
   begin(character) {
     const session = new Session(character);
-    return { session, autosave: new Autosave(session, this.storage) };
+    const isElsewhere = () => Boolean(this.live?.holds(session)) && isAllKeys(session);
+    return { session, autosave: new Autosave(session, this.storage, isElsewhere) };
+  }
+
+  /** The link to the layer that this page was opened for; every change is a key there, or stands at all frames. */
+  makeLive() {
+    const { live } = document.body.dataset;
+    if (!live) return null;
+    this.kept = this.scene.characters.map((character) => this.begin(character));
+    const sessions = this.kept.map(({ session }) => session);
+    for (const session of sessions) {
+      session.options.autoKey = true;
+      if (session.animation.clip) session.go(session.frame);
+    }
+    return new Live(sessions, live, (text) => this.say(text));
   }
 
   // --- work from before ------------------------------------------------------------------------------
@@ -162,6 +180,7 @@ class App {
         act(label, `View: ${label}`, () => this.view.home(azimuth, elevation), `View: ${label}`),
       )),
       make('span', { class: 'space' }),
+      this.live?.makeNode(),
       make('div', { class: 'group' }, act('↶', 'Undo (Ctrl+Z)', () => this.undo(), 'Undo'), act('↷', 'Redo (Ctrl+Shift+Z)', () => this.redo(), 'Redo')),
       'study' in document.body.dataset
         ? make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open()))

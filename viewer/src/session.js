@@ -196,7 +196,7 @@ export class Session {
   /** Record what has happened since `before` as one undoable step. */
   step(label, before, merge = null) {
     const after = this.snapshot();
-    this.history.push(label, () => this.restore(before), () => this.restore(after), merge);
+    this.history.push(label, () => this.restore(before), () => this.restore(after), merge, [before, after]);
     this.emit('changed');
     this.emit('time');
   }
@@ -232,13 +232,10 @@ export class Session {
     return lost;
   }
 
-  /** The values that stand at all frames, those changed here among them. */
-  stood() {
-    const standing = new Map(this.standing);
-    for (const index of this.changed()) {
-      if (!this.animation.isAnimated(index, this.keys)) standing.set(index, this.values[index]);
-    }
-    return standing;
+  /** The values that stand at all frames, those changed at this one among them; of the present state or another. */
+  stood({ keys, standing, values, given } = this) {
+    const stands = ([index, value]) => value !== given[index] && !this.animation.isAnimated(index, keys);
+    return new Map([...standing, ...[...values.entries()].filter(stands)]);
   }
 
   /** Key controls at this frame, at their present values. */
@@ -368,6 +365,30 @@ export class Session {
     for (const [index, value] of kept) this.values[index] = value;
     this.showBase();
     this.reshape();
+  }
+
+  /**
+   * Let `change` make other keys and standing values ({keys, standing}) of the present ones, and of all that undo and redo
+   * give back: what others have changed is no step of one's own.
+   */
+  rebase(change) {
+    for (const state of this.history.states) Object.assign(state, this.rebased(state, change));
+    const { values, ...state } = this.rebased(this.snapshot(), change);
+    Object.assign(this, state);
+    this.values.set(values);
+    this.reshape();
+    this.emit('time');
+  }
+
+  rebased(state, change) {
+    const own = { keys: state.keys, standing: this.stood(state) };
+    const next = change(own);
+    const [before, after] = [own, next].map((work) => this.animation.at(state.frame, work).values);
+    const isLoose = (index) => state.values[index] !== state.given[index] && this.animation.isAnimated(index, state.keys);
+    const other = (index) => before[index] !== after[index];
+    const given = state.given.map((value, index) => (other(index) ? after[index] : value));
+    const values = state.values.map((value, index) => (other(index) && !isLoose(index) ? after[index] : value));
+    return { ...state, ...next, given, values };
   }
 
   /** Show the frame as it was before any change here while `on`, and the present values again. */

@@ -4,9 +4,9 @@
 import { WAYS, wayOf } from './interpolation.js';
 import { poseFrom } from './pose_library.js';
 
-/** Keys and standing values by names of controls. */
+/** Keys and standing values by names of controls, in the controls' order. */
 export function sayKeys({ controls }, { keys, standing }) {
-  const byNames = (map, say) => Object.fromEntries([...map].map(([control, value]) => [controls[control].name, say(value)]));
+  const byNames = (map, say) => Object.fromEntries([...map].sort(([a], [b]) => a - b).map(([control, value]) => [controls[control].name, say(value)]));
   return {
     keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
     standing: byNames(standing, rounded),
@@ -39,6 +39,10 @@ export function workOf(session) {
     moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
   };
 }
+
+/** Whether keys and standing values say all of a session's work. */
+export const isAllKeys = (session) =>
+  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound;
 
 /** Take up work in a session, as one undoable step; what the character does not have is left out. */
 export function resume(session, work) {

@@ -1,0 +1,200 @@
+"""The live link: two pages keep one animation in one file, through the real server and without a browser.
+
+Both run the viewer's own sources in Node.js.  Their law: what both have keyed is in the file and on both pages, and USD
+evaluates from the file over the source what they show.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+import subprocess
+import threading
+from contextlib import contextmanager
+from pathlib import Path
+
+import laid_out
+import numpy as np
+import pytest
+from pxr import Sdf
+from random_characters import composed, off, random_character
+
+from usdrigui.errors import RigUIError
+from usdrigui.settings import load
+from usdrigui.usd.rig import read_rigs
+from usdrigui.view.live import LiveFile
+from usdrigui.view.scene import pack
+from usdrigui.view.serve import page_server
+
+PAGES = Path(__file__).with_name("live_pages.mjs")
+FRAMES = range(1, 13)
+TOLERANCE = 2e-5 + 2.0**-10
+"""A SkelAnimation holds scales that change in time as halves."""
+
+
+@contextmanager
+def served(path, read=()):
+    with page_server("page", live=LiveFile(path, read)) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
+        thread.start()
+        yield server
+        server.shutdown()
+        thread.join()
+
+
+def pages(server, rig, rounds, times=()):
+    if shutil.which("node") is None:
+        pytest.skip("Node.js is not installed")
+    asked = {
+        "scene": base64.b64encode(pack([(rig, laid_out.layout_of(rig))], "live")).decode(),
+        "address": f"{server.address}edit",
+        "origin": f"http://{server.host}",
+        "rounds": rounds,
+        "times": list(times),
+    }
+    done = subprocess.run(
+        ["node", str(PAGES)], input=json.dumps(asked), capture_output=True, text=True, timeout=60, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def character(folder, seed):
+    path = folder / "shot.usda"
+    random_character(path, np.random.default_rng(seed))
+    return path, read_rigs(path, load({"read": {"joints": "all"}}))[0]
+
+
+def keyed(name, frame, value):
+    return [["go", frame], ["set", {name: value}], ["key", [name]]]
+
+
+def work_in(path):
+    return json.loads(Sdf.Layer.FindOrOpen(str(path)).customLayerData["usdrigui"]["work"])
+
+
+def random_rounds(rig, rng):
+    """Keys of both pages at once, at frames of their own."""
+    names = [control.name for control in rig.controls]
+    rounds, expected = [], {}
+    for _ in range(4):
+        both = []
+        for page in range(2):
+            actions = []
+            for _ in range(rng.integers(0, 4)):
+                name, frame = str(rng.choice(names)), int(2 * rng.integers(1, 6) + page)
+                value = round(float(rng.uniform(0.1, 0.9)), 3)
+                control = next(each for each in rig.controls if each.name == name)
+                value = control.minimum + value * (control.maximum - control.minimum)
+                expected[name, frame] = value
+                actions += keyed(name, frame, value)
+            both.append(actions)
+        rounds.append(both)
+    return rounds, expected
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_two_pages_lose_no_key_of_each_other_and_usd_shows_what_they_show(tmp_path, seed):
+    source, rig = character(tmp_path, seed)
+    rounds, expected = random_rounds(rig, np.random.default_rng(seed))
+    edit = tmp_path / "edit.usda"
+    with served(edit, [source]) as server:
+        found = pages(server, rig, rounds, FRAMES)
+    assert found["states"] == ["saved", "saved"]
+    one, other = found["after"][-1]
+    assert one == other
+    assert {name: one[name] for name in ("keys", "standing")} == {k: v for k, v in work_in(edit).items() if k != "root"}
+    said = {(name, frame): value for name, track in one["keys"].items() for frame, value in track}
+    assert said == pytest.approx(expected)
+    stage = composed(tmp_path / "edit.usda", edit.read_text(), source)
+    for k, time in enumerate(FRAMES):
+        for page in found["frames"]:
+            assert max(off(page[k], stage, rig, float(time))) < TOLERANCE, (seed, time)
+
+
+def test_what_another_page_keyed_is_no_step_of_ones_own(tmp_path):
+    """Undo takes back the page's own key, not the other page's, which came after; redo gives it again."""
+    _, rig = character(tmp_path, 1)
+    one, two = (control.name for control in rig.controls[:2])
+    rounds = [[keyed(one, 3, 0.5), []], [[], keyed(two, 5, 0.25)], [[["undo"]], []], [[["redo"]], []]]
+    with served(tmp_path / "edit.usda") as server:
+        after = pages(server, rig, rounds)["after"]
+    assert [page["keys"] for page in after[2]] == [{two: [[5, 0.25]]}] * 2
+    assert [page["keys"] for page in after[3]] == [{one: [[3, 0.5]], two: [[5, 0.25]]}] * 2
+
+
+def test_a_conflict_is_said_and_a_key_stays_over_its_removal(tmp_path):
+    _, rig = character(tmp_path, 1)
+    one, two = rig.controls[:2]
+    rounds = [
+        [[*keyed(one.name, 3, 0.5), *keyed(two.name, 3, 0.5)], []],
+        [
+            [*keyed(one.name, 3, 0.25), ["go", 3], ["unkey", [two.name]]],
+            [*keyed(one.name, 3, 0.75), *keyed(two.name, 3, 0.125)],
+        ],
+    ]
+    with served(tmp_path / "edit.usda") as server:
+        found = pages(server, rig, rounds)
+    assert found["after"][-1][0] == found["after"][-1][1]
+    assert found["after"][-1][0]["keys"] == {one.name: [[3, 0.75]], two.name: [[3, 0.125]]}
+    assert any("Changed here and elsewhere" in words and one.label in words for words in found["said"][1])
+
+
+def resaved(path):
+    """As another program writes it: USD's own text, strings in other quotes."""
+    layer = Sdf.Layer.FindOrOpen(str(path))
+    text = layer.ExportToString()
+    path.write_text(text)
+    return text
+
+
+def test_a_file_that_usd_wrote_again_is_read_and_one_with_more_in_it_is_not_replaced(tmp_path):
+    """Keys are read in whatever quotes; what no page wrote is kept until a person says so."""
+    _, rig = character(tmp_path, 1)
+    name, edit = rig.controls[0].name, tmp_path / "edit.usda"
+    with served(edit) as server:
+        pages(server, rig, [[keyed(name, 3, 0.5)]])
+        assert resaved(edit).count("string work = '") == 1
+        again = pages(server, rig, [[[]], [keyed(name, 5, 0.25)]])
+        assert again["after"][0][0]["keys"] == {name: [[3, 0.5]]}
+        assert work_in(edit)["keys"] == {name: [[3, 0.5], [5, 0.25]]}
+        layer = Sdf.Layer.FindOrOpen(str(edit))
+        layer.Reload()
+        work = {**work_in(edit), "keys": {"gone": [[1, 1.0]]}}
+        layer.customLayerData = {"usdrigui": {"work": json.dumps(work)}}
+        held = resaved(edit)
+        foreign = pages(server, rig, [[keyed(name, 7, 0.25)]])
+        assert foreign["states"] == ["foreign"]
+        assert edit.read_text() == held
+
+
+def test_what_another_program_writes_while_a_page_is_open(tmp_path):
+    """Keys are taken where the page would write the same; where the file holds more, the page waits to be told."""
+    _, rig = character(tmp_path, 1)
+    name, edit = rig.controls[0].name, tmp_path / "edit.usda"
+
+    def change(old, new):
+        return {"path": str(edit), "from": old, "to": new}
+
+    with served(edit) as server:
+        found = pages(
+            server, rig, [[keyed(name, 3, 0.5)], change("#usda 1.0", "#usda 1.0\n# mine"), [keyed(name, 5, 1)]]
+        )
+        assert found["states"] == ["foreign"]
+        assert edit.read_text().startswith("#usda 1.0\n# mine")
+        assert work_in(edit)["keys"] == {name: [[3, 0.5]]}
+        back = pages(server, rig, [[[]], change("# mine\n", ""), [keyed(name, 5, 1)]])
+        assert back["states"] == ["saved"]
+        assert work_in(edit)["keys"] == {name: [[3, 0.5], [5, 1.0]]}
+
+
+def test_live_file_checks_what_it_replaces(tmp_path):
+    source = tmp_path / "shot.usda"
+    source.write_text("#usda 1.0\n")
+    other = tmp_path / "other.usda"
+    other.write_text('#usda 1.0\ndef "Mine" {}\n')
+    for target in (source, other, tmp_path / "edit.usdc", tmp_path / "no" / "edit.usda"):
+        with pytest.raises(RigUIError) as refused:
+            LiveFile(target, [source])
+        assert refused.value.issue.code == "FILE_TARGET", target
