@@ -42,7 +42,7 @@ class Viewer:
     """A viewer page in the browser, driven with the mouse."""
 
     def __init__(self, browser, path, size=(1200, 760), permissions=(), draw=None, script=None):
-        """`script` runs in the page before its own."""
+        """`path` is a file, or an address; `script` runs in the page before its own."""
         self.trouble = []
         viewport = {"width": size[0], "height": size[1]}
         context = browser.new_context(viewport=viewport, permissions=list(permissions))
@@ -52,7 +52,8 @@ class Viewer:
         self.page.on("console", self._heard)
         self.page.on("pageerror", lambda error: self.trouble.append(str(error)))
         self.page.on("request", self._asked)
-        self.page.goto(path.resolve().as_uri() + (f"#draw={draw}" if draw else ""))
+        address = path if isinstance(path, str) else path.resolve().as_uri()
+        self.page.goto(address + (f"#draw={draw}" if draw else ""))
         self.until("window.usdrigui !== undefined", 60.0)
         self.settle()
 

@@ -15,15 +15,19 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import laid_out
+import makers
 import numpy as np
 import pytest
+from browser_pages import Viewer
 from pxr import Sdf
 from random_characters import composed, off, random_character
+from viewer_layouts import MIRRORS, peak_layout
 
 from usdrigui.errors import RigUIError
 from usdrigui.settings import load
 from usdrigui.usd.rig import read_rigs
 from usdrigui.view.live import LiveFile
+from usdrigui.view.page import page_html
 from usdrigui.view.scene import pack
 from usdrigui.view.serve import page_server
 
@@ -34,8 +38,8 @@ TOLERANCE = 2e-5 + 2.0**-10
 
 
 @contextmanager
-def served(path, read=()):
-    with page_server("page", live=LiveFile(path, read)) as server:
+def served(path, read=(), page="page"):
+    with page_server(page, live=LiveFile(path, read)) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
         thread.start()
         yield server
@@ -198,3 +202,19 @@ def test_live_file_checks_what_it_replaces(tmp_path):
         with pytest.raises(RigUIError) as refused:
             LiveFile(target, [source])
         assert refused.value.issue.code == "FILE_TARGET", target
+
+
+def test_a_drag_in_the_browser_is_in_the_file(browser, tmp_path):
+    """With the page's own policy, origin and clock."""
+    rig = makers.face()
+    html = page_html([(rig, peak_layout(rig, mirrors=MIRRORS))], "face", live="edit.usda")
+    with served(tmp_path / "edit.usda", page=html) as server:
+        viewer = Viewer(browser, server.address)
+        name = "chin"
+        start = viewer.element(name)["handle"]
+        viewer.drag(start, viewer.element(name)["tracks"][0][-1])
+        viewer.until("usdrigui.app.session.keys.size && usdrigui.app.live.holds(usdrigui.app.session)")
+        assert viewer.page.locator(".link").inner_text() == "edit.usda: saved"
+        assert work_in(tmp_path / "edit.usda")["keys"][name][0][1] == pytest.approx(viewer.values()[name])
+        assert [each for each in viewer.trouble if server.host not in each] == []
+        viewer.close()
