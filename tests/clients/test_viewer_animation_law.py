@@ -15,7 +15,7 @@ from pathlib import Path
 import laid_out
 import numpy as np
 import pytest
-from pxr import Sdf
+from pxr import Sdf, Usd, UsdSkel
 from random_characters import composed, off, random_character
 from skel_stages import character
 
