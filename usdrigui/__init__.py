@@ -2,8 +2,8 @@
 
 The stable Python interface, loaded when first used; importing the package loads no USD:
 
-    report = usdrigui.process("char.usda")                # writes char.rigui.usda beside it
-    layout = usdrigui.open("char.rigui.usda")             # or a Usd.Stage that is open, or an Sdf.Layer
+    report = usdrigui.process("char.usda")     # writes char.rigui.usda beside it
+    layout = usdrigui.open("char.rigui.usda")  # or a Usd.Stage that is open, or an Sdf.Layer
     layout.controls, layout.pose({"jawOpen": 0.5}), layout.picture(), layout.view(), layout.check()
 
 docs/python.ipynb shows all of it.

@@ -23,14 +23,14 @@ from typing import Any, Literal
 Side = Literal["left", "right", ""]
 Category = Literal["atom", "viseme", "emotion", "identity", "interior", "detail"]
 Region = Literal[
-    "eye", "gaze", "brow", "forehead", "cheek", "nose", "jaw", "chin", "mouth", "mouthCorner", "upperLip", "lowerLip",
-    "ear", "neck", "head", "interior", "face",
+    "eye", "gaze", "brow", "forehead", "cheek", "nose", "jaw", "chin",
+    "mouth", "mouthCorner", "upperLip", "lowerLip", "ear", "neck", "head", "interior", "face",
 ]  # fmt: skip
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
 _SIDES: Mapping[str, Side] = {
-    "left": "left", "right": "right", "l": "left", "r": "right", "lf": "left", "rt": "right", "lt": "left",
-    "lb": "left", "rb": "right",
+    "left": "left", "l": "left", "lf": "left", "lt": "left", "lb": "left",
+    "right": "right", "r": "right", "rt": "right", "rb": "right",
 }  # fmt: skip
 _GAZE = frozenset({"look", "gaze"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""

@@ -23,7 +23,8 @@ from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Floats, Group, Member, Rig, Side
 
 CATEGORIES = (
-    "global", "hidden", "interior", "composite", "viseme", "emotion", "combination", "identity", "requested", "crowded",
+    "global", "hidden", "interior", "composite", "viseme",
+    "emotion", "combination", "identity", "requested", "crowded",
 )  # fmt: skip
 """Headings, from top to bottom."""
 

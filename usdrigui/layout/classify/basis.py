@@ -4,11 +4,11 @@ Rigs hold controls that repeat what others do together: visemes, emotions, both-
 is a repetition depends on which others are taken for granted, so that a judgement one by one contradicts itself (A is
 explained by B, and B by A).  The set of atoms is the cheapest one that explains all other controls:
 
-    minimise    sum_i p_i a_i                          p_i: what it costs that control i is an atom
-    subject to  a_i + sum_k e_ik >= 1                  every control is an atom or has an explanation
-                e_ik <= a_j   for j in P_ik            an explanation consists of atoms
-                a_i + a_j <= 1                         for controls that do the same, in whatever measure
-                a_i  = a_t(i)                          twins alike
+    minimise    sum_i p_i a_i                p_i: what it costs that control i is an atom
+    subject to  a_i + sum_k e_ik >= 1        every control is an atom or has an explanation
+                e_ik <= a_j   for j in P_ik  an explanation consists of atoms
+                a_i + a_j <= 1               for controls that do the same, in whatever measure
+                a_i  = a_t(i)                twins alike
 
 Explanations P_ik are generated as they are needed: for the atoms of a solution, non-negative least squares tells which
 controls they explain; where that is new, the program is solved again.  Explanations end at atoms, so that they form an
@@ -99,7 +99,8 @@ def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
     if not len(parts):
         return Explanation(parts, np.zeros(0), 0.0)
     table, target = cosine[np.ix_(parts, parts)], cosine[parts, index]
-    # |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is |L' w - L^-1 t|^2 and a constant.
+    # |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and
+    # |L' w - L^-1 t|^2.
     root = np.linalg.cholesky(table + _RIDGE * np.eye(len(parts)))
     try:
         weights, _ = nnls(root.T, np.linalg.solve(root, target))

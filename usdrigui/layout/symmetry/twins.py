@@ -64,8 +64,9 @@ def _reversed(trajectories: Trajectories, twins: Indices, raw: Floats) -> Flags:
 def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> Floats:
     """(motions, motions) agreement of each motion, mirrored, with each other, in [-1, 1].
 
-    ``2 <a, b> / (|a|^2 + |b|^2)`` over the vectors from the minimum to the maximum of the control at all
-    places that have a partner: 1 for exact mirror images, less where direction, region or measure differ.
+    ``2 <a, b> / (|a|^2 + |b|^2)`` over the vectors from the minimum to the maximum of the control
+    at all places that have a partner: 1 for exact mirror images, less where direction, region or
+    measure differ.
     """
     mirrored, own = _mirrored(fields, partner, normal)
     product = own.products(mirrored)
