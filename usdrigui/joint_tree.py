@@ -132,6 +132,11 @@ class Tree:
             joint = ahead
         return tuple(found)
 
+    def reach(self, joint: int, start: int) -> float:
+        """Greatest distance from the joint `start` to `joint` and what hangs on it."""
+        own = float(np.linalg.norm(self.places[joint] - self.places[start]))
+        return max([own, *(self.reach(child, start) for child in self.children[joint])])
+
     def direction(self, chain: Sequence[int]) -> Floats:
         """(3,) unit vector along a chain."""
         end = self.next(chain[-1])

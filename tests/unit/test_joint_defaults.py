@@ -69,6 +69,14 @@ def with_defaults(rig):
     return replace(rig, controls=controls)
 
 
+def test_a_trunk_and_small_bones_of_a_face_have_no_hinge_where_no_plane_mirrors_the_joints():
+    body = limbs.posed_body()
+    tree = Tree(body.joints, body.meshes)
+    assert tree.mirror is None
+    bends = [body.joints[turn.home].path.rsplit("/", 1)[-1] for turn in default_turns(tree) if turn.name == "bend"]
+    assert sorted(bends) == ["a1", "b1", "c1", "d1"]
+
+
 def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin_is_none():
     body = limbs.body_rig()
     tree = Tree(body.joints, body.meshes)

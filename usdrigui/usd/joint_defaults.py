@@ -5,7 +5,7 @@ Which degrees of freedom matter is read from where the joints are and what skin 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -21,6 +21,10 @@ _BENT = 0.05
 """Sine of the bend from which a chain tells its own hinge axis."""
 _ALONG = 0.1
 """Share of a bone's length from it within which a joint lies on the bone."""
+_LONG = 0.05
+"""Least length of the bones on either side of an elbow or a knee, as a share of the skeleton's extent."""
+_CARRIED = 0.5
+"""Reach of the second of the chains that hang on a trunk, at least, as a share of its own length."""
 _MATTERS = 0.5
 """Least lever of an axis against the best axis of a joint at the end of a chain."""
 
@@ -114,21 +118,23 @@ def _fingers(tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: F
 def _hinges(tree: Tree) -> dict[int, Floats]:
     """Elbows and knees, with their axes: the joint between the two long bones of each limb."""
     found = {}
+    hands, size = {fan.joint for fan in fans(tree)}, float(np.ptp(tree.places, axis=0).max())
     for start in range(len(tree.joints)):
-        limb = _limb(tree, start)
+        limb = _limb(tree, start, hands)
         bones = np.array([np.linalg.norm(tree.places[b] - tree.places[a]) for a, b in pairwise(limb)])
         if len(bones) < 2:
             continue
         least = np.minimum(bones[:-1], bones[1:])
         at = int(np.argmax(least))
         joint, others = limb[at + 1], np.delete(bones, [at, at + 1])
-        if joint in tree.owners and (least[at] > 1.2 * others).all():
+        if joint in tree.owners and least[at] >= _LONG * size and (least[at] > 1.2 * others).all():
             found[joint] = _hinge_axis(tree, limb[at : at + 3])
     return found
 
 
-def _limb(tree: Tree, start: int) -> list[int]:
-    """The joints from a `start` beside the mirror plane, where chains part, to the hand or the end; else empty."""
+def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
+    """The joints from a `start` beside the mirror plane, where chains part, to one of the `hands` or the end; else
+    empty.  A chain on which chains hang that reach as far is a trunk, which need not lie on a mirror plane."""
     parent = tree.parents[start]
     if parent < 0 or on_plane(tree, start) or sum(tree.depth[c] > 1 for c in tree.children[parent]) < 2:
         return []
@@ -136,9 +142,11 @@ def _limb(tree: Tree, start: int) -> list[int]:
     while sum(tree.depth[child] > 1 for child in tree.children[limb[-1]]) <= 1:
         ahead = tree.next(limb[-1])
         if ahead < 0:
-            break
+            return limb
         limb.append(ahead)
-    return limb
+    carried = sorted(tree.reach(child, limb[-1]) for child in tree.children[limb[-1]] if tree.depth[child] > 1)
+    length = float(np.linalg.norm(tree.places[limb[-1]] - tree.places[start]))
+    return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 
 
 def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
