@@ -98,10 +98,25 @@ def aside(layout, place):
     return replace(layout, elements=tuple(moved))
 
 
-def test_elements_beside_the_face_are_drawn_in_front_only(rig):
-    layout = aside(sided(rig, beside=("chin",)), (1.4, 0.5, 0.5))
-    assert len(pixels_like(render(rig, layout, views=["front"], size=SMALL), VIOLET, 40)) > 10
+def test_the_board_has_a_panel_of_its_own_beside_the_front_only(rig):
+    """Nothing of the character is in it, and nothing of it in the picture of the character, wherever it stands."""
+    layout = aside(sided(rig, beside=("chin",)), (0.2, 0.2, 0.5))
+    assert [each.caption for each in scene_of(rig, layout, ["left34", "front"]).panels][1:] == ["front", "board"]
+    shown = np.asarray(render(rig, layout, views=["front"], size=SMALL))
+    scene = picture._set_up(rig, layout, evaluate(prepare(rig, layout)), ["front"], SMALL, False)
+    (first, _), (left, _) = scene.corners
+    assert len(pixels_like(Image.fromarray(shown[:, first:left]), VIOLET, 40)) == 0
+    board = Image.fromarray(shown[66:, left : left + scene.cameras[1].width])
+    assert len(pixels_like(board, VIOLET, 40)) > 10
+    assert np.ptp(shown[200, left + 2 : left + 40].astype(int), axis=0).max() < 3
     assert len(pixels_like(render(rig, layout, views=["left34"], size=SMALL), VIOLET, 40)) == 0
+
+
+def test_names_on_a_board_are_large_enough_to_read(rig):
+    """However wide the character is beside its handles."""
+    layout = replace(aside(sided(rig, beside=("chin", "jawLeft")), (1.4, 0.5, 0.5)), handle_width=0.01)
+    scene = scene_of(rig, layout, ["front"])
+    assert 0.01 * scene.cameras[1].scale == pytest.approx(picture._ON_BOARD)
 
 
 @pytest.mark.parametrize("height", [400, 640])
@@ -363,25 +378,42 @@ def test_a_layout_without_elements_shows_the_character(rig, layout):
     assert image.size == SMALL
 
 
-def test_a_head_wider_than_its_elements_is_whole_beside_a_board():
-    """The far side of the head is as far from the middle as the board is, the crown above the elements."""
-    low, high = np.array([-0.2, -0.2]), np.array([0.2, 0.2])
-    head = np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, 0.4]])
-    found_low, found_high = picture._with_head(low, high, head, 0.6)
-    assert found_low[0] < -0.5
-    assert found_high[1] > 0.4
-    arms = np.vstack([head, [[-9.0, 0.1], [0.0, 9.0]]])
-    far_low, far_high = picture._with_head(low, high, arms, 0.6)
-    assert far_low[0] == pytest.approx(-0.6)
-    assert far_high[1] == pytest.approx(0.2 + 0.9 * 0.4)
-
-
 def marked(element, box, outlines=()):
     left, top, right, bottom = box
     track = np.array([[left, top, 0.0], [right, bottom, 0.0]])
     return element, overlay.Mark(
         (0, 0, 0), "slider", (track,), (np.array([True, True]),), track[0], True, (), tuple(outlines)
     )
+
+
+@pytest.mark.parametrize("left", [True, False])
+def test_leader_lines_cross_no_other_and_no_name(layout, left):
+    """Handles in a crowd, in rows closer than those of their names, and names of every length."""
+    random = np.random.default_rng(7)
+    for count in (3, 12, 30):
+        named = [replace(layout.elements[0], name=f"{i}", label="n" * random.integers(1, 30)) for i in range(count)]
+        at = random.uniform([250.0, 20.0], [550.0, 180.0], (count, 2))
+        shown = [marked(each, (*place, *place)) for each, place in zip(named, at, strict=True)]
+        names = lettering._column((800, 600), shown, left)
+        lines = [each.line for each in names]
+        assert not any(crossing(a, b) for i, a in enumerate(lines) for b in lines[:i])
+        assert {tuple(line[-1]) for line in lines} == set(map(tuple, at))
+        ends = [each.line[1, 0] for each in names]
+        assert ends == [ends[0]] * count
+        wide = [each.type_.getlength(each.text) for each in names]
+        assert all((6.0 + w < ends[0]) if left else (794.0 - w > ends[0]) for w in wide)
+
+
+def crossing(one, other):
+    """Whether two lines (3, 2) cross."""
+
+    def turn(a, b, c):
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+    def apart(a, b, c, d):
+        return turn(a, b, c) * turn(a, b, d) >= 0.0 or turn(c, d, a) * turn(c, d, b) >= 0.0
+
+    return any(not apart(*one[i : i + 2], *other[j : j + 2]) for i in range(2) for j in range(2))
 
 
 def test_headings_stand_clear_of_the_row_and_of_large_handles(layout):
@@ -424,6 +456,10 @@ def test_axes_that_go_both_ways_are_joysticks_and_coarse_elements_have_a_ring(la
     texts = [text for _, _, text, _ in picture._legend_entries([coarse])]
     assert texts[-1] == "coarse: opens into finer ones"
     assert not any(ringed for *_, ringed in picture._legend_entries([one]))
+    aside = replace(one, side="none")
+    on_board = replace(one, anchor=replace(one.anchor, on_board=True))
+    for given, said in (([aside], "no side"), ([on_board], "board"), ([aside, on_board], "no side, board")):
+        assert ("slider", VIOLET, said, False) in picture._legend_entries(given)
     plain, ringed = (np.asarray(overlay.knob("slider", (29, 98, 214), 8.0, given)) for given in (False, True))
     assert ringed.shape[0] > plain.shape[0]
     middle = ringed.shape[0] // 2

@@ -37,13 +37,16 @@ _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
 """Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
 _MARGIN = np.array([0.14, 0.20])
 """Space around the elements on the face, to the sides and up and down, as a share of their extent."""
-_CROWN, _SIDE = 0.9, 0.1
-"""How far above the elements the head may go on beside a board, and the space at its side, in heights of the
-elements' frame."""
+_SIDE = 0.1
+"""Space at the side of a head, in heights of the elements' frame."""
 _FAR = 0.6
 """How far beyond the elements' frame the head may go on to be drawn whole, in heights of that frame."""
 _HEADROOM = 34.0
-"""Space above a board that reaches the upper edge, for its heading, in pixels."""
+"""Space above a board for its heading, in pixels."""
+_ON_BOARD = 9.0
+"""Width of a handle on the board, in pixels, at which its rows take names in full size."""
+_BOARD_SHARE = 0.5
+"""Share of the page that a board may take across, at most."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
@@ -69,8 +72,8 @@ def render(
     given.
     ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
     default the view that the layout was made for, and of front and three-quarter views the nearest two that
-    show what it sees.  Elements on the board are drawn and named in the layout's own view only; ``labels``
-    names those on the face there as well.  Raises RigUIError
+    show what it sees.  The board has a panel of its own beside the layout's own view, with the names of its elements;
+    ``labels`` names those on the character, too, in that view.  Raises RigUIError
     CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
     belong to the rig, POSE_VALUE for a pose that is not one.
     """
@@ -143,14 +146,14 @@ def _set_up(
             (directions.turned(layout.view, rig.up, at), at == 0.0) if at is not None else (np.asarray(view), i == 0)
             for i, (view, at) in enumerate(zip(views, azimuths, strict=True))
         ]
-    panels = tuple(
-        _framed(
-            layout, posed, skin, shading.look(at, rig.up), directions.caption(at, ahead, rig.up), own, own and labels
-        )
-        for at, own in shown
-    )
+    panels: list[_Framed] = []
+    for at, own in shown:
+        rows = shading.look(at, rig.up)
+        panels.append(_framed(layout, posed, skin, rows, directions.caption(at, ahead, rig.up), own, own and labels))
+        if own and any(element.anchor.on_board for element in layout.elements):
+            panels.append(_framed_board(layout, posed, rows))
     cameras, corners = _arranged(panels, size)
-    return _Scene(panels, tuple(cameras), tuple(corners), colours or complexion(rig, main_layout(layout)))
+    return _Scene(tuple(panels), tuple(cameras), tuple(corners), colours or complexion(rig, main_layout(layout)))
 
 
 def _page(
@@ -220,13 +223,11 @@ class _Framed:
     low: Floats
     """(2,) lower left corner of the frame along the rows' right and up, scene units."""
     high: Floats
-    board: bool
-    """Whether the elements on the board are shown."""
-    columns: tuple[float, float]
+    columns: tuple[float, float] = (0.0, 0.0)
     """Pixels kept free on the left and on the right for names."""
-    headroom: float
-    """Pixels kept free above."""
-    labels: bool
+    labels: bool = False
+    board: float = 0.0
+    """Pixels a scene unit at which names have their full size, of the panel that shows the board alone; else 0."""
 
 
 # --- arrangement -------------------------------------------------------------------------------------
@@ -249,31 +250,26 @@ def _skin(rig: Rig, posed: PosedLayout) -> Floats:
 def _framed(
     layout: Layout, posed: PosedLayout, skin: Floats, rows: Floats, caption: str, own: bool, labels: bool
 ) -> _Framed:
-    """The rectangle around the elements and the head (`skin`, (m, 3)), with a margin.
+    """The rectangle around the elements on the character and the head (`skin`, (m, 3)), with a margin.
 
-    ``rows`` are those of the camera.  In the layout's ``own`` view the board, if there is one, is in it too.
+    ``rows`` are those of the camera; the layout's ``own`` view is broader.
     """
-    board = own and any(element.anchor.on_board for element in layout.elements)
     low, high = bare = _extent(layout, posed, rows, False)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
-    low, high = middle - half, middle + half
-    columns, headroom = (0.0, 0.0), 0.0
-    if board:
-        more = _extent(layout, posed, rows, True)
-        pad = 1.5 * layout.handle_width
-        low, high = _with_head(low, high, skin @ rows[:2].T, float(more[0][0]))
-        headroom = _HEADROOM if more[1][1] + pad > high[1] else 0.0
-        low, high = np.minimum(low, more[0] - pad), np.maximum(high, more[1] + pad)
-        columns = (0.0, lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0)
-    else:
-        low, high = _around_head(low, high, bare, skin @ rows[:2].T)
-    if labels:
-        names = [each.label for each in layout.elements if not each.anchor.on_board]
-        wide = min(lettering.widest(names), lettering.CALLED) + 16.0
-        columns = (columns[0] + wide, columns[1] + wide)
-    return _Framed(caption, rows, low, high, board, columns, headroom, labels)
+    low, high = _around_head(middle - half, middle + half, bare, skin @ rows[:2].T)
+    names = [each.label for each in layout.elements if labels and not each.anchor.on_board]
+    wide = min(lettering.widest(names), lettering.CALLED) + 16.0 if names else 0.0
+    return _Framed(caption, rows, low, high, (wide, wide), labels)
+
+
+def _framed_board(layout: Layout, posed: PosedLayout, rows: Floats) -> _Framed:
+    """The rectangle around the board, with room for the names to its right."""
+    low, high = _extent(layout, posed, rows, True)
+    pad = 1.5 * layout.handle_width
+    names = lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0
+    return _Framed("board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / layout.handle_width)
 
 
 def _around_head(low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats) -> tuple[Floats, Floats]:
@@ -296,21 +292,6 @@ def _around_head(low: Floats, high: Floats, elements: tuple[Floats, Floats], acr
     return wide_low, wide_high
 
 
-def _with_head(low: Floats, high: Floats, across: Floats, board: float) -> tuple[Floats, Floats]:
-    """A frame widened to the far side of the head, of points (m, 2), and raised to its crown.
-
-    The near side lies between the face and the board, whose left edge is at ``board``; the far side is let to
-    go as far, and no arm that reaches farther makes the face small.
-    """
-    middle, tall = 0.5 * (low[0] + high[0]), high[1] - low[1]
-    level = across[(across[:, 1] >= low[1]) & (across[:, 1] <= high[1]), 0]
-    least = 2.0 * middle - max(board, high[0])
-    side = max(float(level.min(initial=low[0])) - _SIDE * tall, least)
-    column = across[(across[:, 0] >= min(side, low[0])) & (across[:, 0] <= board), 1]
-    crown = min(float(column.max(initial=high[1])) + _SIDE * tall, high[1] + _CROWN * tall)
-    return np.array([min(side, low[0]), low[1]]), np.array([high[0], max(crown, high[1])])
-
-
 def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tuple[Floats, Floats]:
     """Corners (2,) of the box around the tracks on the face, or beside it, in the view's plane."""
     lines = [
@@ -325,48 +306,67 @@ def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tu
 
 
 def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Camera], list[tuple[int, int]]]:
-    """One scale for all panels, their cameras, and where each goes on the page."""
-    low = min(float(panel.low[1]) for panel in panels)
-    high = max(float(panel.high[1]) for panel in panels)
+    """One scale for all views and one for the board, their cameras, and where each goes on the page."""
     height = size[1] - _TITLE - _CAPTION - _LEGEND
-    headroom = max(panel.headroom for panel in panels)
-    names = sum(sum(panel.columns) for panel in panels)
-    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
-    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
-    scale = max(min((height - headroom) / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
-    widths = [round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels]
-    # Space that is left over widens the panels: more of the character is better than a broad border.
-    spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
-    widths = [width + max(spare, 0) for width in widths]
+    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1)
+    views, boards = [each for each in panels if not each.board], [each for each in panels if each.board]
+    scales, wide = {}, 0
+    for board in boards:
+        scales[id(board)] = scale = min(board.board, _scale([board], height - _HEADROOM, _BOARD_SHARE * free))
+        wide += _width(board, scale)
+    fitting = _scale(views, height, max(free - wide, 0.3 * size[0]))
+    widths = [_width(panel, scales.get(id(panel), fitting)) for panel in panels]
+    # Space that is left over widens the views: more of the character is better than a broad border.
+    spare = max((free - sum(widths)) // max(len(views), 1), 0)
+    widths = [width + (0 if panel.board else spare) for panel, width in zip(panels, widths, strict=True)]
     left = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2
     cameras, corners = [], []
     for panel, width in zip(panels, widths, strict=True):
-        lean = 0.5 * (panel.columns[1] - panel.columns[0]) / scale
-        middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, 0.5 * (low + high + headroom / scale)])
-        cameras.append(Camera(panel.rows, middle @ panel.rows[:2], scale, width, height))
+        cameras.append(_camera(panel, views, scales.get(id(panel), fitting), width, height))
         corners.append((left, _TITLE))
         left += width + _GAP
     return cameras, corners
+
+
+def _scale(panels: Sequence[_Framed], height: float, width: float) -> float:
+    """Pixels a scene unit at which panels side by side take no more than a height and a width of pixels."""
+    tall = max(float(panel.high[1]) for panel in panels) - min(float(panel.low[1]) for panel in panels)
+    names = sum(sum(panel.columns) for panel in panels)
+    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
+    return max(min(height / tall, max(width - names, 0.3 * width) / wide), 1e-12)
+
+
+def _width(panel: _Framed, scale: float) -> int:
+    return round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns))
+
+
+def _camera(panel: _Framed, views: Sequence[_Framed], scale: float, width: int, height: int) -> Camera:
+    """The camera of one of several `views` level with each other, or of a board, which hangs below its headroom."""
+    lean = 0.5 * (panel.columns[1] - panel.columns[0]) / scale
+    if panel.board:
+        upright = float(panel.high[1]) - (0.5 * height - _HEADROOM) / scale
+    else:
+        upright = 0.5 * (min(float(each.low[1]) for each in views) + max(float(each.high[1]) for each in views))
+    middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, upright])
+    return Camera(panel.rows, middle @ panel.rows[:2], scale, width, height)
 
 
 # --- one panel ---------------------------------------------------------------------------------------
 
 
 def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera) -> Image.Image:
-    shaded = shading.shade(subject, camera)
+    shaded = shading.empty(camera) if panel.board else shading.shade(subject, camera)
     picture = _developed(shaded)
     shown = [
         (element, overlay.mark(element, at, camera, shaded.depth, layout.handle_width_of(element)))
         for element, at in zip(layout.elements, posed.elements, strict=True)
-        if panel.board or not element.anchor.on_board
+        if element.anchor.on_board == bool(panel.board)
     ]
     if panel.labels:
-        picture = lettering.call_out(
-            picture, [(element, drawn) for element, drawn in shown if not element.anchor.on_board]
-        )
+        picture = lettering.call_out(picture, shown)
     picture = overlay.draw(picture, [drawn for _, drawn in shown], layout, camera)
-    board = [(element, drawn) for element, drawn in shown if element.anchor.on_board]
-    lettering.name_on_board(picture, board)
+    if panel.board:
+        lettering.name_on_board(picture, shown)
     return picture
 
 
@@ -425,9 +425,12 @@ def _legend(page: Image.Image, layout: Layout) -> None:
 
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
-    used = {"board" if each.anchor.on_board else "middle" if each.side == "none" else each.side for each in elements}
-    names = {"left": "character's left", "right": "character's right", "middle": "middle", "board": "board"}
-    colours = {**palette.SIDES, "board": palette.BOARD}
+    used = {"board" if each.anchor.on_board else each.side for each in elements}
+    names = {"left": "character's left", "right": "character's right", "middle": "middle", "none": "no side"}
+    if "board" in used:
+        names |= {"none": "no side, board" if "none" in used else "board"}
+        used = used - {"board"} | {"none"}
+    colours = palette.SIDES
     entries = [("slider", colours[side], text, False) for side, text in names.items() if side in used]
     forms = {overlay.form_of(each) for each in elements}
     grey = (128, 134, 142)

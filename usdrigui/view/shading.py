@@ -107,6 +107,12 @@ def look(toward: Floats, up: Floats) -> Floats:
     return np.stack([right, np.cross(ahead, right), ahead])
 
 
+def empty(camera: Camera) -> Shaded:
+    """A picture of nothing."""
+    size = (camera.height, camera.width)
+    return Shaded(np.zeros((*size, 3)), np.zeros(size), np.full(size, -np.inf))
+
+
 def body(rig: Rig, points: Floats, complexion: Complexion | None = None) -> Body:
     """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space; without a complexion all
     is skin."""
