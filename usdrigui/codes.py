@@ -460,6 +460,12 @@ _CODES: dict[str, Code] = {
         "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
     ),
     "FILE_TARGET": Code("error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE),
+    "STUDY_RESULTS": Code(
+        "error",
+        "The file holds no results of the study that can be summed.",
+        "Give each CSV file that the page saved once.",
+        Exit.FILE,
+    ),
     "FILE_WRITE": Code(
         "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
     ),

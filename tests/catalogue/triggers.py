@@ -563,6 +563,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "WORKER_LOST": _supervised("kill -KILL $$"),
     "WORKER_CRASHED": _supervised("kill -SEGV $$"),
     "OUTPUT_STREAM": _full_output,
+    "STUDY_RESULTS": lambda folder, _: command("study", folder / "none.csv"),
     "WORKING_DIRECTORY": _no_working_directory,
     "FILE_ACCESS": _raising(OSError(errno.ENAMETOOLONG, os.strerror(errno.ENAMETOOLONG), "char.usda")),
     "INTERRUPTED": _raising(KeyboardInterrupt()),

@@ -469,7 +469,10 @@ def test_evaluation_measures_as_the_paper_does(study, tmp_path):
     assert viewer.page.evaluate("usdrigui.app.view.columns.map(({ kind }) => kind)") == ["target", "controls"]
     viewer.page.keyboard.press("s")
     assert not viewer.page.evaluate("usdrigui.app.session.options.symmetric"), "no shortcut helps in a trial"
+    shown = viewer.page.locator("button:visible").all_inner_texts()
+    assert sorted(shown) == ["Done", "Stop"], "nothing else can be pressed in a trial"
     done = viewer.page.get_by_role("button", name="Done")
+    done.click()  # the face to practise on is not counted
     done.click()
     viewer.page.evaluate(
         "() => { const { session, evaluation } = usdrigui.app; session.set([...evaluation.running.target.entries()]); }"
@@ -492,12 +495,44 @@ def test_the_trials_with_the_list_show_the_list(study):
     study.page.get_by_label("Participant number").fill("1")
     study.page.get_by_role("button", name="Start").click()
     names = study.page.evaluate("usdrigui.trials(1).map(({ name }) => name)")
-    for name in names[:6]:
+    study.page.get_by_role("button", name="Done").click()  # the first to practise on
+    for name in [*names[:5], names[5], names[5]]:
         study.settle()
         assert study.page.locator(".list").is_visible() == (name == "list")
         study.page.get_by_role("button", name="Done").click()
     study.page.get_by_role("button", name="Stop").click()
     assert not study.page.locator(".list").is_visible()
+
+
+def test_a_session_is_gone_on_with_and_ends_with_questions(study, tmp_path):
+    """After a reload in the middle of the second block; the answers are in the file."""
+    page = study.page
+
+    def press(name, times=1):
+        for _ in range(times):
+            page.get_by_role("button", name=name, exact=True).click()
+
+    press("Evaluate")
+    press("Start")
+    press("Done", 6 + 3)
+    page.reload()
+    study.until("window.usdrigui !== undefined")
+    press("Evaluate")
+    press("Go on with participant 1")
+    assert page.locator(".strip").inner_text().split("\n")[1] == "practice, not counted"
+    press("Done")
+    assert "8 of 15" in page.locator(".strip").inner_text()
+    press("Done", 3 + 6)
+    for question in page.locator("fieldset").all():
+        question.get_by_role("radio").nth(3).check()
+    press("Done")
+    rows = [line.split(",") for line in saved(study, "Save CSV", tmp_path, "evaluation-1.csv").read_text().splitlines()]
+    assert [row[3] for row in rows[1:16]] == [str(i) for i in range(1, 16)]
+    assert {row[-1] for row in rows[16:]} == {"4"}
+    assert len(rows) == 16 + 8
+    press("Close")
+    press("Evaluate")
+    assert page.get_by_role("button", name="Go on").count() == 0
 
 
 def test_every_order_of_interfaces_is_met_by_six_participants(viewer):

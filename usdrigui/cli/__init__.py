@@ -19,7 +19,7 @@ from usdrigui.cli.laying_out import add_inspect, add_process
 from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_convert, add_diff
-from usdrigui.cli.showing import add_flat_picker, add_picture, add_view
+from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
 from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
 from usdrigui.version import __version__
 
@@ -95,6 +95,7 @@ def parser() -> argparse.ArgumentParser:
     add_view(commands)
     add_picture(commands)
     add_flat_picker(commands)
+    add_study(commands)
     add_batch(commands)
     add_openjd(commands)
     add_attach(commands)

@@ -1,8 +1,9 @@
-"""`view`, `picture` and `picker`: a layout for the eyes."""
+"""`view`, `picture` and `picker`: a layout for the eyes; `study`: what the evaluation of one found."""
 
 from __future__ import annotations
 
 import argparse
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -53,6 +54,23 @@ def add_flat_picker(commands: Any) -> None:
     _add_levels(parser)
     parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
     add_configuration(parser)
+
+
+def add_study(commands: Any) -> None:
+    """Add ``study`` to the commands."""
+    parser = command(commands, "study", _study, "sum results of `view --study` over participants, beside the paper's")
+    parser.add_argument(
+        "results", type=Path, nargs="+", metavar="CSV", help="what the page saved, a file for each participant"
+    )
+    parser.set_defaults(light=True)
+
+
+def _study(arguments: argparse.Namespace) -> Exit:
+    from usdrigui.clients import study
+
+    found = study.summed(arguments.results)
+    sys.stdout.write(study.as_json(found) if arguments.json else study.as_text(found) + "\n")
+    return Exit.OK
 
 
 def _add_levels(parser: Any) -> None:

@@ -1,5 +1,5 @@
 // The evaluation of the paper's section 5: match target poses with the slider list, the controls on the
-// face and the controls beside it; time and errors as CSV.
+// face and the controls beside it, then answer questions; time, errors and answers as CSV (`usdrigui study` sums them).
 
 import { download, make } from './dom.js';
 import { History } from './history.js';
@@ -23,6 +23,20 @@ export const ORDERS = [
 const SIMPLE = [1, 2]; // controls in the two simple faces of a block
 const COMPLEX = [6, 8]; // and in the two complex ones that only this block has
 const COMMON = 13; // controls in the face that every block repeats
+const FACES = SIMPLE.length + COMPLEX.length + 1; // of a block
+const PRACTICE = 2; // controls in the face before each block, which is not counted
+
+/** What is asked at the end, after the paper's figure 14: one answer from 1 to 5 each. */
+export const QUESTIONS = {
+  overall_list: ['Working with the slider list', 'poor', 'good'],
+  overall_face: ['Working with the controls on the face', 'poor', 'good'],
+  overall_beside: ['Working with the controls on a copy beside the face', 'poor', 'good'],
+  easy: ['On the face: I could make the expressions without effort', 'no', 'yes'],
+  unexpected: ['On the face: a control did something else than I thought', 'never', 'often'],
+  cluttered: ['On the face: there was too much in one place', 'no', 'yes'],
+  placed: ['On the face: a control stood where it acts', 'no', 'yes'],
+  direct: ['On the face: it felt like moving the face itself', 'no', 'yes'],
+};
 
 /**
  * The trials of one participant, as in section 5.1: per interface two simple and three complex faces, one
@@ -37,6 +51,16 @@ export function trialsFor(participant, session) {
     ...own[block].map((target, i) => ({ block: block + 1, name, face: `${block + 1}${'abcd'[i]}`, target })),
     { block: block + 1, name, face: 'common', target: common },
   ]);
+}
+
+/** The faces of a participant's session in their order: before each block one to practise on. */
+export function sessionFor(participant, session) {
+  const random = sequence(20210806);
+  const practice = ORDERS[0].map(() => randomPose(session, PRACTICE, random));
+  return trialsFor(participant, session).flatMap((trial, i) => {
+    const { block, name } = trial;
+    return i % FACES ? [trial] : [{ block, name, face: 'practice', target: practice[block - 1] }, trial];
+  });
 }
 
 /** Values with `count` laid-out controls away from rest; opposed controls are never used together. */
@@ -65,31 +89,38 @@ function sequence(seed) {
   };
 }
 
-/** Relative squared error (section 5.2): sum |u - t|^2 / sum |n - t|^2 over control values or points. */
-export function relativeError(set, target, neutral) {
+/**
+ * Relative squared error (section 5.2): sum |u - t|^2 / sum |n - t|^2 over control values or points; with `ranges`, values
+ * count in shares of them, so that degrees and weights weigh alike.
+ */
+export function relativeError(set, target, neutral, ranges = null) {
   let off = 0;
   let whole = 0;
   for (let i = 0; i < target.length; i++) {
-    off += (set[i] - target[i]) ** 2;
-    whole += (neutral[i] - target[i]) ** 2;
+    const unit = ranges ? ranges[i] || 1 : 1;
+    off += ((set[i] - target[i]) / unit) ** 2;
+    whole += ((neutral[i] - target[i]) / unit) ** 2;
   }
   return whole > 0 ? off / whole : 0;
 }
 
 const COLUMNS = [
   'participant', 'block', 'interface', 'trial', 'face', 'target_controls', 'seconds', 'share_of_time', 'edits',
-  'weight_error_squared', 'vertex_error_squared',
+  'weight_error_squared', 'vertex_error_squared', 'question', 'answer',
 ];
 
-/** The results as CSV text; the share of time is of the participant's total, as in the paper's figure 15. */
-export function toCsv(participant, results) {
+/** The results as CSV text: a row per face, then one per answer; shares are of the participant's total, as in figure 15. */
+export function toCsv(participant, results, answers = {}) {
   const total = results.reduce((sum, { seconds }) => sum + seconds, 0);
-  const rows = results.map((each, i) => [
+  const faces = results.map((each, i) => [
     participant, each.block, each.name, i + 1, each.face, each.controls, each.seconds.toFixed(2),
-    (total ? each.seconds / total : 0).toFixed(5), each.edits, each.weightError.toFixed(6), each.vertexError.toFixed(6),
+    (total ? each.seconds / total : 0).toFixed(5), each.edits, each.weightError.toFixed(6), each.vertexError.toFixed(6), '', '',
   ]);
-  return `${[COLUMNS, ...rows].map((row) => row.join(',')).join('\n')}\n`;
+  const said = Object.entries(answers).map(([question, answer]) => [participant, ...Array(COLUMNS.length - 3).fill(''), question, quoted(answer)]);
+  return `${[COLUMNS, ...faces, ...said].map((row) => row.join(',')).join('\n')}\n`;
 }
+
+const quoted = (answer) => (typeof answer === 'number' ? answer : `"${answer.replace(/"/g, '""').replace(/\s+/g, ' ')}"`);
 
 export class Evaluation {
   constructor(app) {
@@ -108,18 +139,46 @@ export class Evaluation {
     };
     number.addEventListener('input', describe);
     describe();
+    const button = (label, act, title = '') => make('button', { type: 'button', title, onclick: act }, label);
+    const first = button('Start', () => this.start(Math.max(1, Math.floor(Number(number.value)) || 1)));
+    first.classList.add('primary');
+    const kept = this.kept();
     this.show(
       make('h2', {}, 'Match the target face'),
-      make('p', {}, 'Fifteen faces, five with each of three interfaces. Change the right-hand face until it looks like the target, then press Done. Pulling the skin is off, so that the interfaces can be compared.'),
+      make('p', {}, 'Fifteen faces, five with each of three interfaces, and one to practise on before each five. Change your face until it looks like the target, then press Done. Pulling the skin, shortcuts and playback are off, so that the interfaces can be compared.'),
       make('label', { class: 'field' }, make('span', {}, 'Participant'), number),
       order,
       make(
         'div',
         { class: 'actions' },
-        make('button', { type: 'button', class: 'primary', onclick: () => this.start(Math.max(1, Number(number.value) || 1)) }, 'Start'),
-        make('button', { type: 'button', onclick: () => this.close() }, 'Cancel'),
+        first,
+        kept && button(`Go on with participant ${kept.participant}`, () => this.start(kept.participant, kept.results), `${kept.results.length} of 15 faces are done`),
+        button('Cancel', () => this.close()),
       ),
     );
+  }
+
+  // --- what is done so far, in the browser's storage ---------------------------------------------------
+
+  get slot() {
+    return `usdrigui study ${this.app.session.character.identity}`;
+  }
+
+  kept() {
+    try {
+      return JSON.parse(this.app.storage?.getItem(this.slot) ?? 'null');
+    } catch {
+      return null;
+    }
+  }
+
+  keep(results) {
+    try {
+      if (results) this.app.storage?.setItem(this.slot, JSON.stringify({ participant: this.participant, results }));
+      else this.app.storage?.removeItem(this.slot);
+    } catch {
+      this.app.say('This browser has no room to keep the session: finish it without closing the page');
+    }
   }
 
   show(...children) {
@@ -128,20 +187,23 @@ export class Evaluation {
     this.panel.hidden = false;
   }
 
-  start(participant) {
-    const { session } = this.app;
+  /** Begin a participant's session, or go on after the faces that are done: with the practice of the block begun. */
+  start(participant, results = []) {
+    const { session, timeline } = this.app;
+    timeline.stop();
     session.trial = true;
     this.before = { work: session.snapshot(), history: session.history, options: { ...session.options } };
     this.participant = participant;
-    this.trials = trialsFor(participant, session);
-    this.results = [];
+    this.results = results;
+    this.trials = sessionFor(participant, session).slice(Math.floor(results.length / FACES) * (FACES + 1));
+    this.trials.splice(1, results.length % FACES);
     this.next();
   }
 
   next() {
-    const trial = this.trials[this.results.length];
+    const trial = this.trials.shift();
     if (!trial) {
-      this.finish();
+      this.ask();
       return;
     }
     const { session } = this.app;
@@ -153,7 +215,7 @@ export class Evaluation {
     session.reshape();
     this.app.arrangeForTrial(trial.name, this.targetPoints);
     this.running = { ...trial, began: performance.now(), edits: 0 };
-    const progress = `${this.results.length + 1} of ${this.trials.length}`;
+    const progress = trial.face === 'practice' ? 'practice, not counted' : `${this.results.length + 1} of ${ORDERS[0].length * FACES}`;
     this.show(
       make('span', { class: 'strip-title' }, INTERFACES[trial.name]),
       make('span', { class: 'hint' }, progress),
@@ -166,31 +228,62 @@ export class Evaluation {
   done() {
     const { session } = this.app;
     const { target, began, ...rest } = this.running;
-    this.results.push({
-      ...rest,
-      seconds: (performance.now() - began) / 1000,
-      controls: [...target.keys()].filter((i) => target[i] !== session.rest[i]).length,
-      weightError: relativeError(session.values, target, session.rest),
-      vertexError: relativeError(session.deformer.points, this.targetPoints, this.neutral),
-    });
+    this.running = null;
+    if (rest.face !== 'practice') {
+      this.results.push({
+        ...rest,
+        seconds: (performance.now() - began) / 1000,
+        controls: [...target.keys()].filter((i) => target[i] !== session.rest[i]).length,
+        weightError: relativeError(session.values, target, session.rest, session.controls.map(({ minimum, maximum }) => maximum - minimum)),
+        vertexError: relativeError(session.deformer.points, this.targetPoints, this.neutral),
+      });
+      this.keep(this.results);
+    }
     this.next();
   }
 
+  /** Leave the trials; what is done is kept to go on with. */
   finish() {
+    this.leave();
+    if (this.results.length) this.thank({});
+    else this.close();
+  }
+
+  leave() {
     this.running = null;
-    this.app.endTrials(this.before);
-    if (!this.results.length) {
-      this.close();
-      return;
-    }
-    const csv = toCsv(this.participant, this.results);
+    if (this.app.session.trial) this.app.endTrials(this.before);
+  }
+
+  /** The questions, after the last face. */
+  ask() {
+    this.leave();
+    const asked = Object.entries(QUESTIONS).map(([name, [words, low, high]]) => {
+      const scores = [1, 2, 3, 4, 5].map((value) =>
+        make('label', {}, make('input', { type: 'radio', name, value, required: true, 'aria-label': `${words}: ${value} of 5` }), String(value)));
+      return make('fieldset', { class: 'question' }, make('legend', {}, words), make('span', { class: 'hint' }, low), ...scores, make('span', { class: 'hint' }, high));
+    });
+    const comment = make('textarea', { 'aria-label': 'What else you would like to say', placeholder: 'What else you would like to say', rows: 2 });
+    const form = make('form', { class: 'questions', onsubmit: (event) => {
+      event.preventDefault();
+      const answers = Object.fromEntries([...new FormData(form)].map(([name, value]) => [name, Number(value)]));
+      this.thank(comment.value.trim() ? { ...answers, comment: comment.value.trim() } : answers);
+    } }, ...asked, comment, make('div', { class: 'actions' }, make('button', { type: 'submit', class: 'primary' }, 'Done')));
+    this.show(make('h2', {}, 'How was it?'), form);
+  }
+
+  thank(answers) {
+    const csv = toCsv(this.participant, this.results, answers);
+    const save = () => {
+      download(`evaluation-${this.participant}.csv`, csv, 'text/csv');
+      if (Object.keys(answers).length) this.keep(null);
+    };
     this.show(
       make('h2', {}, 'Thank you'),
       this.summary(),
       make(
         'div',
         { class: 'actions' },
-        make('button', { type: 'button', class: 'primary', onclick: () => download(`evaluation-${this.participant}.csv`, csv, 'text/csv') }, 'Save CSV'),
+        make('button', { type: 'button', class: 'primary', onclick: save }, 'Save CSV'),
         make('button', { type: 'button', onclick: () => this.close() }, 'Close'),
       ),
     );
