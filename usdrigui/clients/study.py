@@ -121,7 +121,7 @@ def _rows(path: Path) -> list[Row]:
     try:
         with path.open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file, restval="")
-            rows = [{key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader]
+            rows: list[Row] = [{key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader]
             known = set(_NEEDED) <= set(reader.fieldnames or ())
         numbers = [float(value) for row in rows for value in _numbers(row)]
     except (OSError, ValueError, csv.Error) as error:
