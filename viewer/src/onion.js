@@ -16,7 +16,7 @@ const DEPTH = 0.004; // of the distance: steps in depth that are none
 export class Onion {
   constructor(view) {
     this.view = view;
-    this.node = make('canvas', { class: 'onion', 'aria-hidden': 'true' });
+    this.node = make('canvas', { class: 'onion', 'aria-hidden': 'true', hidden: true });
     this.drawn = [];
     this.painter = null;
   }
@@ -25,7 +25,7 @@ export class Onion {
   follow() {
     const wanted = this.wanted();
     if (wanted.length === this.drawn.length && wanted.every((each, i) => each === this.drawn[i])) return;
-    if (this.drawn.length) this.node.getContext('2d').clearRect(0, 0, this.node.width, this.node.height);
+    this.node.hidden = true;
     this.drawn = [];
     clearTimeout(this.timer);
     if (wanted.length) this.timer = setTimeout(() => this.draw(), REST);
@@ -51,7 +51,7 @@ export class Onion {
     const here = this.outlineAt(view.session.frame);
     if (before !== null) tint(this.outlineAt(before), here, BEFORE, image);
     if (after !== null) tint(this.outlineAt(after), here, AFTER, image);
-    Object.assign(this.node, { width: image.width, height: image.height });
+    Object.assign(this.node, { width: image.width, height: image.height, hidden: false });
     this.node.getContext('2d').putImageData(image, 0, 0);
   }
 

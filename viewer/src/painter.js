@@ -1,12 +1,18 @@
 // The skin drawn by the processor, into a plain canvas: where there is no WebGL, or only one that is
 // software itself and takes several times as long (docs/decisions/074).  A depth buffer, colours at the
 // points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
+// From the same view as before only the tiles are drawn anew in which something has moved or changed its light.
 
 import { smooth } from './eye.js';
 
 const BACKGROUND = 0xff24211f | 0; // alpha, blue, green, red
 const KEY = [-0.4, 0.52, 0.755];
 const FILL = [0.7, -0.05, 0.71];
+const TILE = 5; // a tile is 2 ** 5 pixels wide and high
+const MUCH = 0.3; // of the points: where more have changed all is drawn anew at once
+const STILL = 1 / 16; // pixels that a point moves unseen
+const NEARLY = 1e-4; // of the nearness
+const SAME = 0.5; // of 255 that a colour changes unseen
 const EDGE = 1e-3; // pixels by which neighbours overlap, so that no gap opens between them
 
 export class Painter {
@@ -15,7 +21,10 @@ export class Painter {
     this.pen = canvas.getContext('2d', { alpha: false });
     this.surface = surface;
     this.screen = null;
+    this.before = null; // as `screen`, in the picture before
     this.colours = null;
+    this.changed = null; // per point, whether it is drawn otherwise than before
+    this.view = [];
     this.resize(1, 1, 1);
   }
 
@@ -26,19 +35,124 @@ export class Painter {
     this.image = this.pen.createImageData(this.canvas.width, this.canvas.height);
     this.pixels = new Int32Array(this.image.data.buffer);
     this.nearness = new Float32Array(this.pixels.length);
+    this.across = (this.canvas.width >> TILE) + 1; // tiles
+    this.tiles = new Uint8Array(this.across * ((this.canvas.height >> TILE) + 1));
+    this.view = [];
   }
 
   draw(columns, orbit, skinOf) {
+    const skins = columns.map(skinOf);
+    let again = this.seesAgain(columns, orbit, skins);
+    if (!again) this.wipe();
+    columns.forEach((column, k) => {
+      if (!skins[k]) return;
+      this.prepare(skins[k], column, orbit);
+      if (again && this.share() > MUCH) {
+        again = false;
+        this.wipe();
+      }
+      if (again) this.wipeMoved();
+      this.fill(this.frameOf(column));
+    });
+    this.show(again);
+  }
+
+  /** How much of the face is drawn otherwise than before. */
+  share() {
+    let count = 0;
+    for (const one of this.changed) count += one;
+    return count / this.changed.length;
+  }
+
+  /** Whether the same face is seen from the same place as in the picture before, alone. */
+  seesAgain(columns, { position, right, above, fieldDegrees }, skins) {
+    const own = skins[0] ? [skins[0].points, skins[0].colours] : [];
+    const view = [columns.length, ...columns.flatMap(({ left, top, width, height }) => [left, top, width, height]), ...position, ...right, ...above, fieldDegrees, ...own];
+    const again = columns.length === 1 && view.length === this.view.length && view.every((value, i) => value === this.view[i]);
+    this.view = view;
+    return again;
+  }
+
+  /** Where all points are in the picture, their colours, and which of both have changed. */
+  prepare(skin, column, orbit) {
+    const { length } = skin.points;
+    [this.screen, this.before] = [this.before ?? new Float32Array(length), this.screen ?? new Float32Array(length)];
+    (this.changed ??= new Uint8Array(length / 3)).fill(0);
+    this.project(skin.points, column, orbit);
+    this.light(skin, orbit);
+  }
+
+  wipe() {
     this.pixels.fill(BACKGROUND);
     this.nearness.fill(0);
-    for (const column of columns) {
-      const skin = skinOf(column);
-      if (!skin) continue;
-      this.project(skin.points, column, orbit);
-      this.light(skin, orbit);
-      this.fill(this.frameOf(column));
+    this.tiles.fill(1);
+  }
+
+  /** Empty the tiles in which a triangle that has changed is, or was. */
+  wipeMoved() {
+    const { changed, tiles, across, canvas, pixels, nearness } = this;
+    const { triangles } = this.surface;
+    tiles.fill(0);
+    for (let t = 0; t < triangles.length; t += 3) {
+      if (!(changed[triangles[t]] | changed[triangles[t + 1]] | changed[triangles[t + 2]])) continue;
+      this.markTiles(this.before, t);
+      this.markTiles(this.screen, t);
     }
-    this.pen.putImageData(this.image, 0, 0);
+    for (let tile = 0; tile < tiles.length; tile++) {
+      if (!tiles[tile]) continue;
+      const left = (tile % across) << TILE;
+      const top = Math.floor(tile / across) << TILE;
+      const right = Math.min(canvas.width, left + (1 << TILE));
+      const bottom = Math.min(canvas.height, top + (1 << TILE));
+      for (let row = top; row < bottom; row++) {
+        pixels.fill(BACKGROUND, row * canvas.width + left, row * canvas.width + right);
+        nearness.fill(0, row * canvas.width + left, row * canvas.width + right);
+      }
+    }
+  }
+
+  markTiles(screen, t) {
+    const { tiles, across, canvas } = this;
+    const { triangles, facing } = this.surface;
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ax = screen[a];
+    const ay = screen[a + 1];
+    const bx = screen[b];
+    const by = screen[b + 1];
+    const cx = screen[c];
+    const cy = screen[c + 1];
+    if (facing[t / 3] * ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) > 0) return;
+    const left = Math.max(0, Math.ceil(Math.min(ax, bx, cx))) >> TILE;
+    const right = Math.min(canvas.width - 1, Math.floor(Math.max(ax, bx, cx))) >> TILE;
+    const top = Math.max(0, Math.ceil(Math.min(ay, by, cy))) >> TILE;
+    const bottom = Math.min(canvas.height - 1, Math.floor(Math.max(ay, by, cy))) >> TILE;
+    for (let y = top; y <= bottom; y++) for (let x = left; x <= right; x++) tiles[y * across + x] = 1;
+  }
+
+  /** Whether one of the tiles over these pixels is to be drawn. */
+  isOpen(x0, x1, y0, y1) {
+    const { tiles, across } = this;
+    for (let y = y0 >> TILE; y <= y1 >> TILE; y++) {
+      for (let x = x0 >> TILE; x <= x1 >> TILE; x++) if (tiles[y * across + x]) return true;
+    }
+    return false;
+  }
+
+  /** Put the picture, or what has changed of it, on the canvas. */
+  show(again) {
+    if (!again) return this.pen.putImageData(this.image, 0, 0);
+    const { tiles, across } = this;
+    let [left, top, right, bottom] = [Infinity, Infinity, 0, 0];
+    tiles.forEach((open, tile) => {
+      if (!open) return;
+      const [x, y] = [tile % across, Math.floor(tile / across)];
+      [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x + 1), Math.max(bottom, y + 1)];
+    });
+    const size = 1 << TILE;
+    if (right > left) this.pen.putImageData(this.image, 0, 0, left * size, top * size, (right - left) * size, (bottom - top) * size);
+    return undefined;
   }
 
   /** Columns and rows of pixels that belong to a column of the picture: [left, top, right, bottom). */
@@ -53,7 +167,7 @@ export class Painter {
 
   /** Pixel and nearness (1 / depth, 0 behind the viewer) of every point. */
   project(points, column, { position, right, above, towards, fieldDegrees }) {
-    const screen = (this.screen ??= new Float32Array(points.length));
+    const { screen, before, changed } = this;
     const focal = (this.ratio * column.height) / (2 * Math.tan((fieldDegrees * Math.PI) / 360));
     const cx = this.ratio * (column.left + column.width / 2) - 0.5;
     const cy = this.ratio * (column.top + column.height / 2) - 0.5;
@@ -67,15 +181,25 @@ export class Painter {
       const z = points[i + 2] - ez;
       const depth = -(x * tx + y * ty + z * tz);
       const near = depth > 1e-9 ? 1 / depth : 0;
-      screen[i] = cx + (x * rx + y * ry + z * rz) * near * focal;
-      screen[i + 1] = cy - (x * ax + y * ay + z * az) * near * focal;
+      const along = cx + (x * rx + y * ry + z * rz) * near * focal;
+      const row = cy - (x * ax + y * ay + z * az) * near * focal;
+      if (Math.abs(along - before[i]) < STILL && Math.abs(row - before[i + 1]) < STILL && Math.abs(near - before[i + 2]) <= NEARLY * near) {
+        screen[i] = before[i]; // as it was drawn, so that small steps add up until they are seen
+        screen[i + 1] = before[i + 1];
+        screen[i + 2] = before[i + 2];
+        continue;
+      }
+      screen[i] = along;
+      screen[i + 1] = row;
       screen[i + 2] = near;
+      changed[i / 3] = 1;
     }
   }
 
   /** Colour of every point, 0 to 255: two lights that stay with the camera, and the heat map. */
   light({ points, normals, paint, colours: own }, { position, right, above, towards }) {
     const colours = (this.colours ??= new Float32Array(points.length));
+    const { changed } = this;
     const [rx, ry, rz] = right;
     const [ax, ay, az] = above;
     const [tx, ty, tz] = towards;
@@ -99,13 +223,18 @@ export class Painter {
       let green = own[i + 1];
       let blue = own[i + 2];
       if (paint[p] > 2) [red, green, blue] = heated(paint[p] / 255, [red, green, blue]);
-      colours[i] = 254.5 * Math.min(1, red * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
-      colours[i + 1] = 254.5 * Math.min(1, green * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
-      colours[i + 2] = 254.5 * Math.min(1, blue * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
+      red = 254.5 * Math.min(1, red * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
+      green = 254.5 * Math.min(1, green * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
+      blue = 254.5 * Math.min(1, blue * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
+      if (Math.abs(colours[i] - red) < SAME && Math.abs(colours[i + 1] - green) < SAME && Math.abs(colours[i + 2] - blue) < SAME) continue;
+      colours[i] = red;
+      colours[i + 1] = green;
+      colours[i + 2] = blue;
+      changed[i / 3] = 1;
     }
   }
 
-  /** All triangles that face the viewer (or have two sides) into the pixels of `frame`. */
+  /** All triangles of open tiles that face the viewer (or have two sides) into the pixels of `frame`. */
   fill(frame) {
     const { screen } = this;
     const { triangles, facing, eyes } = this.surface;
@@ -126,7 +255,7 @@ export class Painter {
       if (x0 > x1) continue;
       const y0 = Math.max(top, Math.ceil(Math.min(screen[a + 1], screen[b + 1], screen[c + 1])));
       const y1 = Math.min(bottom - 1, Math.floor(Math.max(screen[a + 1], screen[b + 1], screen[c + 1])));
-      if (y0 > y1) continue;
+      if (y0 > y1 || !this.isOpen(x0, x1, y0, y1)) continue;
       if (eyes[k]) this.eye(a, b, c, 1 / area, x0, x1, y0, y1);
       else this.triangle(a, b, c, 1 / area, x0, x1, y0, y1);
     }
