@@ -4,16 +4,21 @@
 // Applications 30(4), 2010.  With x_j the change of control j since the drag began as a share of its
 // range, J x the motion of the grabbed place and the pins, and r what is left to their targets:
 //
-//   minimise  |W (J x - r)|^2 / L^2 + STAY sum_j (1 + ELSEWHERE (1 - s_j)^2) x_j^2   within the ranges,
+//   minimise  |W (J x - r)|^2 / L^2 + STAY sum_j (1 + ELSEWHERE (1 - s_j)^2) x_j^2 + SPARSE g sum_j |x_j|
 //
-// L the longest path that a control gives the grabbed place, s_j the share of control j's longest path
+// within the ranges, g the steepest slope that any control has at the start, and L the longest path that a control gives the grabbed place, s_j the share of control j's longest path
 // anywhere that it gives there, W counting the direction to the viewer less: a pointer moves in the plane
 // of the screen.  Bends (in-betweens, joints) are met by linearising again at the answer.
+//
+// The last term leaves out what helps little: a control comes in, from 0 on, only while its slope is more than SPARSE / 2 of
+// the steepest.  It also leaves part of the way to go, which is put on top of r for a second solution (S. Osher et al.,
+// "An iterative regularization method", 2005); of what is out of reach no more than that part is.
 //
 // Two opposed controls are the ends of one signed axis: of these one at most is away from its default.  Which
 // one is found by branch and bound over the pairs that the fit without this rule would set at both ends.
 
 const STAY = 0.01;
+const SPARSE = 0.5;
 const ELSEWHERE = 3;
 const DEPTH = 0.15;
 const ROUNDS = 2;
@@ -43,11 +48,19 @@ export function fitPull({ model, start, now, targets, groups, towards, locality 
     if (!acting.length) return new Map();
     problem = pullProblem(model, here, start, found[round], away(here.at), acting, weights);
     solution = solution ? rounded(problem, solved(problem, solution.held, solution.rest)) : oneEndOfEach(problem);
-    found.push(taken(model, start, acting, solution.x));
+    found.push(taken(model, start, acting, allTheWay(problem, solution).x));
   }
   const tried = [...(bothAway(model, start, acting) ? [] : [start]), ...found.slice(1)];
   const best = least(tried, (values) => priceOf(problem, acting, start, values, away(model.linearise(values).at)));
   return new Map(groups.flat().map((control) => [control, best[control]]));
+}
+
+/** The solution once more, with what the price of moving controls left of the way on top of it. */
+function allTheWay(problem, { held, rest }) {
+  const [pulled, most] = [rest.subarray(0, 3), 0.5 * SPARSE * norm(problem.right.subarray(0, 3))];
+  const share = Math.min(1, most / Math.max(norm(pulled), 1e-30));
+  const farther = { ...problem, right: problem.right.map((value, i) => value + (i < 3 ? share : 1) * rest[i]) };
+  return rounded(farther, solved(farther, held, rest));
 }
 
 /** The pose at the start with a solution; an end that is as good as off is off to the last bit. */
@@ -126,7 +139,18 @@ function pullProblem(model, here, start, current, away, acting, weights) {
   });
   const longest = Math.max(...made.flatMap(({ paths }) => paths));
   const ridge = acting.map((group, k) => stayOf(model, group, made[k].paths) * (longest / rangeOf(model, group)) ** 2);
-  return { columns, right, ridge, ...boundsOf(model, acting, start), pairs: pairsOf(model, acting) };
+  const bounds = boundsOf(model, acting, start);
+  return { columns, right, ridge, ...bounds, sparse: sparsityOf(model, acting, columns, right, bounds), pairs: pairsOf(model, acting) };
+}
+
+/** Price of each variable's way off 0: a share of the steepest slope of the free ones, over their ranges. */
+function sparsityOf(model, acting, columns, right, { lower, upper }) {
+  const slope = (column, k) => {
+    const along = dot(column, right);
+    return (along > 0 ? upper[k] > 0 : lower[k] < 0) ? Math.abs(along) * rangeOf(model, acting[k]) : 0;
+  };
+  const steepest = Math.max(...columns.map(slope));
+  return acting.map((group) => (SPARSE * steepest) / rangeOf(model, group));
 }
 
 function stayOf(model, group, paths) {
@@ -186,7 +210,7 @@ function solved(problem, held, from) {
   const [lower, upper] = [[...problem.lower], [...problem.upper]];
   for (const k of held) lower[k] = upper[k] = problem.off[k];
   const found = boundedLeastSquares({ ...problem, lower, upper }, from);
-  return { held, ...found, price: cost(problem.columns, problem.right, problem.ridge, found.x) };
+  return { held, ...found, price: cost(problem, found.x) };
 }
 
 /** How far a variable away from off moves the places. */
@@ -212,10 +236,10 @@ function least(all, price) {
 }
 
 /**
- * min |A x - b|^2 + sum ridge_k x_k^2 subject to lower <= x <= upper, as {x, rest}; `from` is the rest of a like
- * problem.
+ * min |A x - b|^2 + sum ridge_k x_k^2 + sum sparse_k |x_k| subject to lower <= x <= upper, as {x, rest}; `from` is the rest
+ * of a like problem.
  *
- * The rest y = b - A x at the solution says all: x_k is a_k y / ridge_k within its bounds.  The dual problem, of as
+ * The rest y = b - A x at the solution says all: x_k is a_k y / ridge_k, nearer to 0 by sparse_k / 2 ridge_k, within its bounds.  The dual problem, of as
  * many unknowns as A has rows, is convex and piecewise quadratic with the gradient y + A x(y) - b: Newton's method.
  */
 export function boundedLeastSquares(problem, from = null) {
@@ -229,16 +253,16 @@ export function boundedLeastSquares(problem, from = null) {
   return { x: here.x, rest };
 }
 
-function dualAt({ columns, right, ridge, lower, upper }, rest) {
+function dualAt({ columns, right, ridge, sparse, lower, upper }, rest) {
   const x = new Float64Array(columns.length);
   const gradient = new Float64Array(right.length);
   const free = [];
   for (let i = 0; i < right.length; i++) gradient[i] = rest[i] - right[i];
   for (let k = 0; k < columns.length; k++) {
     const column = columns[k];
-    const value = dot(column, rest) / ridge[k];
+    const value = nearerToZero(dot(column, rest), 0.5 * (sparse?.[k] ?? 0)) / ridge[k];
     x[k] = clamp(value, lower[k], upper[k]);
-    if (x[k] === value && upper[k] > lower[k]) free.push(k);
+    if (x[k] === value && value !== 0 && upper[k] > lower[k]) free.push(k);
     if (x[k] !== 0) for (let i = 0; i < column.length; i++) gradient[i] += column[i] * x[k];
   }
   return { x, gradient, free };
@@ -303,9 +327,9 @@ function residual(columns, right, x) {
   return rest;
 }
 
-function cost(columns, right, ridge, x) {
+function cost({ columns, right, ridge, sparse }, x) {
   const rest = residual(columns, right, x);
-  return dot(rest, rest) + ridge.reduce((sum, weight, k) => sum + weight * x[k] * x[k], 0);
+  return dot(rest, rest) + ridge.reduce((sum, weight, k) => sum + (weight * Math.abs(x[k]) + (sparse?.[k] ?? 0)) * Math.abs(x[k]), 0);
 }
 
 function dot(a, b) {
@@ -314,5 +338,6 @@ function dot(a, b) {
   return sum;
 }
 
+const nearerToZero = (value, by) => Math.sign(value) * Math.max(0, Math.abs(value) - by);
 const norm = (a) => Math.sqrt(dot(a, a));
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

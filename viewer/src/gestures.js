@@ -278,7 +278,8 @@ export class Gestures {
         before = session.beginEdit();
         pull = new Pull(session, hit, view.camera.towards);
         this.setDragging('skin');
-        view.setCursor('grabbing');
+        view.setCursor(pull.acts ? 'grabbing' : 'not-allowed');
+        if (!pull.acts) view.say?.('No control that is free moves the skin here');
       },
       drag: (hand) => {
         const { column } = at;
@@ -287,7 +288,7 @@ export class Gestures {
         pull.to(pull.origin.map((value, axis) => value + to[axis] - from[axis]));
       },
       drop: () => {
-        if (before.every((value, i) => value === session.values[i])) view.say?.('No control that is free moves the skin here that way');
+        if (pull.acts && before.every((value, i) => value === session.values[i])) view.say?.('No control that is free moves the skin here that way');
         session.endEdit('Pull the skin', before);
       },
       click: () => view.showInfluences(hit),

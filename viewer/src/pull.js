@@ -35,6 +35,12 @@ export class Pull {
     session.set(found);
   }
 
+  /** Whether a control that is free moves the grabbed place. */
+  get acts() {
+    const { motion } = this.linearise(this.session.values);
+    return this.session.groups(true).flat().some((control) => Math.hypot(...motion(control).slice(0, 3)) > 0);
+  }
+
   /** Control index to change since the start, as a share of its range. */
   changes(found) {
     const out = new Map();

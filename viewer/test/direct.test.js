@@ -122,3 +122,32 @@ test('opposed controls are no twins, nor are reversed members', () => {
   assert.deepEqual(opposites, [[1], [0], [], [], [], []]);
   assert.deepEqual([...twinsOf([both, ...ends, ...turning, ...plain], opposites)], [-1, -1, -1, -1, 5, 4]);
 });
+
+/** One control along x, and six that go a fifth as far, a little off that way each. */
+function sparseScene() {
+  const directions = [[1, 0, 0], ...[-3, -2, -1, 1, 2, 3].map((k) => [0.2, 0.06 * k, 0])];
+  const ranges = directions.map(() => ({ minimum: 0, default: 0, maximum: 1 }));
+  return scene.of(ranges, directions.map(() => [0, 1]), directions.map((way) => [[[0, 0, 0], way]]), []);
+}
+
+test('a pull takes few controls, in reach and out of it', () => {
+  const made = sparseScene();
+  const start = made.controls.map(() => 0);
+  for (const target of [[0.4, 0, 0], [0.9, 0.02, 0], [30, 0, 0]]) {
+    const { values } = pulled(made, start, start, target);
+    assert.equal(values.filter((value) => value !== 0).length, 1, `${target}: ${values}`);
+    assert.ok(Math.abs(values[0] - Math.min(1, target[0])) < 0.03, `${target}: ${values}`);
+  }
+});
+
+test('controls come in from nothing: a little farther pull changes little', () => {
+  const made = sparseScene();
+  const start = made.controls.map(() => 0);
+  let before = start;
+  for (let step = 1; step <= 300; step++) {
+    const { values } = pulled(made, start, start, [0.01 * step, 0.006 * step, 0]);
+    values.forEach((value, i) => assert.ok(Math.abs(value - before[i]) < 0.12, `step ${step}: ${before} to ${values}`));
+    before = values;
+  }
+  assert.ok(before.filter((value) => value !== 0).length > 1);
+});
