@@ -98,17 +98,22 @@ def aside(layout, place):
     return replace(layout, elements=tuple(moved))
 
 
-def test_the_board_has_a_panel_of_its_own_beside_the_front_only(rig):
+def test_the_board_has_a_panel_of_its_own_below_the_others(rig):
     """Nothing of the character is in it, and nothing of it in the picture of the character, wherever it stands."""
     layout = aside(sided(rig, beside=("chin",)), (0.2, 0.2, 0.5))
-    assert [each.caption for each in scene_of(rig, layout, ["left34", "front"]).panels][1:] == ["front", "board"]
-    shown = np.asarray(render(rig, layout, views=["front"], size=SMALL))
+    assert [each.caption for each in scene_of(rig, layout, ["front", "left34"]).panels] == [
+        "front",
+        "three-quarter, character's left",
+        "board",
+    ]
+    shown = render(rig, layout, views=["front"], size=SMALL)
     scene = picture._set_up(rig, layout, evaluate(prepare(rig, layout)), ["front"], SMALL, False)
-    (first, _), (left, _) = scene.corners
-    assert len(pixels_like(Image.fromarray(shown[:, first:left]), VIOLET, 40)) == 0
-    board = Image.fromarray(shown[66:, left : left + scene.cameras[1].width])
-    assert len(pixels_like(board, VIOLET, 40)) > 10
-    assert np.ptp(shown[200, left + 2 : left + 40].astype(int), axis=0).max() < 3
+    top, board = scene.corners[1][1], scene.cameras[1]
+    assert shown.size == (SMALL[0], SMALL[1] + board.height + 24)
+    assert len(pixels_like(shown.crop((0, 0, SMALL[0], top + 60)), VIOLET, 40)) == 0
+    below = shown.crop((0, top, SMALL[0], top + board.height + 60))
+    assert len(pixels_like(below, VIOLET, 40)) > 10
+    assert np.ptp(np.asarray(below, dtype=int)[board.height // 2, 400:600], axis=0).max() < 3
     assert len(pixels_like(render(rig, layout, views=["left34"], size=SMALL), VIOLET, 40)) == 0
 
 
@@ -478,4 +483,7 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     side = np.cross(rig.up, layout.view)
     assert all(view @ side > -0.1 for view in found[1].views)
     assert all(view @ side < 0.1 for view in found[2].views)
-    assert render(rig, layout, size=(320, 240)).size == (320, 4 * 240)
+    boards = sum(any(element.anchor.on_board for element in each.layout.elements) for each in found)
+    width, height = render(rig, layout, size=(320, 240)).size
+    assert width == 320
+    assert height - 4 * 240 >= boards * 34

@@ -45,8 +45,6 @@ _HEADROOM = 34.0
 """Space above a board for its heading, in pixels."""
 _ON_BOARD = 9.0
 """Width of a handle on the board, in pixels, at which its rows take names in full size."""
-_BOARD_SHARE = 0.5
-"""Share of the page that a board may take across, at most."""
 _LEAST_FRAME = 22.0
 """Least extent of a frame, in handle widths."""
 _TOP, _BOTTOM = np.array([0.962, 0.966, 0.972]), np.array([0.862, 0.872, 0.884])
@@ -66,14 +64,14 @@ def render(
     labels: bool = False,
     title: str = "",
 ) -> Image.Image:
-    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels.
+    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels; higher where there is a board.
 
     A character in several parts has a close-up of that size for each part, one below the other, unless ``views`` are
     given.
     ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
     default the view that the layout was made for, and of front and three-quarter views the nearest two that
-    show what it sees.  The board has a panel of its own beside the layout's own view, with the names of its elements;
-    ``labels`` names those on the character, too, in that view.  Raises RigUIError
+    show what it sees.  The board has a panel of its own below, as high as it needs, with the names of its elements;
+    ``labels`` names those on the character, too, in the layout's own view.  Raises RigUIError
     CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
     belong to the rig, POSE_VALUE for a pose that is not one.
     """
@@ -147,11 +145,13 @@ def _set_up(
             for i, (view, at) in enumerate(zip(views, azimuths, strict=True))
         ]
     panels: list[_Framed] = []
+    boards: list[_Framed] = []
     for at, own in shown:
         rows = shading.look(at, rig.up)
         panels.append(_framed(layout, posed, skin, rows, directions.caption(at, ahead, rig.up), own, own and labels))
         if own and any(element.anchor.on_board for element in layout.elements):
-            panels.append(_framed_board(layout, posed, rows))
+            boards.append(_framed_board(layout, posed, rows))
+    panels += boards
     cameras, corners = _arranged(panels, size)
     return _Scene(tuple(panels), tuple(cameras), tuple(corners), colours or complexion(rig, main_layout(layout)))
 
@@ -167,7 +167,10 @@ def _page(
 ) -> Image.Image:
     """One page; ``controls`` is how many the title tells of, by default those of the rig."""
     subject = shading.body(rig, posed.points, scene.complexion)
-    page = Image.new("RGB", size, _PAPER)
+    below = sum(
+        camera.height + _CAPTION for panel, camera in zip(scene.panels, scene.cameras, strict=True) if panel.board
+    )
+    page = Image.new("RGB", (size[0], size[1] + below), _PAPER)
     for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
         page.paste(_panel(subject, layout, posed, panel, camera), corner)
         middle = (corner[0] + camera.width / 2, corner[1] + camera.height + _CAPTION / 2)
@@ -306,49 +309,42 @@ def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tu
 
 
 def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Camera], list[tuple[int, int]]]:
-    """One scale for all views and one for the board, their cameras, and where each goes on the page."""
+    """One scale for all panels, their cameras, and where each goes on the page; boards go below the others."""
+    boards = [panel for panel in panels if panel.board]
+    panels = [panel for panel in panels if not panel.board]
+    low = min(float(panel.low[1]) for panel in panels)
+    high = max(float(panel.high[1]) for panel in panels)
     height = size[1] - _TITLE - _CAPTION - _LEGEND
-    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1)
-    views, boards = [each for each in panels if not each.board], [each for each in panels if each.board]
-    scales, wide = {}, 0
-    for board in boards:
-        scales[id(board)] = scale = min(board.board, _scale([board], height - _HEADROOM, _BOARD_SHARE * free))
-        wide += _width(board, scale)
-    fitting = _scale(views, height, max(free - wide, 0.3 * size[0]))
-    widths = [_width(panel, scales.get(id(panel), fitting)) for panel in panels]
-    # Space that is left over widens the views: more of the character is better than a broad border.
-    spare = max((free - sum(widths)) // max(len(views), 1), 0)
-    widths = [width + (0 if panel.board else spare) for panel, width in zip(panels, widths, strict=True)]
-    left = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2
+    names = sum(sum(panel.columns) for panel in panels)
+    free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
+    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
+    scale = max(min(height / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
+    widths = [round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels]
+    # Space that is left over widens the panels: more of the character is better than a broad border.
+    spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
+    widths = [width + max(spare, 0) for width in widths]
+    left, top = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2, _TITLE
     cameras, corners = [], []
     for panel, width in zip(panels, widths, strict=True):
-        cameras.append(_camera(panel, views, scales.get(id(panel), fitting), width, height))
-        corners.append((left, _TITLE))
+        middle = np.array([0.5 * (panel.low[0] + panel.high[0]), 0.5 * (low + high)])
+        cameras.append(Camera(panel.rows, middle @ panel.rows[:2], scale, width, height))
+        corners.append((left, top))
         left += width + _GAP
+    for board in boards:
+        top += height + _CAPTION
+        cameras.append(_board_camera(board, size[0] - 2 * _EDGE))
+        corners.append((_EDGE, top))
+        height = cameras[-1].height
     return cameras, corners
 
 
-def _scale(panels: Sequence[_Framed], height: float, width: float) -> float:
-    """Pixels a scene unit at which panels side by side take no more than a height and a width of pixels."""
-    tall = max(float(panel.high[1]) for panel in panels) - min(float(panel.low[1]) for panel in panels)
-    names = sum(sum(panel.columns) for panel in panels)
-    wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
-    return max(min(height / tall, max(width - names, 0.3 * width) / wide), 1e-12)
-
-
-def _width(panel: _Framed, scale: float) -> int:
-    return round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns))
-
-
-def _camera(panel: _Framed, views: Sequence[_Framed], scale: float, width: int, height: int) -> Camera:
-    """The camera of one of several `views` level with each other, or of a board, which hangs below its headroom."""
-    lean = 0.5 * (panel.columns[1] - panel.columns[0]) / scale
-    if panel.board:
-        upright = float(panel.high[1]) - (0.5 * height - _HEADROOM) / scale
-    else:
-        upright = 0.5 * (min(float(each.low[1]) for each in views) + max(float(each.high[1]) for each in views))
-    middle = np.array([0.5 * (panel.low[0] + panel.high[0]) + lean, upright])
-    return Camera(panel.rows, middle @ panel.rows[:2], scale, width, height)
+def _board_camera(board: _Framed, width: int) -> Camera:
+    """The camera of a board that begins at the left of a panel, below the room for its headings."""
+    across, tall = (board.high - board.low).tolist()
+    scale = min(board.board, max(width - sum(board.columns), 0.3 * width) / across)
+    height = round(scale * tall + _HEADROOM)
+    middle = np.array([board.low[0] + 0.5 * width / scale, board.high[1] + (_HEADROOM - 0.5 * height) / scale])
+    return Camera(board.rows, middle @ board.rows[:2], scale, width, height)
 
 
 # --- one panel ---------------------------------------------------------------------------------------
