@@ -179,7 +179,7 @@ def _laid_out_again(*edits: tuple[str, str], over: str = "") -> Trigger:
 
     def trigger(folder: Path, _: Any) -> Found:
         _edited(*edits, of="char.usda")(folder).rename(folder / "earlier.rigui.usda")
-        where = "".join(f'over "{name}"\n{{\n' for name in ("Char", "RigUI", "Controls", "smile"))
+        where = "".join(f'over "{name}"\n{{\n' for name in ("Char", "RigUI", "FaceControls", "smile"))
         smile = where + over + 4 * "}\n"
         corrected = folder / "corrected.usda"
         corrected.write_text(f"#usda 1.0\n(subLayers = [@./earlier.rigui.usda@])\n{smile}\n")

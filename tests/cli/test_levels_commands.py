@@ -62,7 +62,7 @@ def test_members_are_authored_and_come_back(made):
     assert set(found["grin_mirror"].inner) == {"pucker", "smile_R"}
     assert set(found["lower"].inner) == {"chin", "jaw:open"}
     stage = Usd.Stage.Open(str(made / "char.rigui.usda"))
-    grin = stage.GetPrimAtPath("/World/Char/RigUI/Controls/grin")
+    grin = stage.GetPrimAtPath("/World/Char/RigUI/FaceControls/grin")
     targets = {path.name for path in grin.GetRelationship("rigUI:element:members").GetTargets()}
     assert targets == {"pucker", "smile_L"}
 
@@ -143,7 +143,7 @@ def test_a_shot_over_two_levels(folder, capsys):
 )
 def test_members_that_make_no_sense_are_refused(folder, capsys, old, new):
     layer = Sdf.Layer.FindOrOpen(str(folder / "char.rigui.usda"))
-    relationship = layer.GetRelationshipAtPath("/World/Char{rigUI=ui}RigUI/Controls/grin.rigUI:element:members")
+    relationship = layer.GetRelationshipAtPath("/World/Char{rigUI=ui}RigUI/FaceControls/grin.rigUI:element:members")
     paths = [str(path) for path in relationship.targetPathList.explicitItems]
     assert any(old in path for path in paths)
     relationship.targetPathList.explicitItems = [Sdf.Path(path.replace(old, new)) for path in paths]

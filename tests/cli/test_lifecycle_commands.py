@@ -156,7 +156,7 @@ def test_a_correction_in_a_stronger_layer_survives(folder, capsys):
     layer.subLayerPaths[:] = ["./new.rigui.usda"]
     layer.Save()
     stage = Usd.Stage.Open(str(corrections))
-    prim = stage.GetPrimAtPath("/World/Char/RigUI/Controls/smile_L")
+    prim = stage.GetPrimAtPath("/World/Char/RigUI/FaceControls/smile_L")
     assert prim.GetDisplayName() == "corrected by hand"
     assert anchors(corrections)["smile_L"] == (point, False)
 

@@ -53,7 +53,7 @@ def shot(folder, *names, payload=False, instanceable=False):
 
 
 def element(stage, name, above="/World"):
-    return stage.GetPrimAtPath(f"{above}/Char/RigUI/Controls/{name}")
+    return stage.GetPrimAtPath(f"{above}/Char/RigUI/FaceControls/{name}")
 
 
 # --- edits, each of a stage in which a character stands below `above` ----------------------------------

@@ -47,9 +47,9 @@ def _place(at):
 
 @pytest.fixture(scope="module", params=RIGS, ids=lambda path: path.stem)
 def layout(request, tmp_path_factory):
-    """A character and its layout in a crate: text draws a finding for every array of more than 64 numbers."""
+    """A character and its layout as text, of which validators ask more than of a crate."""
     source = request.param
-    target = tmp_path_factory.mktemp(source.stem) / "layout.usdc"
+    target = tmp_path_factory.mktemp(source.stem) / "layout.usda"
     pipeline.process(source, SETTINGS, output=target)
     return source, target
 

@@ -323,6 +323,21 @@ def test_few_prims_draw_all_elements(char, tmp_path):
     ]  # fmt: skip
 
 
+def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
+    """Some outliners show no subsets, and some lists of meshes no parents."""
+    source = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips",))
+    (rig,) = read_rigs(source, Settings())
+    layout = laid_out.layout_of(rig, only=["Hips:rx"])  # nothing above the root carries its track
+    layout = replace(layout, elements=tuple(replace(each, part="body") for each in layout.elements))
+    target = tmp_path / "a.usda"
+    write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
+    stage = Usd.Stage.Open(str(target))
+    skinned, still = stage.GetPrimAtPath(rig.root).GetChild("RigUI").GetChildren()
+    assert (skinned.GetName(), still.GetName()) == ("BodyControls", "BodyStillControls")
+    assert skinned.GetAttribute("skel:joints").HasAuthoredValue()
+    assert not still.GetAttribute("skel:joints").HasAuthoredValue()
+
+
 def test_several_characters_in_one_asset(tmp_path):
     source = skinned_stages.character(tmp_path / "char.usda")
     layer = Sdf.Layer.FindOrOpen(str(source))

@@ -88,12 +88,13 @@ def apply(spec: Sdf.PrimSpec, apis: Sequence[str]) -> None:
 
 
 def note(spec: Sdf.PrimSpec, books: Mapping[str, Mapping[str, Any]]) -> None:
-    """Put what only usdrigui asks for into the prim's customData: texts, numbers, and lists of either."""
-    spec.SetInfo("customData", {schema.NOTES: {key: _noted(values) for key, values in books.items()}})
+    """Put what only usdrigui asks for into the prim's customData: texts, numbers, lists of either with any entry."""
+    pages = {key: _noted(values) for key, values in books.items()}
+    spec.SetInfo("customData", {schema.NOTES: {key: page for key, page in pages.items() if page}})
 
 
 def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: _plain(value) for key, value in values.items()}
+    return {key: _plain(value) for key, value in values.items() if isinstance(value, (str, float)) or len(value)}
 
 
 def _plain(value: Any) -> Any:

@@ -70,6 +70,15 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
     return tuple(Drawing(str(key[0]), bool(key[1]), tuple(parts)) for key, parts in found.items())
 
 
+def drawing_name(drawing: Drawing, others: Iterable[Drawing]) -> str:
+    """``FaceControls``, ``FaceMembers``, ``HandsStillControls``: tells what it is wherever an outliner lists it.
+
+    *Still* is what no joint moves, where joints move the rest.
+    """
+    still = not len(drawing.hold.joints) and any(len(each.hold.joints) for each in others)
+    return drawing.part.title() + ("Still" if still else "") + ("Members" if drawing.inner else "Controls")
+
+
 def author_drawing(
     mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing, elements: Sequence[DrawnElement], names: Sequence[str], size: float
 ) -> dict[int, Sdf.PrimSpec]:

@@ -23,7 +23,7 @@ from usdrigui.model import Control, Element, Layout, Member, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
-from usdrigui.usd.drawing import DrawnElement, author_drawing, drawings
+from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_name, drawings
 from usdrigui.usd.drawn import drawn_parts
 from usdrigui.usd.safe_write import State, commit, file_error
 from usdrigui.usd.skin_binding import SkinBinding
@@ -262,9 +262,9 @@ def author_elements(
         for each in elements
     ]
     subsets: dict[int, Sdf.PrimSpec] = {}
-    for drawing in drawings(drawn):
-        part = drawing.part.title() if layout.parts else ""
-        name = author.identifier(part + ("Members" if drawing.inner else "Controls"), used)
+    needed = drawings(drawn)
+    for drawing in needed:
+        name = author.identifier(drawing_name(drawing, needed), used)
         mesh = author.prim(scope, name, "Mesh", (schema.DRAWING, "SkelBindingAPI"))
         author.declare(mesh, schema.DRAWING, {"part": drawing.part})
         if drawing.inner:
