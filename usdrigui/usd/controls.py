@@ -352,7 +352,8 @@ def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
     """
     base = rotation_part(np.array([joint.base for joint in joints]).reshape(-1, 4, 4))
     turns = unwrapped(rotation_vectors(rotation_part(clip.locals) @ np.swapaxes(base, -1, -2)))
-    return np.round(np.degrees(np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1)), 3) + 0.0
+    spans = np.stack([turns.min(axis=0), turns.max(axis=0)], axis=-1)
+    return np.asarray(np.round(np.degrees(spans), 3) + 0.0, dtype=np.float64)
 
 
 def _joint_range(

@@ -75,7 +75,8 @@ def drawing_name(drawing: Drawing, others: Iterable[Drawing]) -> str:
 
     *Still* is what no joint moves, where joints move the rest.
     """
-    still = not len(drawing.hold.joints) and any(len(each.hold.joints) for each in others)
+    moved = [len(each.joint_binding.joints) > 0 for each in others]
+    still = not len(drawing.joint_binding.joints) and any(moved)
     return drawing.part.title() + ("Still" if still else "") + ("Members" if drawing.inner else "Controls")
 
 
