@@ -11,6 +11,7 @@ import pytest
 from usdrigui import pipeline
 from usdrigui.cli import main
 from usdrigui.clients import picker
+from usdrigui.model import LayoutPart
 from usdrigui.settings import Settings
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -151,3 +152,18 @@ def test_names_on_the_face_are_shown_on_request_and_stand_apart(characters):
         np.array([spot.handle for spot in made.spots if not spot.element.anchor.on_board]) for made in (plain, named)
     )
     np.testing.assert_allclose(np.diff(one, axis=0), np.diff(other, axis=0), atol=1e-9)
+
+
+def test_handles_are_as_wide_as_those_of_their_part(characters):
+    rig, layout = characters[0]
+    widths = {"face": layout.handle_width, "hands": 2.0 * layout.handle_width}
+    parts = tuple(LayoutPart(name, width, layout.view, "optimal", 0.0, 0.0) for name, width in widths.items())
+    first, *others = layout.elements
+    elements = (replace(first, part="hands"), *(replace(each, part="face") for each in others))
+    made = picker.picker([(rig, replace(layout, parts=parts, elements=elements))])
+    assert made.spots[0].width == pytest.approx(2.0 * picker._HANDLE)
+    assert {round(spot.width, 6) for spot in made.spots[1:]} == {picker._HANDLE}
+    shapes = json.loads(picker.to_dwpicker(made, "char"))["shapes"]
+    assert {shape["shape.width"] for shape in shapes if shape.get("action.targets")} == {22.0, 44.0}
+    first_group = next(ElementTree.fromstring(picker.to_svg(made)).iter(f"{SVG}g"))
+    assert any(float(each.get("r", 0.0)) == 22.0 or float(each.get("width", 0.0)) == 44.0 for each in first_group)

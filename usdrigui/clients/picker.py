@@ -48,6 +48,8 @@ class Spot(Record):
     """(2,)."""
     tracks: tuple[Floats, ...]
     """Per member (k, 2)."""
+    width: float = _HANDLE
+    """Diameter of the handle, that of the part in which the element stands."""
     lead: Floats | None = None
     """(2, 2) line from the name of an element on the face to its handle, where names are asked for."""
 
@@ -108,11 +110,12 @@ def to_dwpicker(made: Picker, name: str) -> str:
     width, height = (float(round(each, 2)) for each in made.size)
     shapes = [_shape("square", (0.0, 0.0, width, height), "#3c4046", background=True)]
     for spot in made.spots:
-        x, y = (float(round(each - 0.5 * _HANDLE, 2)) for each in spot.handle)
+        width = float(round(spot.width, 2))
+        x, y = (float(round(each - 0.5 * width, 2)) for each in spot.handle)
         form = "round" if spot.element.kind == "slider" else "square"
-        button = _shape(form, (x, y, _HANDLE, _HANDLE), _hex(spot.element))
+        button = _shape(form, (x, y, width, width), _hex(spot.element))
         button["action.targets"] = [member.control for member in spot.element.members]
-        label = _shape("square", (x + _HANDLE, y, 8.0 * len(spot.element.label) + 8.0, _HANDLE), "#000000")
+        label = _shape("square", (x + width, y, 8.0 * len(spot.element.label) + 8.0, width), "#000000")
         label |= {"text.content": spot.element.label, "bgcolor.transparency": 255, "border": False, "background": True}
         shapes += [label, button]
     general = {"name": name, "version": _DWPICKER, "zoom_locked": False, "width": width, "height": height}
@@ -123,12 +126,17 @@ def to_dwpicker(made: Picker, name: str) -> str:
 
 
 def _flat(rig: Rig, layout: Layout, labels: bool) -> tuple[tuple[Floats, ...], list[Spot]]:
-    """Silhouette and elements of one character, one handle width being `_HANDLE`."""
+    """Silhouette and elements of one character, the handles of its main part `_HANDLE` wide."""
     posed = evaluate(prepare(rig, layout))
     # Pictures have y down.
     plane = look(layout.view, rig.up)[:2].T * np.array([1.0, -1.0]) * (_HANDLE / layout.handle_width)
     spots = [
-        Spot(element, at.handle @ plane, tuple(track @ plane for track in at.tracks))
+        Spot(
+            element,
+            at.handle @ plane,
+            tuple(track @ plane for track in at.tracks),
+            _HANDLE * layout.handle_width_of(element) / layout.handle_width,
+        )
         for element, at in zip(layout.elements, posed.elements, strict=True)
     ]
     corners = mesh_triangles(rig.meshes, visible_only=True)
@@ -166,8 +174,10 @@ def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
     for column, edge in zip(columns, (low[0] - _GAP, high[0] + _GAP), strict=True):
         ordered = sorted((face[i] for i in column), key=lambda i: (float(spots[i].handle[1]), spots[i].element.name))
         rows = lettering.spread(np.array([float(spots[i].handle[1]) for i in ordered]), _PITCH, low[1], high[1])
-        for i, row in zip(ordered, rows, strict=True):
-            named[i] = replace(spots[i], lead=np.array([[edge, row], spots[i].handle]))
+        handles = np.array([spots[i].handle for i in ordered]).reshape(-1, 2)
+        for which, row in zip(lettering.uncrossed(handles, float(edge), rows), rows, strict=True):
+            own = spots[ordered[which]]
+            named[ordered[which]] = replace(own, lead=np.array([[edge, row], own.handle]))
     return named
 
 
@@ -190,7 +200,7 @@ def _with_board(spots: list[Spot], loops: tuple[Floats, ...], low: Floats, high:
 
 def _drawn(spot: Spot) -> Floats:
     """(k, 2) points around everything drawn of an element."""
-    points = [np.vstack([spot.handle - 0.5 * _HANDLE, spot.handle + 0.5 * _HANDLE, *spot.tracks])]
+    points = [np.vstack([spot.handle - 0.5 * spot.width, spot.handle + 0.5 * spot.width, *spot.tracks])]
     wide = np.array([_LETTER * len(spot.element.label), 0.0])
     if spot.element.anchor.on_board:
         place = _label_place(spot)
@@ -203,7 +213,7 @@ def _drawn(spot: Spot) -> Floats:
 
 def _label_place(spot: Spot) -> Floats:
     """(2,) where the name of an element on the board begins: above all of it."""
-    around = np.vstack([spot.handle - 0.5 * _HANDLE, *spot.tracks])
+    around = np.vstack([spot.handle - 0.5 * spot.width, *spot.tracks])
     return np.asarray(around.min(axis=0) - [0.0, 6.0])
 
 
@@ -250,7 +260,7 @@ def _group(spot: Spot) -> list[str]:
 
 
 def _handle(spot: Spot) -> str:
-    (x, y), r = spot.handle, 0.5 * _HANDLE
+    (x, y), r = spot.handle, 0.5 * spot.width
     style = f'fill="{_hex(spot.element)}" stroke="#ffffff" stroke-width="2"'
     form = form_of(spot.element)
     if form in ("patch", "joystick"):

@@ -146,12 +146,8 @@ class _Name:
 
 
 def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
-    """The names in the column at one edge.
-
-    Every line leaves the column at one upright, level with its name, and runs straight from there.  The names have the
-    rows at which the lines are shortest in sum, so that none crosses another: two that crossed would be shorter with
-    their rows exchanged (Bekos et al. 2007).
-    """
+    """The names in the column at one edge; their lines leave it at one upright, level with the name, and run straight
+    from there."""
     if not shown:
         return []
     shown = sorted(shown, key=lambda each: (float(each[1].handle[1]), each[0].name))
@@ -163,13 +159,22 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     texts = [cut(legible(element.label), type_, CALLED) for element, _ in shown]
     inward, edge = (1.0, 6.0) if left else (-1.0, size[0] - 6.0)
     port = edge + inward * (max(type_.getlength(text) for text in texts) + 10.0)
-    lengths = np.hypot(handles[None, :, 0] - port, handles[None, :, 1] - rows[:, None])
     names = []
-    for y, index in zip(rows, linear_sum_assignment(np.round(lengths, 3))[1], strict=True):
+    for y, index in zip(rows, uncrossed(handles, port, rows), strict=True):
         start = edge + inward * (type_.getlength(texts[index]) + 4.0)
         line = np.array([[start, y], [port, y], handles[index]])
         names.append(_Name(texts[index], (edge, float(y)), "lm" if left else "rm", type_, line))
     return names
+
+
+def uncrossed(handles: Floats, port: float, rows: Floats) -> list[int]:
+    """Which of the `handles` (n, 2) is named in each of the `rows` (n,), so that straight lines to them from the
+    upright at `port` do not cross.
+
+    The lines are shortest in sum: two that crossed would be shorter with their rows exchanged (Bekos et al. 2007).
+    """
+    lengths = np.hypot(handles[None, :, 0] - port, handles[None, :, 1] - rows[:, None])
+    return [int(each) for each in linear_sum_assignment(np.round(lengths, 3))[1]]
 
 
 def spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
