@@ -35,7 +35,9 @@ export class Painter {
     this.image = this.pen.createImageData(this.canvas.width, this.canvas.height);
     this.pixels = new Int32Array(this.image.data.buffer);
     this.nearness = new Float32Array(this.pixels.length);
-    this.across = (this.canvas.width >> TILE) + 1; // tiles
+    this.wide = this.canvas.width; // a canvas is not asked for each triangle
+    this.high = this.canvas.height;
+    this.across = (this.wide >> TILE) + 1; // tiles
     this.tiles = new Uint8Array(this.across * ((this.canvas.height >> TILE) + 1));
     this.view = [];
   }
@@ -90,7 +92,7 @@ export class Painter {
 
   /** Empty the tiles in which a triangle that has changed is, or was. */
   wipeMoved() {
-    const { changed, tiles, across, canvas, pixels, nearness } = this;
+    const { changed, tiles, across, wide, high, pixels, nearness } = this;
     const { triangles } = this.surface;
     tiles.fill(0);
     for (let t = 0; t < triangles.length; t += 3) {
@@ -102,17 +104,17 @@ export class Painter {
       if (!tiles[tile]) continue;
       const left = (tile % across) << TILE;
       const top = Math.floor(tile / across) << TILE;
-      const right = Math.min(canvas.width, left + (1 << TILE));
-      const bottom = Math.min(canvas.height, top + (1 << TILE));
+      const right = Math.min(wide, left + (1 << TILE));
+      const bottom = Math.min(high, top + (1 << TILE));
       for (let row = top; row < bottom; row++) {
-        pixels.fill(BACKGROUND, row * canvas.width + left, row * canvas.width + right);
-        nearness.fill(0, row * canvas.width + left, row * canvas.width + right);
+        pixels.fill(BACKGROUND, row * wide + left, row * wide + right);
+        nearness.fill(0, row * wide + left, row * wide + right);
       }
     }
   }
 
   markTiles(screen, t) {
-    const { tiles, across, canvas } = this;
+    const { tiles, across, wide, high } = this;
     const { triangles, facing } = this.surface;
     const a = 3 * triangles[t];
     const b = 3 * triangles[t + 1];
@@ -125,9 +127,9 @@ export class Painter {
     const cy = screen[c + 1];
     if (facing[t / 3] * ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) > 0) return;
     const left = Math.max(0, Math.ceil(Math.min(ax, bx, cx))) >> TILE;
-    const right = Math.min(canvas.width - 1, Math.floor(Math.max(ax, bx, cx))) >> TILE;
+    const right = Math.min(wide - 1, Math.floor(Math.max(ax, bx, cx))) >> TILE;
     const top = Math.max(0, Math.ceil(Math.min(ay, by, cy))) >> TILE;
-    const bottom = Math.min(canvas.height - 1, Math.floor(Math.max(ay, by, cy))) >> TILE;
+    const bottom = Math.min(high - 1, Math.floor(Math.max(ay, by, cy))) >> TILE;
     for (let y = top; y <= bottom; y++) for (let x = left; x <= right; x++) tiles[y * across + x] = 1;
   }
 
@@ -267,7 +269,7 @@ export class Painter {
    */
   triangle(a, b, c, unit, x0, x1, y0, y1) {
     const { screen, colours, pixels, nearness } = this;
-    const wide = this.canvas.width;
+    const { wide } = this;
     // Weights of b and c, and what is left for a, at the first pixel and their growth to the right and down.
     const bx = (screen[c + 1] - screen[a + 1]) * unit;
     const by = (screen[a] - screen[c]) * unit;
@@ -344,7 +346,7 @@ export class Painter {
     for (let y = y0; y <= y1; y++) {
       let wb = (x0 - screen[a]) * bx + (y - screen[a + 1]) * by;
       let wc = (x0 - screen[a]) * cx + (y - screen[a + 1]) * cy;
-      for (let x = x0, at = y * this.canvas.width + x0; x <= x1; x++, at++, wb += bx, wc += cx) {
+      for (let x = x0, at = y * this.wide + x0; x <= x1; x++, at++, wb += bx, wc += cx) {
         const wa = 1 - wb - wc;
         if (wa < -EDGE || wb < -EDGE || wc < -EDGE) continue;
         const near = wa * screen[a + 2] + wb * screen[b + 2] + wc * screen[c + 2];
