@@ -152,6 +152,22 @@ _CODES: dict[str, Code] = {
         "Set `instanceable = false` on the prim named, process the referenced asset itself, or lay out a character "
         "that is in no instance alone (`--set read.skel_root=PATH`).",
     ),
+    "VARIANT_UNKNOWN": Code(
+        "error",
+        "No prim of the stage has the variant set, or the variant, that is to be selected.",
+        "Select one that is named in the message.",
+        Exit.USAGE,
+    ),
+    "VARIANT_BELOW": Code(
+        "error",
+        "A layout cannot stand in the variant: its set is not on a SkelRoot or a prim above one.",
+        "Move the variant set to the SkelRoot or above, or lay the character out without naming this set.",
+    ),
+    "VARIANT_LEFT_OFF": Code(
+        "info",
+        "A variant has no character to lay out, or no layout to look at.",
+        "Nothing, if it is meant to have none, as a level of detail without blend shapes.",
+    ),
     "TARGETS_LENGTH": Code(
         "error",
         "skel:blendShapes and skel:blendShapeTargets differ in length.",

@@ -83,6 +83,15 @@ def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     return Examples(_by_root(fixed), _by_root(previous), like, clips, base, sources)
 
 
+def as_sibling(examples: Examples, rig: Rig, first: Layout) -> Examples:
+    """The examples with the layout of another variant of the same character as its earlier one: what both have stands
+    at the same places.  As they are where a layout is given for it already, or the two have no control in common."""
+    given = bool(examples.like) or rig.root in examples.fixed or rig.root in examples.previous
+    if given or not _shares_controls(first, rig):
+        return examples
+    return replace(examples, previous={**examples.previous, rig.root: first})
+
+
 def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
     """The examples with the earlier layout of the one character where that stands at another path now.
 

@@ -240,7 +240,7 @@ class Screen:
         elements = character.layout.elements
         existing = len(elements) - len(character.added)
         summary = f"{len(elements)} elements" + (f", {existing} of which are in another layer" if existing else "")
-        self._out.print(f"{character.root}: {summary}")
+        self._out.print(f"{character.layout.variant_path or character.root}: {summary}")
         placed = [row for row in character.rows if not existing or row.element in character.added]
         if placed:
             self._table(_rows_table(placed))
@@ -277,8 +277,9 @@ class Screen:
         count = len(found.matches) + len(found.left_before)
         reasons = Counter(each.reason for each in sure)
         told = ", ".join(f"{number} by {reason}" for reason, number in reasons.items())
+        which = which if which.startswith("/") else f"--{which}"
         self._out.print(
-            f"  --{which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}", soft_wrap=True
+            f"  {which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}", soft_wrap=True
         )
         if found.unsure:
             pairs = (f"{each.before} may be {each.after} ({each.confidence:.0%} sure)" for each in found.unsure)

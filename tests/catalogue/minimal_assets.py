@@ -208,6 +208,7 @@ def SkelRoot "Char\""""),
 
 CONFIGURED: Mapping[str, str] = {
     "SKELROOT_UNKNOWN": "read.skel_root=/Other",
+    "VARIANT_UNKNOWN": "read.variants.LOD=low",
     "CONFIG_UNKNOWN_KEY": "solve.gapp=1",
     "CONFIG_VALUE": 'solve.gap="small"',
     "CONFIG_UNKNOWN_CONTROL": 'read.pose={"smirk"=1.0}',

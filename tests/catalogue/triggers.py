@@ -542,6 +542,25 @@ def _bad_problem(folder: Path, _: Any) -> Found:
     return refused(lambda: load_problem(folder / "problem.npz"))
 
 
+def _in_variants(owner: str, prim: str, *arguments: object) -> Trigger:
+    """The smallest character with a variant set LOD on `owner`, of which ``box`` has no `prim`."""
+
+    def trigger(folder: Path, _: Any) -> Found:
+        from pxr import Usd
+
+        stage = Usd.Stage.Open(str(minimal_assets.character(folder)))
+        levels = stage.GetPrimAtPath(owner).GetVariantSets().AddVariantSet("LOD")
+        for level in ("box", "high"):
+            levels.AddVariant(level)
+            levels.SetVariantSelection(level)
+            with levels.GetVariantEditContext():
+                stage.OverridePrim(prim).SetActive(level != "box")
+        stage.Save()
+        return command("process", folder / "char.usda", "--dry-run", *arguments)
+
+    return trigger
+
+
 TRIGGERS: Mapping[str, Trigger] = {
     **{code: (lambda folder, _, code=code: process(folder, code)) for code in minimal_assets.EDITS},
     **{code: _made(code) for code in minimal_assets.MAKERS},
@@ -554,6 +573,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     "SOURCE_READER_LOST": _impostor("kill -KILL $$"),
     "SOURCE_CHANGED": _changed,
     "USD_ERROR": _usd_error,
+    "VARIANT_BELOW": _in_variants("/Char/Face", "/Char/Face/smile", "--variant", "LOD=high"),
+    "VARIANT_LEFT_OFF": _in_variants("/Char", "/Char/Face", "--each-variant", "LOD"),
     "CLIP_THINNED": _thinned,
     "CONTROL_TINY": _trajectories("CONTROL_TINY"),
     "CONTROL_DUPLICATE": _trajectories("CONTROL_DUPLICATE"),

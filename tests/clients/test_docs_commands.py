@@ -11,13 +11,14 @@ import numpy as np
 import pytest
 import shot_stages
 import skinned_stages
+import studio_assets
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 SAMPLE = DOCS.parent / "sample_assets"
 OF_THE_SAMPLE = ("getting-started.md", "lifecycle.md")
 """Pages that name controls of the sample; for the others a smaller character will do."""
-PAGES = ("blender.md", "getting-started.md", "lifecycle.md", "many-assets.md", "pickers.md", "publish.md")
+PAGES = ("assets.md", "blender.md", "getting-started.md", "lifecycle.md", "many-assets.md", "pickers.md", "publish.md")
 
 
 def blocks(page):
@@ -54,6 +55,8 @@ def _sample(folder):
 def test_the_commands_of_a_page(page, tmp_path):
     if page in OF_THE_SAMPLE:
         _sample(tmp_path)
+    elif page == "assets.md":
+        studio_assets.asset(tmp_path)
     else:
         skinned_stages.character(tmp_path / "char.usda")
     for name in ("one", "two"):

@@ -206,7 +206,10 @@ def test_instance(tmp_path, where):
     assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Hero")
 
 
-def test_instanced_geometry(tmp_path):
+@pytest.mark.parametrize(("kind", "path"), [("mesh", ""), ("Skeleton", "/Char/Copy/Bones")])
+def test_what_moves_the_character_may_be_no_instance(tmp_path, kind, path):
+    """A mesh may: nothing has to be said of it."""
+
     def edit(stage):
         prim = stage.DefinePrim("/Char/Copy")
         prim.GetReferences().AddInternalReference("/Geo")
@@ -214,10 +217,22 @@ def test_instanced_geometry(tmp_path):
         stage.DefinePrim("/Geo", "Xform")
         mesh = add_mesh(stage, "/Geo/Nose", seed=8)
         add_shape(mesh, "smile", np.ones((SIDE**2, 3)))
-        UsdSkel.BindingAPI.Apply(prim).CreateSkeletonRel().SetTargets(["/Char/Skel"])
+        bones = UsdSkel.Skeleton.Define(stage, "/Geo/Bones") if path else None
+        if bones:
+            bones.CreateJointsAttr(["bone"])
+            bones.CreateBindTransformsAttr([Gf.Matrix4d(1)])
+            bones.CreateRestTransformsAttr([Gf.Matrix4d(1)])
+        UsdSkel.BindingAPI.Apply(prim).CreateSkeletonRel().SetTargets([path or "/Char/Skel"])
 
-    error = spoilt(tmp_path, edit)
-    assert (error.issue.code, error.issue.path) == ("INSTANCE", "/Char/Copy/Nose")
+    if kind == "mesh":
+        head(tmp_path / "char.usda")
+        stage = Usd.Stage.Open(str(tmp_path / "char.usda"))
+        edit(stage)
+        stage.Save()
+        assert "/Char/Copy/Nose" in {mesh.path for mesh in read_rigs(tmp_path / "char.usda", load())[0].meshes}
+    else:
+        error = spoilt(tmp_path, edit)
+        assert (error.issue.code, error.issue.path) == ("INSTANCE", path)
 
 
 @pytest.mark.parametrize("wanted", ["", "/Shot/A"])

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.cli.options import add_settings, command, files_read, settings_of
+from usdrigui.cli.options import add_each_variant, add_settings, command, files_read, settings_of
 from usdrigui.cli.outcomes import screen_of, strict
 from usdrigui.errors import Exit, refuse
 
@@ -25,6 +25,7 @@ def add_process(commands: Any) -> None:
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    add_each_variant(parser, "lay out every variant of this set, each in its variant")
     parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
     parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
     parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")

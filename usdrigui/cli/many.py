@@ -12,7 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.cli.options import add_settings, command, files_read, passed_on, settings_digest, settings_quietly
+from usdrigui.cli.options import (
+    add_each_variant,
+    add_settings,
+    command,
+    files_read,
+    passed_on,
+    settings_digest,
+    settings_quietly,
+)
 from usdrigui.cli.outcomes import say, screen_of
 from usdrigui.errors import Exit, RigUIError, refuse
 
@@ -45,6 +53,7 @@ def add_openjd(commands: Any) -> None:
 def _add_assets(parser: Any) -> None:
     parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
     parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
+    add_each_variant(parser, "lay out every variant of this set, each in its variant")
     parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
 
 

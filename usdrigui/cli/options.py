@@ -38,7 +38,27 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
     default = _BELOW_LAYER if layer else _BESIDE_CHAR
     group.add_argument("--config", type=Path, metavar="TOML", help=f"default: {default}, if there")
     group.add_argument("--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING)
+    add_variant(group)
     return group
+
+
+def add_variant(parser: Any) -> None:
+    """The option that selects a variant."""
+    told = "select a variant: LOD=low"
+    parser.add_argument("--variant", type=_selection, action="append", default=[], metavar="SET=NAME", help=told)
+
+
+def add_each_variant(parser: Any, summary: str) -> None:
+    """The option for all variants of a set."""
+    parser.add_argument("--each-variant", action="append", default=[], metavar="SET", help=summary)
+
+
+def _selection(text: str) -> tuple[str, str]:
+    """``LOD=low``, as usdchecker's ``LOD:low`` too."""
+    found = re.fullmatch("([^=:]+)[=:](.+)", text)
+    if not found:
+        raise argparse.ArgumentTypeError(f"expected SET=NAME, got {text!r}")
+    return found[1], found[2]
 
 
 def add_settings(parser: Any, *, layer: bool = False) -> None:
@@ -81,6 +101,13 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     return loaded if configuration is None else load(settings.read_toml(configuration))
 
 
+def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
+    """What the options alone say, for a command that takes no configuration."""
+    from usdrigui import settings
+
+    return settings.load(*_said(arguments))
+
+
 _INPUTS = ("asset", "layer", "before", "config", "configuration", "pose", "fixed", "previous", "like", "base")
 
 
@@ -101,6 +128,9 @@ def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
         value = getattr(arguments, option, None)
         if value is not None and value is not False:
             sources.append({part: {key: value}})
+    sources.append({"read": {"variants": dict(getattr(arguments, "variant", ()))}})
+    if getattr(arguments, "each_variant", ()):
+        sources.append({"read": {"each_variant": arguments.each_variant}})
     return sources
 
 
@@ -119,6 +149,10 @@ def passed_on(arguments: argparse.Namespace) -> list[str]:
         passed += ["--preset", arguments.preset]
     for text in arguments.set:
         passed += ["--set", text]
+    for name, variant in arguments.variant:
+        passed += ["--variant", f"{name}={variant}"]
+    for name in arguments.each_variant:
+        passed += ["--each-variant", name]
     for option in _OPTIONS:
         value = getattr(arguments, option, None)
         if value is not None and value is not False:
@@ -168,13 +202,11 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
     try:
         found = read_layouts_isolated(layer, limits)
     except RigUIError as error:
-        if error.issue.code == "LAYOUT_MISSING":
-            yield from _existing(_beside(layer))
-            return
-        # Perhaps its configuration raises the limit that it ran into; only its name can tell which that is.
+        # Perhaps its configuration raises the limit that it ran into, or the variant selected has no layout; only its
+        # name can tell which that is.
         guesses = [_beside(layer), *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else [])]
         named = [path for guess in guesses for path in _existing(guess)]
-        if not named:
+        if not named and error.issue.code != "LAYOUT_MISSING":
             raise
         yield from named
         return

@@ -8,7 +8,15 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from usdrigui.cli.options import add_configuration, add_settings, command, settings_of
+from usdrigui.cli.options import (
+    add_configuration,
+    add_each_variant,
+    add_settings,
+    add_variant,
+    command,
+    settings_of,
+    settings_of_command_line,
+)
 from usdrigui.cli.outcomes import say, screen_of, strict
 from usdrigui.errors import Exit
 
@@ -19,6 +27,7 @@ def add_check(commands: Any) -> None:
     parser.add_argument(
         "layer", type=Path, metavar="LAYER", help="a layout layer over its character, or the character itself"
     )
+    add_each_variant(parser, "look at every variant of this set")
     add_settings(parser, layer=True)
 
 
@@ -27,6 +36,8 @@ def add_diff(commands: Any) -> None:
     parser = command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
     parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
     parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
+    add_variant(parser)
+    add_each_variant(parser, "compare every variant of this set")
 
 
 def add_convert(commands: Any) -> None:
@@ -54,9 +65,8 @@ def _check(arguments: argparse.Namespace) -> Exit:
 
 def _diff(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
-    from usdrigui.settings import Settings
 
-    found = pipeline.diff(arguments.before, arguments.layer, Settings())
+    found = pipeline.diff(arguments.before, arguments.layer, settings_of_command_line(arguments))
     if arguments.json:
         sys.stdout.write(report.difference_json(found.before, found.after, found.characters, found.only_in_one))
     else:

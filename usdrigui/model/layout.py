@@ -43,6 +43,8 @@ class Layout(Record):
     parts: tuple[LayoutPart, ...] = ()
     """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are those of its main part,
     and the costs are sums."""
+    variant_path: str = ""
+    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty without."""
 
     def handle_width_of(self, element: Element) -> float:
         """Diameter of the handle of an element: that of its part."""

@@ -40,6 +40,8 @@ class Rig(Record):
     """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
     excluded: tuple[Control, ...] = ()
     """Controls that the configuration leaves out; what they move still tells how large the face is."""
+    variant_path: str = ""
+    """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``; empty without."""
 
     @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from usdrigui.errors import refuse
@@ -9,6 +11,7 @@ from usdrigui.model import Layout, Rig
 from usdrigui.pipeline.targets import check_replaceable, check_target, make_folder
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_records import LayoutsResult, ReadResult
 from usdrigui.usd.safe_write import State, Transaction
 
 
@@ -18,26 +21,38 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     Raises RigUIError: SOURCE_MISSING, LAYOUT_STALE (the source is another character now), CONVERT_COMPOSED (another
     layer brings the layout in, or a part of it), FILE_TARGET and all that reading and writing can raise.
     """
-    found, own = read_layouts_isolated(layer, settings), read_layer_isolated(layer, settings)
-    if found.composed_from or not own.ours:
-        origin = next(iter(found.composed_from.values()), "another layer")
-        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {origin}")
-    if not found.source:
+    own = read_layer_isolated(layer, settings)
+    chosen = [_with_variants(settings, each) for each in own.variants] or [settings]
+    layouts = [read_layouts_isolated(layer, each) for each in chosen]
+    origins = [path for each in layouts for path in each.composed_from.values()]
+    if origins or not own.ours:
+        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {next(iter(origins), 'another layer')}")
+    if not layouts[0].source:
         raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
-    source = Path(found.source)
-    read = read_rigs_isolated(source, settings)
-    rigs = {rig.root: rig for rig in read.rigs}
-    laid = [(_rig_of(rigs, layout, source), layout) for layout in found.layouts]
+    source = Path(layouts[0].source)
+    reads = [read_rigs_isolated(source, each) for each in chosen]
+    laid = {pair[1].variant_path or pair[1].root: pair for pair in _pairs(layouts, reads, source)}
     check_target(source, target)
     check_replaceable(target, settings)
     from usdrigui.usd.layer import write_layout
 
     make_folder(target)
-    with Transaction([each.path for each in read.sources]) as files:
+    with Transaction([file.path for each in reads for file in each.sources]) as files:
         output = OutputSettings(bare=not own.sublayers)
-        state = write_layout(laid, source, target, output, read.metadata, write=files.stage)
+        state = write_layout(list(laid.values()), source, target, output, reads[0].metadata, write=files.stage)
         files.commit()
     return state
+
+
+def _with_variants(settings: Settings, variants: Mapping[str, str]) -> Settings:
+    return replace(settings, read=replace(settings.read, variants=variants))
+
+
+def _pairs(layouts: Sequence[LayoutsResult], reads: Sequence[ReadResult], source: Path) -> Iterator[tuple[Rig, Layout]]:
+    """Every layout with its character, in each of the variants."""
+    for found, read in zip(layouts, reads, strict=True):
+        rigs = {rig.root: rig for rig in read.rigs}
+        yield from ((_rig_of(rigs, layout, source), layout) for layout in found.layouts)
 
 
 def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:

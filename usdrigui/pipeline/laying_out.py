@@ -10,16 +10,17 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.errors import Issue, explained, issue, refuse
-from usdrigui.examples import ExampleLayers, Examples, followed, read_examples, rigs_over
+from usdrigui.errors import Issue, RigUIError, explained, issue, refuse
+from usdrigui.examples import ExampleLayers, Examples, as_sibling, followed, read_examples, rigs_over
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.model import Floats, Layout, Rig
+from usdrigui.pipeline import variants
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import LaidPart, divided, issues_of, joined, joined_assignment, layout_of, part_problem
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
@@ -27,11 +28,12 @@ from usdrigui.pipeline.writing import stage_layer
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
-from usdrigui.usd.reader_process import read_rigs_isolated
+from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
 from usdrigui.usd.schema import SCOPE
 from usdrigui.usd.source import SourceFile, check_unchanged
+from usdrigui.usd.variant_paths import asset_selections, with_sets
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -59,24 +61,27 @@ def process(
     clock = Clock(progress)
     target = output if output is not None else default_output(asset)
     check_target(asset, target)
+    layers = examples or ExampleLayers()
     with clock.stage("read"):
-        source = read_rigs_isolated(asset, settings)
-        _check_character(asset, target, source, settings, over_base=examples is not None and examples.base is not None)
+        readings, plain = _readings(asset, settings, layers)
+        for each in readings:
+            _check_character(asset, target, each.source, each.settings, over_base=layers.base is not None)
         check_replaceable(target, settings, asset if output is None else None)
-        references = read_examples(examples or ExampleLayers(), settings)
-    references, characters = followed(references, source.rigs)
-    rigs = rigs_over(references, characters, settings)
-    reports = [_lay_out(rig, settings, clock, stop, source.cameras, references) for rig in rigs]
+    laid = _laid_out(readings, clock, stop)
+    reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
-    with Transaction(_never_replaced(target, settings, source, references, examples or ExampleLayers(), read)) as files:
+    with Transaction(_never_replaced(target, settings, readings, layers, read)) as files:
         if not dry_run:
             # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
             with clock.stage("write", can_stop=True):
-                outcome = stage_layer(files, asset, target, settings, source, reports, references)
-        report = _report(asset, "" if dry_run else str(target), outcome, reports, clock, settings, source)
+                pairs = [(reading.references.base, report) for reading, report in laid]
+                outcome = stage_layer(files, asset, target, settings, readings[0].source, pairs)
+        sources = _sources(readings)
+        report = _report(asset, "" if dry_run else str(target), outcome, reports, clock, settings, sources, plain)
         if extras is not None:
             extras(report, files)
-        check_unchanged((*source.sources, *(references.base.sources if references.base else ())))
+        bases = [each.references.base for each in readings if each.references.base]
+        check_unchanged((*sources, *(file for base in bases for file in base.sources)))
         files.commit()
     return report
 
@@ -98,14 +103,119 @@ def process_stage(
     settings = replace(settings, output=replace(settings.output, bare=True))
     root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
     with clock.stage("read"):
-        source = in_memory.read_open_rigs(stage, settings)
-    found = (*source.layouts, *(f"{root}/{SCOPE}" for root in source.composed_from))
+        sets = in_memory.read_open_variants(stage, settings) if settings.read.each_variant else {}
+        readings, plain = _read_each(
+            settings, sets, lambda chosen: Reading(chosen, in_memory.read_open_rigs(stage, chosen), Examples())
+        )
+    sources = [each.source for each in readings]
+    found = [name for each in sources for name in (*each.layouts, *(f"{at}/{SCOPE}" for at in each.composed_from))]
     if found:
         raise refuse("SOURCE_IS_LAYOUT", str(root.identifier), f"has the layout {found[0]}")
-    reports = [_lay_out(rig, settings, clock, stop, source.cameras, Examples()) for rig in source.rigs]
+    reports = [report for _, report in _laid_out(readings, clock, stop)]
     laid = [(each.rig, each.layout) for each in reports]
-    report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, source)
-    return replace(report, layer=layer.layer_for(laid, "", settings.output, source.metadata))
+    report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, (), plain)
+    return replace(report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata))
+
+
+# --- what is read ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """An asset and the layouts to use, with the variants that the settings select."""
+
+    settings: Settings
+    source: ReadResult
+    references: Examples
+
+
+def _readings(asset: Path, settings: Settings, layers: ExampleLayers) -> tuple[list[Reading], tuple[Issue, ...]]:
+    """The asset in each of the variants that are to be laid out; and what says of the others that they are left off."""
+    if layers.base is not None:
+        if settings.read.each_variant:
+            raise refuse("CONFIG_VALUE", "--base", "adds to the variant that the shot selects, and to no other")
+        return _read_over(asset, settings, layers), ()
+    sets = read_variants_isolated(asset, settings) if settings.read.each_variant else {}
+    return _read_each(settings, sets, functools.partial(_read, asset, layers))
+
+
+def _read_each(
+    settings: Settings, sets: Mapping[str, tuple[str, ...]], read: Callable[[Settings], Reading]
+) -> tuple[list[Reading], tuple[Issue, ...]]:
+    readings, plain, refusals = [], [], []
+    for chosen in variants.each_variant(settings, sets):
+        try:
+            readings.append(read(chosen))
+        except RigUIError as error:
+            plain.append(variants.left_off(error, chosen))
+            refusals.append(error)
+    if not readings:
+        raise refusals[0]
+    _check_above(readings)
+    return readings, tuple(plain)
+
+
+def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
+    source = read_rigs_isolated(asset, settings)
+    return Reading(settings, source, read_examples(layers, settings))
+
+
+def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Reading]:
+    """A shot and its base; where that has a layout for each variant, once for the characters of each selection."""
+    found = _read(shot, layers, settings)
+    assert found.references.base is not None
+    sets = frozenset[str]().union(*(asset_selections(each.variant_path) for each in found.references.base.layouts))
+    if not sets:
+        return [found]
+    alike: dict[tuple[tuple[str, str], ...], list[Rig]] = {}
+    for rig in found.source.rigs:
+        path = with_sets(found.source.variant_paths[rig.root], sets)
+        alike.setdefault(tuple(asset_selections(path).items()), []).append(replace(rig, variant_path=path))
+    return [_of_variant(found, layers, dict(chosen), rigs) for chosen, rigs in alike.items()]
+
+
+def _of_variant(found: Reading, layers: ExampleLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]) -> Reading:
+    """Some characters of a shot, over the layout that the base has for the variants that they select."""
+    settings = replace(found.settings, read=replace(found.settings.read, variants=chosen))
+    source = replace(found.source, rigs=tuple(rigs))
+    return Reading(found.settings, source, read_examples(layers, settings))
+
+
+def _check_above(readings: Sequence[Reading]) -> None:
+    """Raise VARIANT_BELOW where a layout would stand whichever variant of a set is selected."""
+    for name in readings[0].settings.read.variants:
+        rigs = [rig for each in readings for rig in each.source.rigs]
+        if not any(name in asset_selections(rig.variant_path) for rig in rigs):
+            raise refuse("VARIANT_BELOW", rigs[0].root, f"the variant set {name} is neither on it nor above it")
+
+
+def _sources(readings: Sequence[Reading]) -> tuple[SourceFile, ...]:
+    """Every file that composed the asset in some variant, the asset first."""
+    return tuple({each.path: each for reading in readings for each in reading.source.sources}.values())
+
+
+# --- what is laid out --------------------------------------------------------------------------------
+
+
+def _laid_out(
+    readings: Sequence[Reading], clock: Clock, stop: Callable[[], bool] | None
+) -> list[tuple[Reading, CharacterReport]]:
+    """The characters of all variants, the later ones as the first where nobody says otherwise."""
+    reports: list[tuple[Reading, CharacterReport]] = []
+    for each in readings:
+        references, characters = followed(each.references, each.source.rigs)
+        for rig in rigs_over(references, characters, each.settings):
+            same = [report for _, report in reports if report.root == rig.root]
+            if not any(report.rig.variant_path == rig.variant_path for report in same):
+                own = as_sibling(references, rig, same[0].layout) if same else references
+                laid = _lay_out(rig, each.settings, clock, stop, each.source.cameras, own)
+                reports.append((each, laid if own is references else _beside(laid, same[0])))
+    return reports
+
+
+def _beside(report: CharacterReport, first: CharacterReport) -> CharacterReport:
+    """What a variant keeps of the first one is no history of its own."""
+    return replace(report, difference=None, matchings={first.layout.variant_path: report.matchings["previous"]})
 
 
 def _report(
@@ -115,33 +225,34 @@ def _report(
     reports: Sequence[CharacterReport],
     clock: Clock,
     settings: Settings,
-    source: ReadResult,
+    sources: Sequence[SourceFile],
+    plain: Sequence[Issue],
 ) -> Report:
     return Report(
         asset=str(asset),
         output=output,
         outcome=outcome,
         characters=tuple(reports),
-        issues=tuple(found for character in reports for found in character.issues),
+        issues=(*(found for character in reports for found in character.issues), *plain),
         seconds=clock.seconds,
         settings=settings_document(settings),
-        sources=tuple(_source_row(each, asset) for each in source.sources),
+        sources=tuple(_source_row(each, asset) for each in sources),
     )
 
 
 def _never_replaced(
     target: Path,
     settings: Settings,
-    source: ReadResult,
-    references: Examples,
+    readings: Sequence[Reading],
     layers: ExampleLayers,
     more: Sequence[Path],
 ) -> tuple[Path, ...]:
     """Every file that the run has read, but for the layout that its layer succeeds: `check_replaceable` has seen it."""
-    parts = [Path(each.path) for each in source.sources]
+    parts = [Path(each.path) for each in _sources(readings)]
     earlier = [each for each in (layers.fixed, layers.previous) if each is not None]
     succeeded = {os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))}
-    read = (*parts, *(Path(each.path) for each in references.sources), *layers.animations, *more)
+    others = [Path(each.path) for found in readings for each in found.references.sources]
+    read = (*parts, *others, *layers.animations, *more)
     return tuple(each for each in read if not (os.path.realpath(each) in succeeded and same_file(each, target)))
 
 

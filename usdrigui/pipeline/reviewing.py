@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.pipeline import variants
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.pipeline.targets import default_output
@@ -22,10 +23,13 @@ from usdrigui.usd.reader_process import (
     read_faults_isolated,
     read_layouts_isolated,
     read_rigs_isolated,
+    read_variants_isolated,
 )
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,12 +122,39 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
     Works on layers from any tool or hand; writes nothing.  Raises RigUIError where the stage cannot be read.
     """
     clock = Clock(progress)
+    if not settings.read.each_variant:
+        return _checked(layer, settings, clock)
+    reviews, plain = _each(layer, settings, lambda chosen: _checked(layer, chosen, clock))
+    characters = {root: review for each in reviews for root, review in each.characters}
+    faults = dict.fromkeys((*(fault for each in reviews for fault in each.faults), *plain))
+    return LayerReview(str(layer), tuple(characters.items()), clock.seconds, tuple(faults))
+
+
+def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
     with clock.stage("read"):
         try:
             loaded, stale = _loaded(layer, settings)
         except RigUIError as error:
+            if settings.read.each_variant:
+                raise
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     return _review_of(str(layer), loaded, stale, settings, clock)
+
+
+def _each(layer: Path, settings: Settings, look: Callable[[Settings], T]) -> tuple[list[T], list[Issue]]:
+    """What is found in each variant that the settings name, and which of them have no layout; raises if none has."""
+    found: list[T] = []
+    plain: list[Issue] = []
+    refusals = []
+    for chosen in variants.each_variant(settings, read_variants_isolated(layer, settings)):
+        try:
+            found.append(look(chosen))
+        except RigUIError as error:
+            plain.append(variants.left_off(error, chosen))
+            refusals.append(error)
+    if not found:
+        raise refusals[0]
+    return found, plain
 
 
 def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
@@ -143,7 +174,7 @@ def review(name: str, loaded: Loaded, settings: Settings, *, progress: Watch | N
 def _review_of(name: str, loaded: Loaded, stale: tuple[Issue, ...], settings: Settings, clock: Clock) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        reviews.append((rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras)))
+        reviews.append((rig.variant_path or rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras)))
     return LayerReview(name, tuple(reviews), clock.seconds, stale)
 
 
@@ -193,10 +224,24 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
 def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     """What changed between two layout layers, character by character; reads only the layers, not their rigs.
 
-    Raises RigUIError where a layer cannot be read.
+    Of the variants of `read.each_variant` each by itself, as far as the second layer has a layout in it.  Raises
+    RigUIError where a layer cannot be read.
     """
+    if not settings.read.each_variant:
+        return _difference(before, after, settings)
+    each, _ = _each(after, settings, lambda chosen: _difference(before, after, chosen))
+    characters = {one.root: one for found in each for one in found.characters}
+    only = {root for found in each for root in found.only_in_one}
+    return LayerDifference(str(before), str(after), tuple(characters.values()), tuple(sorted(only)))
+
+
+def _difference(before: Path, after: Path, settings: Settings) -> LayerDifference:
     old, new = (
         {each.root: each for each in read_layouts_isolated(layer, settings).layouts} for layer in (before, after)
     )
-    found = tuple(difference_stage.difference(old[root], new[root]) for root in new if root in old)
+    shared = [(old[root], new[root]) for root in new if root in old]
+    found = tuple(
+        replace(difference_stage.difference(first, second), root=second.variant_path or second.root)
+        for first, second in shared
+    )
     return LayerDifference(str(before), str(after), found, tuple(sorted(old.keys() ^ new.keys())))

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from usdrigui.errors import refuse
-from usdrigui.examples import Examples
 from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
@@ -20,37 +20,39 @@ def stage_layer(
     target: Path,
     settings: Settings,
     source: ReadResult,
-    reports: list[CharacterReport],
-    examples: Examples,
+    laid: Sequence[tuple[LayoutsResult | None, CharacterReport]],
 ) -> Outcome:
-    """Stage the layer among the files of the run.  Raises RigUIError."""
+    """Stage the layer among the files of the run; each character comes with the layout that it adds to, if any.
+
+    Raises RigUIError.
+    """
     from usdrigui.usd import layer
 
     make_folder(target)
-    if examples.base is not None:
-        return _staged_over(files, examples.base, asset, target, settings, source, reports)
-    pairs = [(character.rig, character.layout) for character in reports]
+    over = [(base, character) for base, character in laid if base is not None]
+    if over:
+        return _staged_over(files, over, asset, target, settings, source)
+    pairs = [(character.rig, character.layout) for _, character in laid]
     return layer.write_layout(pairs, asset, target, settings.output, source.metadata, write=files.stage)
 
 
 def _staged_over(
     files: Transaction,
-    base: LayoutsResult,
+    laid: Sequence[tuple[LayoutsResult, CharacterReport]],
     shot: Path,
     target: Path,
     settings: Settings,
     source: ReadResult,
-    reports: list[CharacterReport],
 ) -> Outcome:
     """Stage what a shot adds to an existing layout."""
     from usdrigui.usd.shot_layout import ShotLayout, write_shot_layouts
 
-    layer = Path(base.sources[0].path)
+    layer = Path(laid[0][0].sources[0].path)
     if same_file(target, layer):
         raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
-    composed = any(each.path == base.sources[0].path for each in source.sources)
+    composed = any(Path(each.path) == layer for each in source.sources)
     shots = []
-    for character in reports:
+    for base, character in laid:
         root = root_in_base(base.layouts, character.rig)
         if root != character.root and not composed and base.source and not settings.output.bare:
             raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")

@@ -107,6 +107,13 @@ class ReadSettings:
     """What becomes a control, and which pose is the base pose."""
 
     skel_root: str = setting("", "Prim path; empty reads every SkelRoot that has controls.")
+    variants: Mapping[str, str] = setting(
+        {},
+        "Variants to select, by the names of their sets, in place of the authored ones; a layout then stands in them.",
+    )
+    each_variant: tuple[str, ...] = setting(
+        (), "Variant sets: `process` lays out each of their variants in one layer, `check` and `diff` look at each."
+    )
     joints: Literal["auto", "animated", "all", "none"] = setting(
         "auto",
         (

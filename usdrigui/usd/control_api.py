@@ -10,6 +10,7 @@ from pxr import Sdf, Usd, Vt
 
 from usdrigui.model import Control, Floats, Rig
 from usdrigui.usd import author, schema
+from usdrigui.usd.variants import within
 
 _NOISE = 1e-6
 """Weights, rotations (radians), logarithms of scales, and translations relative to the longest bone: what is below is
@@ -110,7 +111,7 @@ def author_limits(layer: Sdf.Layer, rig: Rig) -> None:
     for skeleton in rig.skeletons:
         ranges = _weight_ranges(rig, skeleton.animation) if skeleton.animation else np.zeros((0, 2))
         if len(ranges):
-            spec = Sdf.CreatePrimInLayer(layer, skeleton.animation)
+            spec = Sdf.CreatePrimInLayer(layer, within(Sdf.Path(skeleton.animation), rig.variant_path))
             if "blendShapeWeights" not in spec.properties:
                 weights = Sdf.AttributeSpec(spec, "blendShapeWeights", Sdf.ValueTypeNames.FloatArray)
                 low, high = (Vt.FloatArray.FromNumpy(column.astype(np.float32)) for column in ranges.T)

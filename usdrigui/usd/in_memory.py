@@ -15,6 +15,7 @@ from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.rig import read_rigs
+from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.usd.rig.read_rigs`."""
-    stage = _copy(source)
+    stage = _copy(source, settings)
     return _result(stage, settings, own_layouts(stage), None)
 
 
@@ -31,7 +32,7 @@ def read_open_layouts(source: Usd.Stage | Sdf.Layer, settings: Settings) -> tupl
 
     Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
     """
-    stage = _copy(source)
+    stage = _copy(source, settings)
     layouts = read_layout(stage)
     return layouts, _result(stage, settings, (), {each.root for each in layouts})
 
@@ -46,10 +47,18 @@ def _result(
     return ReadResult(rigs, stage_metadata(stage.GetRootLayer()), cameras, (), layouts, "", composed_layouts(stage))
 
 
-def _copy(source: Usd.Stage | Sdf.Layer) -> Usd.Stage:
+def read_open_variants(source: Usd.Stage | Sdf.Layer, settings: Settings) -> dict[str, tuple[str, ...]]:
+    """The variants of every set on an open stage or layer; raises VARIANT_UNKNOWN."""
+    return variant_sets(_copy(source, settings))
+
+
+def _copy(source: Usd.Stage | Sdf.Layer, settings: Settings) -> Usd.Stage:
     """The same layers composed once more: whatever is tried on that stage, the caller's is left alone."""
-    if isinstance(source, Sdf.Layer):
-        return Usd.Stage.Open(source)
     session = Sdf.Layer.CreateAnonymous()
-    session.TransferContent(source.GetSessionLayer())
-    return Usd.Stage.Open(source.GetRootLayer(), session, source.GetPathResolverContext())
+    if isinstance(source, Sdf.Layer):
+        stage = Usd.Stage.Open(source, session)
+    else:
+        session.TransferContent(source.GetSessionLayer())
+        stage = Usd.Stage.Open(source.GetRootLayer(), session, source.GetPathResolverContext())
+    select(stage, settings.read.variants)
+    return stage

@@ -67,7 +67,7 @@ def write_layout(
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [layout.root for _, layout in laid]
+    roots = [layout.variant_path or layout.root for _, layout in laid]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
@@ -150,15 +150,31 @@ def holds_layouts(roots: Sequence[str], path: Path) -> bool:
 
 
 def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
-    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not troubled by it."""
-    spec = Sdf.CreatePrimInLayer(layer, root)
+    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not troubled by it.
+
+    `root` may hold variants of the asset's own, inside which it then is; which of these is selected the asset says.
+    """
+    spec = _author_asset_variants(layer, Sdf.Path(root))
     if schema.VARIANTS not in spec.variantSets:
-        spec.variantSetNameList.prependedItems = [schema.VARIANTS]
+        spec.variantSetNameList.Prepend(schema.VARIANTS)
         variants = Sdf.VariantSetSpec(spec, schema.VARIANTS)
         for name in (schema.WITHOUT, schema.WITH):
             Sdf.VariantSpec(variants, name)
         spec.variantSelections[schema.VARIANTS] = schema.WITH
     return layer.GetPrimAtPath(_inside(spec.path))
+
+
+def _author_asset_variants(layer: Sdf.Layer, root: Sdf.Path) -> Sdf.PrimSpec:
+    """The prim at a path, with the variant sets that the path names: these may stand behind a reference or payload."""
+    for each in root.GetPrefixes():
+        if each.IsPrimVariantSelectionPath():
+            owner, (name, variant) = Sdf.CreatePrimInLayer(layer, each.GetParentPath()), each.GetVariantSelection()
+            if name not in owner.variantSets:
+                owner.variantSetNameList.Prepend(name)
+                Sdf.VariantSetSpec(owner, name)
+            if variant not in owner.variantSets[name].variants:
+                Sdf.VariantSpec(owner.variantSets[name], variant)
+    return Sdf.CreatePrimInLayer(layer, root)
 
 
 def _inside(root: Sdf.Path) -> Sdf.Path:
@@ -185,7 +201,8 @@ def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -
 
 def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
-    scope = author.prim(author_variant(layer, layout.root), schema.SCOPE, "Scope", (schema.LAYOUT,))
+    root = author_variant(layer, layout.variant_path or layout.root)
+    scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
     author.put(scope, "purpose", "token", "guide", uniform=True)
     author.declare(scope, schema.LAYOUT, _frame(rig, layout) | account(rig, layout))
     author.note(scope, books(layout))

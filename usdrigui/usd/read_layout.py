@@ -38,6 +38,8 @@ from usdrigui.usd.properties import (
     vectors_of,
 )
 from usdrigui.usd.stage import open_stage
+from usdrigui.usd.variant_paths import asset_selections, with_sets
+from usdrigui.usd.variants import variant_path
 
 _EVERYTHING = Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)
 _FLATTENED = "Flattened_Prototype_"
@@ -96,6 +98,18 @@ def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
     return tuple(prim for prim in found if has(prim, schema.ELEMENT))
 
 
+def layout_paths(layer: Sdf.Layer) -> tuple[Sdf.Path, ...]:
+    """The scopes of the layouts that a layer itself has, with the variants in which they stand."""
+    found: list[Sdf.Path] = []
+
+    def visit(path: Sdf.Path) -> None:
+        if path.IsPrimPath() and path.name == schema.SCOPE:
+            found.append(path)
+
+    layer.Traverse(Sdf.Path.absoluteRootPath, visit)
+    return tuple(each for each in found if _is_layout(layer.GetPrimAtPath(each)))
+
+
 def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
     """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings in."""
     root = stage.GetRootLayer()
@@ -131,7 +145,7 @@ def source_of(path: Path) -> str:
     if layer is None:
         raise refuse("FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer")
     paths = list(layer.subLayerPaths)
-    if paths and not _holds_layout(layer) and any(_brings_layout(layer, each) for each in paths):
+    if paths and not layout_paths(layer) and any(_brings_layout(layer, each) for each in paths):
         return str(path)
     return str(Sdf.ComputeAssetPathRelativeToLayer(layer, paths[0])) if paths else ""
 
@@ -139,19 +153,7 @@ def source_of(path: Path) -> str:
 def _brings_layout(layer: Sdf.Layer, sublayer: str) -> bool:
     """Whether a sublayer is a layout without a source of its own."""
     found = Sdf.Layer.FindOrOpen(Sdf.ComputeAssetPathRelativeToLayer(layer, sublayer))
-    return found is not None and not len(found.subLayerPaths) and _holds_layout(found)
-
-
-def _holds_layout(layer: Sdf.Layer) -> bool:
-    """Whether the layer itself has a layout, below whichever prim."""
-    found: list[Sdf.Path] = []
-
-    def visit(path: Sdf.Path) -> None:
-        if path.IsPrimPath() and path.name == schema.SCOPE:
-            found.append(path)
-
-    layer.Traverse(Sdf.Path.absoluteRootPath, visit)
-    return any(_is_layout(layer.GetPrimAtPath(each)) for each in found)
+    return found is not None and not len(found.subLayerPaths) and bool(layout_paths(found))
 
 
 def _is_layout(spec: Sdf.PrimSpec | None) -> bool:
@@ -194,8 +196,15 @@ def _layout(scope: Usd.Prim) -> Layout:
         plane_normal=array_of(get("planeNormal")),
         base_values=_base_values(scope),
         parts=_parts(scope),
+        variant_path=_variant_path(scope),
         **_solution(scope),
     )
+
+
+def _variant_path(scope: Usd.Prim) -> str:
+    """Its SkelRoot with the asset's variants that bring the layout in, from whichever layer."""
+    paths = [str(spec.path) for spec in scope.GetPrimStack() if _is_layout(spec)]
+    return with_sets(variant_path(scope.GetParent()), frozenset[str]().union(*map(asset_selections, paths)))
 
 
 def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:

@@ -51,11 +51,13 @@ def respond(request: Request) -> Response:
         if request.task == "composed":
             return _composed(path, request.settings)
         if request.task == "layouts":
-            return Response(layouts=_layouts(path))
+            return Response(layouts=_layouts(path, request.settings))
         if request.task == "clips":
             return Response(performances=_performances(path))
         if request.task == "faults":
-            return Response(faults=_faults(path))
+            return Response(faults=_faults(path, request.settings))
+        if request.task == "variants":
+            return Response(variants=_variants(path, request.settings))
         if request.task == "layer":
             return Response(layer=_layer(path))
         return Response(rigs=_rigs(path, request.settings))
@@ -96,8 +98,9 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
     from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
     from usdrigui.usd.rig import read_rigs
+    from usdrigui.usd.variants import variant_path
 
-    with _hashed_before(path) as (before, heard), _kept_stages() as stages:
+    with _hashed_before(path, settings) as (before, heard), _kept_stages() as stages:
         rigs = _told(read_rigs(path, settings), path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
@@ -105,13 +108,19 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
         sources = _sources(path, stages.GetAllStages(), before)
-        return ReadResult(rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage))
+        paths = {rig.root: variant_path(stage.GetPrimAtPath(rig.root)) for rig in rigs}
+        return ReadResult(rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage), paths)
 
 
-def _layouts(path: Path) -> LayoutsResult:
-    from usdrigui.usd.read_layout import with_corrections
+def _layouts(path: Path, settings: Settings) -> LayoutsResult:
+    from usdrigui.usd.read_layout import layout_paths, with_corrections
+    from usdrigui.usd.stage import open_stage
+    from usdrigui.usd.variants import select_unselected
 
-    with _hashed_before(path) as (before, _), _kept_stages() as stages:
+    with _hashed_before(path, settings) as (before, _), _kept_stages() as stages:
+        stage = open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
+        if not stage.GetRootLayer().subLayerPaths:
+            select_unselected(stage, layout_paths(stage.GetRootLayer()))
         found = _layouts_in(path, stages, before)
         return replace(found, layouts=with_corrections(_stage_of(path, stages), found.layouts))
 
@@ -129,8 +138,10 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
     from usdrigui.usd.rig import read_rigs
+    from usdrigui.usd.stage import open_stage
 
-    with _hashed_before(path) as (before, heard), _kept_stages() as stages:
+    with _hashed_before(path, settings) as (before, heard), _kept_stages() as stages:
+        open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
         cameras = cameras_toward(_stage_of(path, stages), rigs, settings.candidates.view)
@@ -145,17 +156,26 @@ def _performances(path: Path) -> tuple[Performance, ...]:
     return read_performances(path)
 
 
-def _faults(path: Path) -> FaultsResult:
+def _variants(path: Path, settings: Settings) -> Mapping[str, tuple[str, ...]]:
+    from usdrigui.usd.stage import open_stage
+    from usdrigui.usd.variants import variant_sets
+
+    return variant_sets(open_stage(path, settings.read.variants))
+
+
+def _faults(path: Path, settings: Settings) -> FaultsResult:
     from usdrigui.usd.faults import stage_faults
     from usdrigui.usd.stage import open_stage
 
-    stage = open_stage(path)
+    stage = open_stage(path, settings.read.variants)
     return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
 
 
 def _layer(path: Path) -> LayerResult:
     from usdrigui.usd.layer import SIGNATURE
+    from usdrigui.usd.read_layout import layout_paths
     from usdrigui.usd.stage import open_layer
+    from usdrigui.usd.variant_paths import asset_selections
 
     needed: dict[str, str] = {}
 
@@ -170,7 +190,10 @@ def _layer(path: Path) -> LayerResult:
 
     layer = open_layer(path)
     follow(layer, path.parent)
-    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()), SIGNATURE in layer.customLayerData)
+    standing = dict.fromkeys(map(str, layout_paths(layer)))
+    chosen = {tuple(sorted(asset_selections(each).items())): None for each in standing}
+    variants = tuple(map(dict, chosen)) if any(chosen) else ()
+    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()), SIGNATURE in layer.customLayerData, variants)
 
 
 @contextlib.contextmanager
@@ -190,7 +213,7 @@ def _stage_of(path: Path, stages: Any) -> Any:
 
 
 @contextlib.contextmanager
-def _hashed_before(path: Path) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
+def _hashed_before(path: Path, settings: Settings) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
     """The files that compose an asset of several, by path, as they were before anything is read for good.
 
     Which files they are only composition tells, so they are composed, let go, and hashed.  An asset of one file
@@ -200,7 +223,7 @@ def _hashed_before(path: Path) -> Iterator[tuple[Mapping[str, SourceFile], Seque
     from usdrigui.usd.stage import listening, open_stage
 
     with listening() as heard:
-        stage = open_stage(path)
+        stage = open_stage(path, settings.read.variants)
     names = _files(path, (stage,)) if _depends(stage) else ()
     if names:
         del stage

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import IO, TypeVar
 
@@ -89,6 +90,11 @@ def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None =
 def read_layer_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as `read_rigs_isolated`."""
     return _understood(_asked("layer", path, settings, limits).layer, path)
+
+
+def read_variants_isolated(path: Path, settings: Settings) -> Mapping[str, tuple[str, ...]]:
+    """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and VARIANT_UNKNOWN."""
+    return _understood(_asked("variants", path, settings, None).variants, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:

@@ -11,7 +11,7 @@ from usdrigui.model import Floats, Indices, Layout, Performance, Record, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.source import SourceFile
 
-Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer"]
+Task = Literal["rigs", "layouts", "composed", "clips", "faults", "layer", "variants"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +49,8 @@ class ReadResult(Record):
     """The asset that such a root layer stands over; empty if it has none."""
     composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
+    variant_paths: Mapping[str, str] = field(default_factory=dict)
+    """By SkelRoot, its path with all variants that are selected there and above."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,6 +115,8 @@ class LayerResult(Record):
     """Every file that it, or what it brings along, names for composition; each need not be there."""
     ours: bool
     """Whether it is a layout layer that we wrote, not one that brings such a layer in."""
+    variants: tuple[Mapping[str, str], ...] = ()
+    """The asset's variants in which its own layouts stand: a selection for each of them; empty where none names any."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,6 +140,8 @@ class Response:
     faults: FaultsResult | None = None
     performances: tuple[Performance, ...] = ()
     layer: LayerResult | None = None
+    variants: Mapping[str, tuple[str, ...]] | None = None
+    """By the name of the set."""
     refusal: Issue | None = None
     exit_code: int = 0
     others: tuple[Issue, ...] = ()

@@ -6,7 +6,7 @@ asked of UsdSkel, so that a rig means here what it means in any other applicatio
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -47,6 +47,8 @@ from usdrigui.usd.skeleton import (
     weights_at,
 )
 from usdrigui.usd.stage import composition_issues, listening, open_stage, usd_message
+from usdrigui.usd.variant_paths import with_sets
+from usdrigui.usd.variants import variant_path
 
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
@@ -69,7 +71,7 @@ def read_rigs(source: Path | Usd.Stage, settings: Settings, laid_out: Collection
     no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
     """
     with listening() as messages:
-        stage = source if isinstance(source, Usd.Stage) else open_stage(source)
+        stage = source if isinstance(source, Usd.Stage) else open_stage(source, settings.read.variants)
         path = Path(stage.GetRootLayer().identifier) if isinstance(source, Usd.Stage) else source
         roots = _skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
@@ -158,6 +160,7 @@ def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
     lost = (*left_off, *unused, *scene.names.left_off)
     rig = Rig(
         root=str(root.GetPath()),
+        variant_path=with_sets(variant_path(root), settings.read.variants),
         meshes=scene.meshes,
         skeletons=tuple(armature.record for armature in scene.armatures),
         joints=scene.joints,
@@ -194,7 +197,7 @@ def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
     found.tokens.update({(each.token, each.animation): i for i, each in enumerate(channels)})
     bound = _bound(bindings, armatures)
     if not instances:
-        _refuse_instances(armatures, bound, root.GetStage())
+        _refuse_instances(armatures, root.GetStage())
     meshes = read_meshes(root, bound, frames, found)
     vain = bound_in_vain(root.GetStage(), (mesh.path for mesh in meshes), bound)
     found.issues.extend((*vain, *hidden_issues(root.GetStage(), meshes, frames.time)))
@@ -236,12 +239,11 @@ def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -
     return tuple(joints)
 
 
-def _refuse_instances(armatures: tuple[Armature, ...], bound: Mapping[Sdf.Path, Binding], stage: Usd.Stage) -> None:
-    """Raise INSTANCE for a skeleton, an animation or a deforming mesh that no layer can say anything about."""
-    named = [path for each in armatures for path in (each.record.path, each.record.animation) if path]
-    for path in (*named, *map(str, bound)):
+def _refuse_instances(armatures: tuple[Armature, ...], stage: Usd.Stage) -> None:
+    """Raise INSTANCE for a skeleton or an animation that no layer can say anything about; of meshes none needs to."""
+    for path in (path for each in armatures for path in (each.record.path, each.record.animation) if path):
         if stage.GetPrimAtPath(path).IsInstanceProxy():
-            raise refuse("INSTANCE", path, "deforms the character and lies inside an instance")
+            raise refuse("INSTANCE", path, "moves the character and lies inside an instance")
 
 
 def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:

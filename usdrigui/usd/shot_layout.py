@@ -83,14 +83,14 @@ def write_shot_layouts(
                 _author(layer, each)
                 author_limits(layer, each.rig)
     content = layer_bytes(layer, target.suffix, str(target))
-    roots = [each.rig.root for each in shots if each.added]
+    roots = [each.rig.variant_path or each.rig.root for each in shots if each.added]
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
 def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     rig, layout = shot.rig, shot.layout
     as_variant = all(prim.in_variant for prim in shot.prims)
-    root = author_variant(layer, rig.root) if as_variant else Sdf.CreatePrimInLayer(layer, rig.root)
+    root = author_variant(layer, rig.variant_path or rig.root) if as_variant else Sdf.CreatePrimInLayer(layer, rig.root)
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
     author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from types import MappingProxyType
 
 from pxr import Ar, Pcp, Sdf, Tf, Usd, UsdUtils
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.usd.variants import select
 
 _ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
 """Differs from run to run."""
@@ -22,11 +24,11 @@ _MISSING = (
 )
 
 
-def open_stage(path: Path) -> Usd.Stage:
-    """The composed stage of a file, payloads loaded.
+def open_stage(path: Path, variants: Mapping[str, str] = MappingProxyType({})) -> Usd.Stage:
+    """The composed stage of a file, payloads loaded, with `variants` selected (`read.variants`).
 
     Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong),
-    LAYER_MISSING or LAYER_UNREADABLE (a sublayer of the root layer stack).
+    LAYER_MISSING or LAYER_UNREADABLE (a sublayer of the root layer stack), VARIANT_UNKNOWN.
     """
     _check_file(path)
     try:
@@ -38,6 +40,7 @@ def open_stage(path: Path) -> Usd.Stage:
     for fault in stage.GetCompositionErrors():
         if isinstance(fault, Pcp.ErrorInvalidSublayerPath):
             raise _without_layer(str(path), _described(fault))
+    select(stage, variants)
     return stage
 
 

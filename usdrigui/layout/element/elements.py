@@ -71,6 +71,7 @@ def layout(
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     return Layout(
         root=face.rig.root,
+        variant_path=face.rig.variant_path,
         elements=tuple(replace(each, part=part) for each in with_inner(elements, placement.groups, face.rig)),
         left_off=left_off,
         handle_width=face.handle_width,

@@ -36,7 +36,7 @@ def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
     A shot may have the character at another path.  Below its SkelRoot nothing may have another name.
     """
     found = _fitting(layouts, rig)
-    return _moved(found, rig.root) if found is not None else None
+    return replace(_moved(found, rig.root), variant_path=rig.variant_path) if found is not None else None
 
 
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
