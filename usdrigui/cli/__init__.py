@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import NoReturn
 
 from usdrigui import distributions, worker
 from usdrigui.cli.attaching import add_attach, add_detach
@@ -21,6 +22,7 @@ from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_convert, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
 from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
+from usdrigui.text_lines import columns, wrapped
 from usdrigui.version import __version__
 
 
@@ -32,7 +34,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = parsed(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
     for found in distributions.colliding():
-        print(f"warning: {found.code} {sentences(found)}", file=sys.stderr)
+        print("\n".join(wrapped(f"warning: {found.code} {sentences(found)}", columns(sys.stderr))), file=sys.stderr)
     try:
         return int(arguments.run(arguments))
     except KeyboardInterrupt:
@@ -78,9 +80,19 @@ def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
     return arguments
 
 
+class _Parser(argparse.ArgumentParser):
+    """As argparse's, with errors in lines as wide as the terminal."""
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with 2: usage and error."""
+        self.print_usage(sys.stderr)
+        lines = wrapped(f"{self.prog}: error: {message}", columns(sys.stderr))
+        self.exit(int(Exit.USAGE), "\n".join(lines) + "\n")
+
+
 def parser() -> argparse.ArgumentParser:
     """The command line; ``light`` commands need no worker."""
-    parser = argparse.ArgumentParser(
+    parser = _Parser(
         prog="usdrigui",
         description="Automatic in-situ rig UI layouts for USD characters.",
         epilog="Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a bug of ours.",

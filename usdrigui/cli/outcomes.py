@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, failure_json, refuse, visible
+from usdrigui.text_lines import columns, wrapped
 
 if TYPE_CHECKING:
     from usdrigui import terminal
@@ -28,7 +29,7 @@ def screen_of(arguments: argparse.Namespace) -> terminal.Screen:
 def say(line: str, arguments: argparse.Namespace) -> None:
     """Print one line, unless the command owes a JSON document."""
     if not arguments.json:
-        print(visible(line))
+        print("\n".join(wrapped(visible(line), columns(sys.stdout))))
 
 
 def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
@@ -58,7 +59,7 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
 def _complain(line: str) -> None:
     """Print on standard error, as far as it takes anything."""
     with contextlib.suppress(OSError):
-        print(visible(line), file=sys.stderr)
+        print("\n".join(wrapped(visible(line), columns(sys.stderr))), file=sys.stderr)
 
 
 def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
