@@ -12,7 +12,7 @@ import dataclasses
 import inspect
 import sys
 import typing
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,14 @@ from usdrigui.settings import PRESETS, Settings
 from usdrigui.settings.table import About, settings_in
 
 ROOT = Path(__file__).resolve().parents[1]
+TEN = (
+    *(f'controls."NAME".{key}' for key in ("exclude", "place", "near", "anchor", "minimum", "maximum", "twin")),
+    "groups.groups",
+    "objective.handle_size",
+    "read.joints",
+)
+"""What does nearly all that a rigger asks for; docs/rigger.md shows them in this order."""
+_FOR = {"user": "", "expert": "expert", "paper": "preset `paper`"}
 NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
 
 
@@ -65,18 +73,15 @@ def settings_page() -> str:
         "language server (Even Better TOML, taplo) completes and checks a configuration whose first line is\n"
         "`#:schema ./usdrigui.schema.json`.\n",
     ]
-    levels = {level: [] for level in ("user", "expert", "paper")}
-    for name, hint in typing.get_type_hints(Settings).items():
-        free = typing.get_origin(hint) is Mapping
-        part = typing.get_args(hint)[1] if free else hint
-        for level, found in levels.items():
-            rows = [_row(each, about) for each, about in settings_in(part) if about.level == level]
-            heading = f'`[{name}."NAME"]`' if free else f"`[{name}]`"
-            text = f"{inspect.cleandoc(part.__doc__)}\n\n" if level == "user" else ""
-            found += [f"\n### {heading}\n\n{text}{_HEAD}{''.join(rows)}"] if rows else []
-    parts += ["\n## Settings that one can see\n", *levels["user"]]
-    parts += ["\n## Limits and thresholds, for experts\n", *levels["expert"]]
-    parts += ["\n## What only the preset `paper` needs\n", *levels["paper"]]
+    rows = dict(_settings_rows())
+    parts += [
+        "\n## The ten\n\nWith pictures: [rigger.md](rigger.md#the-ten-settings).\n\n",
+        _HEAD,
+        *(rows.pop(key) for key in TEN),
+    ]
+    parts += ["\n## The rest\n\n"]
+    parts += [f"- `[{name}]` {inspect.cleandoc(part.__doc__).splitlines()[0]}\n" for name, part in _parts()]
+    parts += [f"\n{_HEAD}", *rows.values()]
     parts.append("\n## Presets\n\n")
     for name, values in PRESETS.items():
         changed = [f"`{part}.{key}` = `{value}`" for part, keys in values.items() for key, value in keys.items()]
@@ -131,15 +136,29 @@ def _flat(text: str) -> str:
     return " ".join(text.split()).replace("|", "or")
 
 
-_HEAD = "| key | type | default | unit | from, to | meaning |\n|---|---|---|---|---|---|\n"
+_HEAD = "| key | type | default | unit | from, to | for | meaning |\n|---|---|---|---|---|---|---|\n"
 
 
-def _row(each: dataclasses.Field[Any], about: About) -> str:
+def _parts() -> Iterator[tuple[str, Any]]:
+    """The parts of the settings, those with a name of the user's own as ``controls."NAME"``."""
+    for name, hint in typing.get_type_hints(Settings).items():
+        free = typing.get_origin(hint) is Mapping
+        yield (f'{name}."NAME"', typing.get_args(hint)[1]) if free else (name, hint)
+
+
+def _settings_rows() -> Iterator[tuple[str, str]]:
+    """Each setting's key with its row of the table."""
+    for name, part in _parts():
+        for each, about in settings_in(part):
+            yield f"{name}.{each.name}", _row(f"{name}.{each.name}", each, about)
+
+
+def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
     default = "{}" if each.default is dataclasses.MISSING else repr(each.default)
     bounds = f"{about.bounds[0]:g}, {about.bounds[1]:g}" if about.bounds else ""
     kind, doc = (_flat(str(text)) for text in (each.type, about.doc))
     doc += f" Formerly `{about.was}`." if about.was else ""
-    return f"| `{each.name}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {doc} |\n"
+    return f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {_FOR[about.level]} | {doc} |\n"
 
 
 def _differs(path: Path, text: str) -> bool:

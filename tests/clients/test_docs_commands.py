@@ -16,13 +16,47 @@ import studio_assets
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 SAMPLE = DOCS.parent / "sample_assets"
-OF_THE_SAMPLE = ("getting-started.md", "lifecycle.md")
+OF_THE_SAMPLE = ("pipeline.md", "rigger.md")
 """Pages that name controls of the sample; for the others a smaller character will do."""
-PAGES = ("assets.md", "blender.md", "getting-started.md", "lifecycle.md", "many-assets.md", "pickers.md", "publish.md")
+PAGES = ("animator.md", "assets.md", "blender.md", "pipeline.md", "rigger.md")
 
 
 def blocks(page):
     return [(match["needs"], match["text"]) for match in BLOCK.finditer((DOCS / page).read_text(encoding="utf-8"))]
+
+
+def headings(page):
+    """The anchors of a page's headings, as GitHub and others make them."""
+    titles = re.findall(r"^#+ (.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", title).strip().lower().replace(" ", "-") for title in titles}
+
+
+def test_every_link_leads_somewhere():
+    """Of all pages: to files of this repository, and to headings where one is named."""
+    root = DOCS.parent
+    pages = [*root.glob("*.md"), *DOCS.rglob("*.md"), *root.glob("schemas/*.md"), *root.glob("viewer/*.md")]
+    lost = []
+    for page in pages:
+        text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for link in re.findall(r"\]\(([^)\s]+)\)", text):
+            path, _, heading = link.partition("#")
+            target = (page.parent / path).resolve() if path else page
+            if "://" in link or (target.exists() and (not heading or heading in headings(target))):
+                continue
+            lost.append(f"{page.relative_to(root)}: {link}")
+    assert not lost
+    entry = (root / "README.md").read_text(encoding="utf-8")
+    assert all(f"(docs/{role}.md)" in entry for role in ("animator", "rigger", "pipeline"))
+
+
+def test_the_ten_settings_are_those_that_riggers_are_shown():
+    """In the same order, each with its number."""
+    _, _, table = (DOCS / "settings.md").read_text(encoding="utf-8").partition("## The ten\n")
+    keys = re.findall(r"^\| `([^`]+)`", table.partition("## The rest")[0], re.MULTILINE)
+    shown = re.findall(r"^(\w+) = .*# +(\d+)", (DOCS / "rigger.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert [int(number) for _, number in shown] == list(range(1, 11))
+    names = [key.rpartition(".")[2] for key in keys]
+    assert [name if name != "eyeAim_L" else "groups" for name, _ in shown] == names
 
 
 def test_every_page_with_commands_to_run_is_listed():
@@ -61,7 +95,7 @@ def test_the_commands_of_a_page(page, tmp_path):
         skinned_stages.character(tmp_path / "char.usda")
     for name in ("one", "two"):
         (tmp_path / "assets" / name).mkdir(parents=True)
-        shutil.copy(tmp_path / "char.usda", tmp_path / "assets" / name)
+        skinned_stages.character(tmp_path / "assets" / name / "char.usda")
     programs = Path(sys.executable).parent
     # How good the layouts are is of no interest here.
     quick = {"USDRIGUI_SOLVE_GAP": "0.05", "USDRIGUI_SOLVE_WORK_LIMIT": "1"}
