@@ -142,7 +142,7 @@ class Screen:
         """Faults first, then every element by the objective, then the verdict."""
         if not self._quiet:
             for root, review in found.characters:
-                self._say(f"{root}: {len(review.elements)} elements on the face, cost {review.cost:.4f}")
+                self._say(f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}")
                 self._table(_review_table(review.elements))
                 self._say(f"  {_DISPLACEMENT}; w: handle widths")
             self._issues(found.issues)
