@@ -43,7 +43,7 @@ from usdrigui.solve.assignment import assignment, forbidden_price
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import Labels, LabelSet, all_labels, block_set, singles
 from usdrigui.solve.milp import solve_milp
-from usdrigui.solve.pair_costs import near_blocks, pair_matrix
+from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.paper import solve_by_clusters
 from usdrigui.solve.reduced_problem import ReducedProblem
 
@@ -288,7 +288,7 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
 def _written_down(problem: LayoutProblem, labels: Labels, budget: Budget) -> tuple[LabelSet, Floats, float]:
     """Every label by itself, the costs of all pairs, and what stands for a pair that is forbidden."""
     label_set = block_set(labels, singles(labels))
-    pairs = pair_matrix(problem, label_set, near_blocks(problem, label_set, budget), labels.label)
+    pairs = pair_costs(problem, label_set, near_blocks(problem, label_set, budget), labels.label).matrix()
     return label_set, pairs, forbidden_price(problem, labels)
 
 

@@ -31,8 +31,8 @@ from usdrigui.solve.dominance import undominated
 from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
 from usdrigui.solve.milp import solve_milp
-from usdrigui.solve.pair_costs import near_blocks, pair_matrix
-from usdrigui.solve.reduced_problem import ReducedProblem, Solution
+from usdrigui.solve.pair_costs import near_blocks, pair_costs
+from usdrigui.solve.reduced_problem import ReducedProblem, Solution, sparse_tables
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
@@ -159,7 +159,7 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, so
     labels = all_labels(problem)
     costs, pairs = (
         labels.label_set.cost,
-        pair_matrix(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label),
+        pair_costs(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label).matrix(),
     )
     left: ReducedProblem | None = ReducedProblem(
         labels.label_set.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
@@ -316,8 +316,10 @@ def test_a_row_that_is_stated_is_not_stated_again() -> None:
     """HiGHS may return a solution that violates a row a little."""
     problem, budget = crowd(6, variables=3, candidates=10), Budget(HIGHS)
     labels = all_labels(problem)
-    pairs = pair_matrix(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label)
-    left = ReducedProblem(labels.label_set.variable, np.arange(len(labels.label)), labels.label_set.cost, pairs)
+    pairs = pair_costs(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label)
+    left = ReducedProblem(
+        labels.label_set.variable, np.arange(len(labels.label)), labels.label_set.cost, pairs.matrix()
+    )
     program = milp._Program(left, 0.0, budget, budget.work_left)
     program._highs.run()
     rows = program._violated()
@@ -433,6 +435,41 @@ def test_memory_is_planned_before_it_is_spent() -> None:
     assert found.bound <= found.cost
     free = solve(problem, SolveSettings(work_limit=400_000))
     assert free.closed_by != "memory limit"
+
+
+def crowds_apart(count: int) -> LayoutProblem:
+    """Crowds far from each other."""
+    crowds = [crowd(seed, variables=3, candidates=40) for seed in range(count)]
+    apart = tuple(
+        replace(each, handles=each.handles + 100.0 * at, samples=each.samples + 100.0 * at)
+        for at, part in enumerate(crowds)
+        for each in part.variables
+    )
+    return replace(crowds[0], variables=apart)
+
+
+def test_only_variables_that_interact_take_memory() -> None:
+    """Pairs within a crowd fit, those of all crowds would not."""
+    assert solve(crowds_apart(10), replace(HIGHS, memory_limit=8)).status == "optimal"
+
+
+def test_tables_of_variables_that_interact_give_the_bounds_of_one_matrix() -> None:
+    problem, budget = crowds_apart(2), Budget(HIGHS)
+    labels = all_labels(problem)
+    label_set = labels.label_set
+    pairs = pair_costs(problem, label_set, near_blocks(problem, label_set, budget), labels.label)
+    sparse, full = (
+        ReducedProblem(label_set.variable, np.arange(len(labels.label)), label_set.cost.copy(), tables)
+        for tables in (sparse_tables(label_set.variable, pairs), pairs.matrix())
+    )
+    for each in (sparse, full):
+        each.normalize()
+        each.sweep()
+        raise_bound(each, budget)
+    assert sparse.tables.entries < full.tables.entries
+    assert sparse.bound() == pytest.approx(full.bound())
+    assert sparse.label_lower_bounds() == pytest.approx(full.label_lower_bounds())
+    assert sparse.value(sparse.start[:-1]) == pytest.approx(full.value(full.start[:-1]))
 
 
 def test_importing_the_package_loads_no_solver() -> None:

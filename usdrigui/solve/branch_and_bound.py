@@ -54,7 +54,7 @@ class _Search:
     def __init__(self, problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget) -> None:
         self._whole, self._cutoff, self._budget = problem, cutoff, budget
         self._linear, self._pairs = linear, pairs + pairs.T
-        without_messages = np.where(np.isinf(problem.pairs), np.inf, pairs)
+        without_messages = np.where(np.isinf(problem.matrix()), np.inf, pairs)
         self._root = ReducedProblem(problem.owner, np.arange(len(linear)), linear, without_messages)
         self._failures = np.ones(problem.count)
         self._best: Indices | None = None
@@ -140,12 +140,11 @@ def _folded(node: _Node, alive: Flags) -> _Node:
     left = node.problem.restricted(alive)
     single = np.diff(left.start) == 1
     fixed = single[left.owner]
-    costs = left.costs + left.both_ways()[fixed].sum(axis=0)
+    costs = left.costs + left.costs_with(fixed)
     allowed = np.logical_or.reduceat(np.isfinite(costs), left.start[:-1])
     if not (single.any() and allowed.all()):  # Excluded pairs close the second kind.
         return node._replace(problem=left)
     constant = left.constant + (left.costs[fixed].sum() + costs[fixed].sum()) / 2
     rest = ~fixed & np.isfinite(costs)
-    owner = (np.cumsum(~single) - 1)[left.owner[rest]]
-    smaller = ReducedProblem(owner, left.labels[rest], costs[rest], left.pairs[rest][:, rest], float(constant))
+    smaller = left.of_variables(rest, costs[rest], float(constant))
     return _Node(smaller, node.variables[~single], np.concatenate([node.fixed, left.labels[fixed]]))

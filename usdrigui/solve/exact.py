@@ -55,16 +55,16 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
 def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
     """Give what is left to the solver that the settings name, and to branch and bound what HiGHS does not close with
     its share of the work; the name of the last."""
-    linear = left.label_set.cost[left.problem.labels]
+    linear, pairs = left.label_set.cost[left.problem.labels], left.pairs.matrix()
     if budget.settings.method == "toulbar2":
-        found = solve_by_toulbar2(left.problem, linear, left.pairs, budget.cutoff, budget)
+        found = solve_by_toulbar2(left.problem, linear, pairs, budget.cutoff, budget)
         return _told("toulbar2", found, labels, left, incumbent, budget)
     share = int(HIGHS_SHARE * budget.settings.work_limit)
     found = solve_milp(left.problem, budget.cutoff, budget, share)
     method = _told("highs", found, labels, left, incumbent, budget)
     if budget.closed() or budget.stopped():
         return method
-    found = branch_and_bound(left.problem, linear, left.pairs, budget.cutoff, budget)
+    found = branch_and_bound(left.problem, linear, pairs, budget.cutoff, budget)
     return _told("branch and bound", found, labels, left, incumbent, budget)
 
 
@@ -85,7 +85,7 @@ def _figures(left: Partition | None) -> dict[str, float]:
     return {
         "blocks": len(problem.labels),
         "labels": int(left.blocks.sizes[problem.labels].sum()),
-        "excluded_pairs": int(np.isinf(problem.pairs).sum()),
+        "excluded_pairs": sum(int(np.isinf(each).sum()) for each in problem.tables.strips),
         "triplets": len(problem.messages),
     }
 

@@ -1,7 +1,7 @@
-"""A good solution of few labels: iterated local search on one matrix of costs.
+"""A good solution of few labels: iterated local search with all pair costs at hand.
 
 What `usdrigui.solve.local_search` does among all labels, by distances worked out as they are needed, takes a
-quarter of a millisecond a try once all costs stand in a matrix: thousands of tries give bounds and tests a cutoff
+quarter of a millisecond a try once all costs are known: thousands of tries give bounds and tests a cutoff
 near the optimum.
 """
 
@@ -14,6 +14,7 @@ import numpy as np
 from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.local_search import SAME, WORSE
+from usdrigui.solve.pair_costs import PairCosts
 
 RUNS = 12
 TRIES = 20
@@ -34,33 +35,55 @@ class LabelCosts(Record):
     """(variables + 1,) first label of each variable."""
     linear: Floats
     """(n,)"""
-    pairs: Floats
-    """(n, n) the same both ways, finite."""
+    row: Indices
+    """(n + 1,) first pair of each label; every pair stands in the rows of both."""
+    other: Indices
+    """(q,) the other label of a pair."""
+    cost: Floats
+    """(q,) finite."""
+
+    def add(self, to: Floats, label: int, sign: float = 1.0) -> None:
+        """Add to (n,) costs what a label costs with every other."""
+        part = slice(self.row[label], self.row[label + 1])
+        to[self.other[part]] += sign * self.cost[part]
+
+    def against(self, chosen: Indices) -> Floats:
+        """(n,) what every label costs against the chosen ones."""
+        found = self.linear.copy()
+        for label in chosen:
+            self.add(found, int(label))
+        return found
 
     def value(self, chosen: Indices) -> float:
         """Cost of one label per variable."""
-        return float(self.linear[chosen].sum() + 0.5 * self.pairs[np.ix_(chosen, chosen)].sum())
+        return 0.5 * float(self.linear[chosen].sum() + self.against(chosen)[chosen].sum())
 
 
-def label_costs(start: Indices, linear: Floats, pairs: Floats) -> LabelCosts:
-    """Of pair costs (n, n) above the diagonal; those that are excluded cost more than all else together."""
+def label_costs(start: Indices, linear: Floats, pairs: PairCosts) -> LabelCosts:
+    """Of labels; pairs that are excluded cost more than all else together."""
     spread = np.maximum.reduceat(linear, start[:-1]) - np.minimum.reduceat(linear, start[:-1])
-    both = pairs + pairs.T
-    excluded = np.isinf(both)
-    both[excluded] = 0.0
-    both[excluded] = 1.0 + spread.sum() + both.max(initial=0.0) * len(spread)
-    return LabelCosts(start, linear, both)
+    finite = pairs.costs < np.inf
+    most = float(pairs.costs.max(initial=0.0, where=finite))
+    costs = np.where(finite, pairs.costs, 1.0 + spread.sum() + most * len(spread))
+    ends = np.concatenate([pairs.first, pairs.second])
+    order = np.argsort(ends, kind="stable")
+    row = np.searchsorted(ends[order], np.arange(pairs.count + 1))
+    return LabelCosts(
+        start, linear, row, np.concatenate([pairs.second, pairs.first])[order], np.concatenate([costs, costs])[order]
+    )
 
 
 def descended(costs: LabelCosts, first: Indices) -> Indices:
     """A layout after the moves of single variables that gain most, from a first one."""
-    return _descended(costs, first, costs.linear + costs.pairs[first].sum(axis=0))[0]
+    return _descended(costs, first, costs.against(first))[0]
 
 
 def iterated_local_search(costs: LabelCosts, first: Indices, budget: Budget) -> Indices:
     """The best layout found in a few runs: one label (index) per variable."""
     generator = np.random.default_rng(budget.settings.seed)
-    in_the_way = np.maximum.reduceat(costs.pairs, costs.start[:-1], axis=1) > 0
+    in_the_way = np.zeros((len(costs.linear), len(first)), dtype=bool)
+    owner = np.repeat(np.arange(len(first)), np.diff(costs.start))
+    in_the_way[np.repeat(np.arange(len(owner)), np.diff(costs.row)), owner[costs.other]] = True
     best, value = first, np.inf
     for _ in range(RUNS):
         chosen = _run(costs, first, in_the_way, generator, budget)
@@ -77,7 +100,7 @@ def _run(
 ) -> Indices:
     """A run; `in_the_way` (n, variables) tells which labels cost anything for some label of each variable."""
     least = np.minimum.reduceat(problem.linear, problem.start[:-1])
-    here, costs = _descended(problem, first, problem.linear + problem.pairs[first].sum(axis=0))
+    here, costs = _descended(problem, first, problem.against(first))
     value = best_value = _value(problem, here, costs)
     best, best_costs = here, costs
     for _ in range(TRIES * len(first)):
@@ -119,11 +142,11 @@ def _put_back(
     """The group's variables chosen anew one after another, nearly the cheapest each."""
     chosen, costs = chosen.copy(), costs.copy()
     for taken in chosen[group]:
-        costs -= problem.pairs[taken]
+        problem.add(costs, int(taken), -1.0)
     for variable in generator.permutation(group):
         low, high = problem.start[variable], problem.start[variable + 1]
         chosen[variable] = low + (costs[low:high] + generator.exponential(NOISE, high - low)).argmin()
-        costs += problem.pairs[chosen[variable]]
+        problem.add(costs, int(chosen[variable]))
     return chosen, costs
 
 
@@ -138,6 +161,6 @@ def _descended(problem: LabelCosts, chosen: Indices, costs: Floats) -> tuple[Ind
             return chosen, costs
         low, high = problem.start[at], problem.start[at + 1]
         new = low + int(costs[low:high].argmin())
-        costs += problem.pairs[new]
-        costs -= problem.pairs[chosen[at]]
+        problem.add(costs, new)
+        problem.add(costs, int(chosen[at]), -1.0)
         chosen[at] = new

@@ -262,7 +262,7 @@ class _Table:
         self._column = column
         slices = problem.slices
         a, b = (slices[each] for each in ends)
-        costs = problem.pairs[a, b]
+        costs = problem.table(*ends)
         self._sides = [_Lifted(costs, a, b), _Lifted(costs.T, b, a)]
 
     def violated(self, values: Floats) -> list[Row]:
@@ -335,12 +335,8 @@ def _row(column: int, *parts: tuple[slice, Floats]) -> Row:
 
 def _interacting(problem: ReducedProblem) -> list[tuple[int, int]]:
     """Variables with a finite pair cost above 0."""
-    slices = problem.slices
-    return [
-        (a, b)
-        for a, b in itertools.combinations(range(problem.count), 2)
-        if _costs_anything(problem.pairs[slices[a], slices[b]])
-    ]
+    variables = itertools.combinations(range(problem.count), 2)
+    return [(a, b) for a, b in variables if _costs_anything(problem.table(a, b))]
 
 
 def _costs_anything(costs: Floats) -> bool:

@@ -121,21 +121,63 @@ def _evaluated(
 # --- all pairs ---------------------------------------------------------------------------------------
 
 
-def pair_matrix(problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs], candidate: Indices) -> Floats:
-    """(n, n) pair costs of all entries of the label_set, in the order of their variables: 0 below the diagonal.
+@dataclass(frozen=True, eq=False)
+class PairCosts(Record):
+    """Pairs of labels (or blocks) of different variables that cost anything, each once, in order."""
+
+    count: int
+    """Number of labels."""
+    first: Indices
+    """(q,) ascending; of an earlier variable than `second`."""
+    second: Indices
+    costs: Floats
+    """(q,) +inf where forbidden."""
+
+    def of_rows(self, low: int, high: int) -> tuple[Indices, Indices, Floats]:
+        """The pairs whose first labels are in a range: row in it, second label, cost."""
+        part = slice(*np.searchsorted(self.first, (low, high)).tolist())
+        return self.first[part] - low, self.second[part], self.costs[part]
+
+    def interacting(self, owner: Indices) -> Flags:
+        """(variables, variables) which have a pair; `owner` (n,) is the variable of each label."""
+        variables = int(owner[-1]) + 1 if len(owner) else 0
+        found = np.zeros((variables, variables), dtype=bool)
+        found[owner[self.first], owner[self.second]] = True
+        return np.asarray(found | found.T)
+
+    def among(self, labels: Indices) -> PairCosts:
+        """The pairs of some labels (ascending), numbered among them."""
+        place = np.full(self.count, -1, dtype=np.int64)
+        place[labels] = np.arange(len(labels))
+        first, second = place[self.first], place[self.second]
+        held = (first >= 0) & (second >= 0)
+        return PairCosts(len(labels), first[held], second[held], self.costs[held])
+
+    def matrix(self) -> Floats:
+        """(n, n) costs above the diagonal, 0 elsewhere."""
+        found = np.zeros((self.count, self.count))
+        found[self.first, self.second] = self.costs
+        return found
+
+
+def pair_costs(problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs], candidate: Indices) -> PairCosts:
+    """Costs of all pairs of a label_set.
 
     `candidate` (n,) says which candidate of its variable stands behind each entry of the label_set: -1 for
     off the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
     where both entries are single candidates; for blocks zero bounds them from below.
     """
     count = int(label_set.start[-1])
-    found = np.zeros((count, count))
-    for pairs in near:
-        np.add.at(found, (pairs.first, pairs.second), pairs.costs)
-    for extra in problem.extra:
-        first, second, cost = _explicit(label_set, candidate, extra)
-        np.add.at(found, (first, second), cost)
-    return found
+    explicit = [_explicit(label_set, candidate, each) for each in problem.extra]
+    pieces = [(each.first, each.second, each.costs) for each in near] + explicit
+    none = np.empty(0, dtype=np.int64)
+    keys = np.concatenate([none, *(first * count + second for first, second, _ in pieces)])
+    costs = np.concatenate([np.empty(0), *(each for _, _, each in pieces)])
+    order = np.argsort(keys, kind="stable")
+    keys = keys[order]
+    at = np.flatnonzero(np.diff(keys, prepend=-1))
+    summed = np.add.reduceat(costs[order], at) if len(at) else costs
+    return PairCosts(count, keys[at] // max(count, 1), keys[at] % max(count, 1), summed)
 
 
 def _explicit(label_set: LabelSet, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:

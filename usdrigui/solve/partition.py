@@ -17,8 +17,8 @@ PAIRS_A_SECOND = 200_000
 """Pairs of elements that a slow machine looks at."""
 BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys while those of two rounds are held."""
-MATRICES = 7
-"""Matrices of the costs of all pairs that are held at a time, at most."""
+BYTES_PER_ENTRY = 20
+"""Of a table: its cost before and after labels go, and what is worked out of a part of it."""
 
 
 def first_blocks(labels: Labels, budget: Budget) -> Blocks:
@@ -28,7 +28,7 @@ def first_blocks(labels: Labels, budget: Budget) -> Blocks:
         return singled(labels, blocks)[0]
     for _ in range(3):
         finer, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
-        if planned(len(finer.variable), 0) > budget.settings.memory_limit:
+        if planned(len(finer.variable) ** 2 // 2, 0) > budget.settings.memory_limit:
             return blocks
         blocks = finer
     return blocks
@@ -43,12 +43,12 @@ def affordable_at_once(labels: Labels, budget: Budget) -> bool:
     elements = np.bincount(labels.label_set.variable[owners])
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
     in_time = pairs <= FIRST_LOOK * min(budget.work_left, PAIRS_A_SECOND * budget.seconds_left)
-    return in_time and planned(len(labels.label), pairs) <= budget.settings.memory_limit
+    return in_time and planned(len(labels.label) ** 2 // 2, pairs) <= budget.settings.memory_limit
 
 
 def planned(entries: int, pairs: int) -> float:
-    """MiB needed for so many labels or blocks and near pairs of their elements."""
-    return (MATRICES * 8 * entries**2 + BYTES_PER_PAIR * pairs) / 2**20
+    """MiB needed for tables of so many entries and so many near pairs of elements."""
+    return (BYTES_PER_ENTRY * entries + BYTES_PER_PAIR * pairs) / 2**20
 
 
 def split(
@@ -64,7 +64,7 @@ def split(
     alive = room <= budget.cutoff
     rest = thinned(labels, blocks, slack)
     left = np.add.reduceat(member_slack(labels, blocks, slack) >= 0, blocks.start[:-1], dtype=np.int64)
-    if share == 0 and _planned(near, left) <= budget.settings.memory_limit:
+    if share == 0 and _planned(near, blocks.variable, left) <= budget.settings.memory_limit:
         finer, parent = singled(labels, rest)
         return finer, np.flatnonzero(alive)[parent]
     several = rest.sizes > 1
@@ -73,14 +73,18 @@ def split(
         chosen = chosen if chosen.any() else several
         parts = alive.astype(np.int64)
         parts[np.flatnonzero(alive)[chosen]] = 2
-        if _planned(near, parts) <= budget.settings.memory_limit:
+        if _planned(near, blocks.variable, parts) <= budget.settings.memory_limit:
             finer, parent = halve(labels, rest, chosen)
             return finer, np.flatnonzero(alive)[parent]
     budget.reach("memory limit")
     return None
 
 
-def _planned(near: list[NearPairs], parts: Indices) -> float:
-    """MiB needed when every block is replaced by so many parts."""
+def _planned(near: list[NearPairs], variable: Indices, parts: Indices) -> float:
+    """MiB needed when every block is replaced by so many parts; `variable` (blocks,) they are of."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
-    return planned(int(parts.sum()), pairs)
+    sizes = np.bincount(variable, weights=parts).astype(np.int64)
+    used = np.zeros((len(sizes), len(sizes)), dtype=bool)
+    for each in near:
+        used[variable[each.first], variable[each.second]] = True
+    return planned(int(np.outer(sizes, sizes)[used].sum()), pairs)

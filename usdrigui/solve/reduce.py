@@ -6,16 +6,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Floats, Indices, LayoutProblem
+from usdrigui.model import Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
 from usdrigui.solve.iterated_local_search import descended, iterated_local_search, label_costs
 from usdrigui.solve.label_geometry import Blocks, Labels, LabelSet, block_set, member_slack, selected
 from usdrigui.solve.local_search import Incumbent
-from usdrigui.solve.pair_costs import NearPairs, near_blocks, pair_matrix, refined
+from usdrigui.solve.pair_costs import NearPairs, PairCosts, near_blocks, pair_costs, refined
 from usdrigui.solve.partition import FIRST_LOOK, ONE_BY_ONE, first_blocks, split
-from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced
-from usdrigui.solve.triplets import AT_ONCE, raise_bound
+from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced, sparse_tables
+from usdrigui.solve.triplets import raise_bound
 
 STEP = "blocks"
 """Name of the reduction in what is told of it."""
@@ -42,8 +42,8 @@ class Partition:
     near: list[NearPairs]
     problem: ReducedProblem
     """Its labels are blocks."""
-    pairs: Floats
-    """(n, n) pair costs of its labels, without messages."""
+    pairs: PairCosts
+    """Of its labels, without messages."""
 
     @property
     def exact(self) -> bool:
@@ -113,12 +113,13 @@ def _bounded(
     numbers = np.arange(len(label_set.cost))
     if older is None or parent is None:
         near = near_blocks(problem, label_set, budget)
-        pairs = pair_matrix(problem, label_set, near, candidate)
-        left = ReducedProblem(label_set.variable, numbers, label_set.cost.copy(), pairs.copy())
+        pairs = pair_costs(problem, label_set, near, candidate)
+        tables = sparse_tables(label_set.variable, pairs)
+        left = ReducedProblem(label_set.variable, numbers, label_set.cost.copy(), tables)
     else:
         same = (blocks.sizes > 1) | (older.blocks.sizes[parent] == 1)
         near = refined(problem, label_set, older.near, parent, budget, same)
-        pairs = pair_matrix(problem, label_set, near, candidate)
+        pairs = pair_costs(problem, label_set, near, candidate)
         place = np.empty(len(older.label_set.cost), dtype=np.int64)
         place[older.problem.labels] = np.arange(len(older.problem.labels))
         left = older.problem.refined(
@@ -147,7 +148,7 @@ def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition,
     slack[likeliest] = np.inf
     kept = np.sort(np.argsort(-slack, kind="stable")[: max(count, labels.label_set.count)])
     part = selected(labels, kept)
-    pairs = pair_matrix(problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label)
+    pairs = pair_costs(problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label)
     first = np.flatnonzero(np.isin(kept, likeliest))
     costs = label_costs(part.label_set.start, part.label_set.cost, pairs)
     return kept[iterated_local_search(costs, first, budget)]
@@ -162,7 +163,7 @@ def _swept(partition: Partition, budget: Budget) -> Partition | None:
         for _ in range(SWEEPS):
             left.sweep()
             left.normalize()
-        budget.spend(1000 + SWEEPS * before**2 // 64)
+        budget.spend(1000 + SWEEPS * left.tables.entries // 32)
         left = reduced(left, budget.cutoff)
         if left is None or len(left.costs) > (1.0 - SLOW) * before:
             break
@@ -183,8 +184,11 @@ def _thinned(partition: Partition, budget: Budget) -> Partition | None:
 def _undominated(partition: Partition, budget: Budget) -> Partition:
     """A partition of single labels without those that another one can always replace."""
     left = partition.problem
+    if len(left.costs) > LARGEST_TESTED:
+        return partition
     budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
-    both = partition.pairs + partition.pairs.T
+    both = partition.pairs.matrix()
+    both += both.T
     alive = undominated(left.start, partition.label_set.cost[left.labels], both, np.isinf(left.both_ways()))
     return _of(partition, left.restricted(alive))
 
@@ -203,7 +207,7 @@ def _tightened(partition: Partition, budget: Budget) -> Partition | None:
     found: Partition | None = partition
     while found is not None:
         before, bound = len(found.problem.costs), found.problem.bound()
-        new = raise_bound(found.problem, budget)
+        raise_bound(found.problem, budget)
         found = _excluded(_restricted(found, reduced(found.problem, budget.cutoff), budget), budget)
         if found is not None and found.exact:
             found = _undominated(found, budget)
@@ -211,7 +215,9 @@ def _tightened(partition: Partition, budget: Budget) -> Partition | None:
             break
         rise, left = found.problem.bound() - bound, budget.cutoff - found.problem.bound()
         few_gone = len(found.problem.costs) > (1.0 - SLOW) * before
-        if left <= 0 or (few_gone and rise < STALLED * left and new < AT_ONCE):
+        if found.exact and len(found.problem.costs) > LARGEST_TESTED and rise > 0:
+            continue  # The solvers of what is left could do nothing with so many.
+        if left <= 0 or (few_gone and rise < STALLED * left):
             break
     return found
 
@@ -226,10 +232,10 @@ def _restricted(partition: Partition, left: ReducedProblem | None, budget: Budge
 
 def _of(partition: Partition, left: ReducedProblem) -> Partition:
     """A partition with less of its problem."""
-    if len(left.labels) == len(partition.pairs):
+    if len(left.labels) == partition.pairs.count:
         return replace(partition, problem=left)
     kept = np.searchsorted(partition.problem.labels, left.labels)
-    return replace(partition, problem=left, pairs=partition.pairs[np.ix_(kept, kept)])
+    return replace(partition, problem=left, pairs=partition.pairs.among(kept))
 
 
 def _split(

@@ -1,4 +1,4 @@
-"""What is left of a layout problem as one matrix: dual ascent, tests that exclude labels and pairs, triplets.
+"""What is left of a layout problem as tables of costs: dual ascent, tests that exclude labels and pairs, triplets.
 
 A pairwise energy is reparametrised in place: costs move between labels, pairs and triplets of labels of different
 variables, and what every layout costs stays as it is.  As long as no pair and no triplet costs less than 0, the
@@ -11,10 +11,12 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices, Singles
+from usdrigui.solve.pair_costs import PairCosts
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
@@ -22,8 +24,6 @@ NEVER = 1e30
 """Stands for the cost of a pair that is excluded: infinite costs have no differences."""
 LARGEST_TESTED = 1200
 """Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their number."""
-ROWS = 256
-"""Of a large matrix that are worked on at a time."""
 MARGIN = 1e-5
 """Share of the distance to the cutoff that a pair must exceed it by: pairs are tested in single precision."""
 
@@ -42,18 +42,58 @@ class Solution:
     """For the report."""
 
 
+@dataclass(frozen=True, eq=False)
+class PairTables:
+    """Pair costs of labels, in one table for each two variables that interact; every other pair costs nothing.
+
+    The tables of a variable with later ones stand side by side, so that one pass goes over all of them.
+    """
+
+    strips: list[Floats]
+    """For each variable (labels, q) >= 0, +inf for a pair that is excluded."""
+    columns: list[Indices]
+    """For each variable (q,) the labels of later variables that it has tables with, ascending: all of each."""
+
+    @property
+    def entries(self) -> int:
+        """Pairs that are held."""
+        return sum(each.size for each in self.strips)
+
+
+def full_tables(owner: Indices, pairs: Floats) -> PairTables:
+    """Tables of all variables from one matrix (n, n) of costs, of which the part above the diagonal blocks counts."""
+    every = np.arange(len(owner))
+    starts = np.searchsorted(owner, np.arange(int(owner[-1]) + 2 if len(owner) else 1))
+    bounds = list(itertools.pairwise(starts.tolist()))
+    return PairTables([pairs[low:high, high:].copy() for low, high in bounds], [every[high:] for _, high in bounds])
+
+
+def sparse_tables(owner: Indices, pairs: PairCosts) -> PairTables:
+    """Tables of the variables that have a pair; `owner` (n,) is the variable of each label."""
+    used = pairs.interacting(owner)
+    strips, columns = [], []
+    for at in range(len(used)):
+        low, high = np.searchsorted(owner, (at, at + 1)).tolist()
+        theirs = high + np.flatnonzero(used[at, owner[high:]])
+        rows, others, costs = pairs.of_rows(low, high)
+        strips.append(np.zeros((high - low, len(theirs))))
+        strips[-1][rows, np.searchsorted(theirs, others)] = costs
+        columns.append(theirs)
+    return PairTables(strips, columns)
+
+
 class ReducedProblem:
     """Labels of variables, the pairs of them that are excluded, and the reparametrised costs of both."""
 
-    def __init__(self, owner: Indices, labels: Indices, costs: Floats, pairs: Floats, constant: float = 0.0) -> None:
+    def __init__(
+        self, owner: Indices, labels: Indices, costs: Floats, pairs: Floats | PairTables, constant: float = 0.0
+    ) -> None:
         self.owner = owner
         """(n,) variable of each label, ascending; every variable has one at least."""
         self.labels = labels
         """(n,) number of each label in the problem that this one is left of."""
         self.costs = costs
         """(n,) linear costs."""
-        self.pairs = pairs
-        """(n, n) >= 0 above the diagonal blocks, +inf for a pair that is excluded; 0 elsewhere."""
         self.constant = constant
         self.count = int(owner[-1]) + 1 if len(owner) else 0
         self.start = np.searchsorted(owner, np.arange(self.count + 1))
@@ -65,6 +105,23 @@ class ReducedProblem:
         ``-(ab[i, j] + ac[i, k] + bc[j, k])``, which is never below 0."""
         self.linked: Flags = np.zeros((self.count, self.count), dtype=bool)
         """(count, count) whether any pair of two variables costs anything."""
+        self.tables = pairs if isinstance(pairs, PairTables) else full_tables(owner, pairs)
+
+    @property
+    def tables(self) -> PairTables:
+        """Its pair costs."""
+        return self._tables
+
+    @tables.setter
+    def tables(self, tables: PairTables) -> None:
+        self._tables = tables
+        first = [np.flatnonzero(np.diff(self.owner[each], prepend=-1)) for each in tables.columns]
+        self._others = [self.owner[each[at]] for each, at in zip(tables.columns, first, strict=True)]
+        sizes = np.diff(self.start)
+        self._strips = [
+            _Strip(strip, self.slices[at], columns, first[at], self._others[at], sizes[self._others[at]])
+            for at, (strip, columns) in enumerate(zip(tables.strips, tables.columns, strict=True))
+        ]
 
     def bound(self) -> float:
         """No layout costs less."""
@@ -74,13 +131,40 @@ class ReducedProblem:
         """(n,) how much more than the cheapest of its variable every label costs."""
         return np.asarray(self.costs - np.minimum.reduceat(self.costs, self.start[:-1])[self.owner])
 
+    def table(self, a: int, b: int) -> Floats:
+        """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place where they interact."""
+        strip = self._strips[a]
+        at = int(np.searchsorted(strip.others, b))
+        if at == len(strip.others) or strip.others[at] != b:
+            return np.zeros((self.slices[a].stop - self.slices[a].start, self.slices[b].stop - self.slices[b].start))
+        low = int(strip.first[at])
+        return strip.costs[:, low : low + int(strip.sizes[at])]
+
+    def matrix(self) -> Floats:
+        """(n, n) pair costs above the diagonal blocks, 0 elsewhere."""
+        found = np.zeros((len(self.costs), len(self.costs)))
+        for strip in self._strips:
+            found[strip.mine, strip.columns] = strip.costs
+        return found
+
     def both_ways(self) -> Floats:
         """(n, n) pair costs, the same in both orders."""
-        return np.asarray(self.pairs + self.pairs.T)
+        found = self.matrix()
+        return np.asarray(found + found.T)
+
+    def costs_with(self, chosen: Flags) -> Floats:
+        """(n,) what every label costs in pairs with the chosen ones."""
+        found = np.zeros(len(self.costs))
+        for strip in self._strips:
+            found[strip.columns] += strip.costs[chosen[strip.mine]].sum(axis=0)
+            found[strip.mine] += strip.costs[:, chosen[strip.columns]].sum(axis=1)
+        return found
 
     def value(self, chosen: Indices) -> float:
         """Cost of one label (index into this problem) per variable."""
-        total = self.constant + self.costs[chosen].sum() + np.triu(self.pairs[np.ix_(chosen, chosen)], 1).sum()
+        is_chosen = np.zeros(len(self.costs), dtype=bool)
+        is_chosen[chosen] = True
+        total = self.constant + self.costs[chosen].sum() + self.costs_with(is_chosen)[chosen].sum() / 2
         at = chosen - self.start[:-1]
         for (a, b, c), (ab, ac, bc) in self.messages.items():
             total -= ab[at[a], at[b]] + ac[at[a], at[c]] + bc[at[b], at[c]]
@@ -91,31 +175,56 @@ class ReducedProblem:
         ab, ac, bc = self.messages[triplet]
         return np.asarray(np.maximum(-(ab[:, :, None] + ac[:, None, :] + bc[None]), 0.0))
 
+    # --- smaller problems ----------------------------------------------------------------------------
+
     def restricted(self, alive: Flags) -> ReducedProblem:
         """The problem of the labels that are alive, at least one of every variable."""
-        pairs = self.pairs[np.ix_(alive, alive)]
-        part = ReducedProblem(self.owner[alive], self.labels[alive], self.costs[alive], pairs, self.constant)
-        part._inherit(self, np.flatnonzero(alive))
+        part = self.of_variables(alive, self.costs[alive], self.constant)
+        part.inherit(self, np.flatnonzero(alive))
         return part
 
-    def refined(self, labels: Indices, parent: Indices, costs: Floats, older: Floats, pairs: Floats) -> ReducedProblem:
+    def of_variables(self, alive: Flags, costs: Floats, constant: float) -> ReducedProblem:
+        """The problem of the labels that are alive, without the variables that have none and without triplets; `costs`
+        (alive,) are its linear costs."""
+        number = np.cumsum(alive) - 1
+        has_any = np.logical_or.reduceat(alive, self.start[:-1])
+        owner = (np.cumsum(has_any) - 1)[self.owner[alive]]
+        left = [self._strips[at] for at in np.flatnonzero(has_any)]
+        tables = PairTables(
+            [each.costs[np.ix_(alive[each.mine], alive[each.columns])] for each in left],
+            [number[each.columns[alive[each.columns]]] for each in left],
+        )
+        return ReducedProblem(owner, self.labels[alive], costs, tables, constant)
+
+    def refined(
+        self, labels: Indices, parent: Indices, costs: Floats, older: PairCosts, pairs: PairCosts
+    ) -> ReducedProblem:
         """The problem of smaller blocks, with the messages of the blocks that they are part of.
 
-        `parent` (m,) tells each block's index here.  `costs` (m,) and `pairs` (m, m) are its costs, `older` (n, n)
-        the pair costs of this problem's blocks, all without messages; linear costs are above those of the parent.
+        `parent` (m,) tells each block's index here.  `costs` (m,) are their linear costs above those of the parent,
+        `older` and `pairs` the pair costs of this problem's blocks and theirs, all without messages.
         """
-        mine = np.empty_like(pairs)
-        for rows in np.array_split(np.arange(len(parent)), max(1, len(parent) // ROWS)):  # a matrix more would be large
-            inherited, before = (each[np.ix_(parent[rows], parent)] for each in (self.pairs, older))
-            np.copyto(pairs[rows[0] : rows[-1] + 1], np.inf, where=np.isinf(inherited))
-            inherited[np.isinf(inherited)] = 0.0
-            before[np.isinf(before)] = 0.0
-            mine[rows] = inherited + pairs[rows] - before
-        part = ReducedProblem(self.owner[parent], labels, self.costs[parent] + costs, mine, self.constant)
-        part._inherit(self, parent)
+        owner = self.owner[parent]
+        start = np.searchsorted(owner, np.arange(self.count + 1))
+        used = pairs.interacting(owner) | self.linked
+        strips, columns = [], []
+        for at, strip in enumerate(self._strips):
+            before = _without(strip, older)
+            mine = parent[start[at] : start[at + 1]] - strip.mine.start
+            theirs = start[at + 1] + np.flatnonzero(used[at, owner[start[at + 1] :]])
+            place = np.searchsorted(strip.columns, parent[theirs])
+            found = np.zeros((len(mine), len(theirs)))
+            held = np.isin(parent[theirs], strip.columns, assume_unique=False)
+            found[:, held] = before[np.ix_(mine, place[held])]
+            rows, others, more = pairs.of_rows(int(start[at]), int(start[at + 1]))
+            found[rows, np.searchsorted(theirs, others)] += more
+            strips.append(found)
+            columns.append(theirs)
+        part = ReducedProblem(owner, labels, self.costs[parent] + costs, PairTables(strips, columns), self.constant)
+        part.inherit(self, parent)
         return part
 
-    def _inherit(self, older: ReducedProblem, parent: Indices) -> None:
+    def inherit(self, older: ReducedProblem, parent: Indices) -> None:
         """Take the messages of another problem; `parent` (n,) tells each label's index there."""
         self.linked = older.linked.copy()
         mine = [parent[each] - older.start[at] for at, each in enumerate(self.slices)]
@@ -130,13 +239,17 @@ class ReducedProblem:
 
     def normalize(self) -> None:
         """Move the least cost of every table into the constant, and note which tables cost anything."""
-        for a, b in itertools.combinations(range(self.count), 2):
-            table = self.pairs[self.start[a] : self.start[a + 1], self.start[b] : self.start[b + 1]]
-            least, most = float(table.min()), float(table.max())
-            if least and np.isfinite(least):
-                table -= least
-                self.constant += least
-            self.linked[a, b] = self.linked[b, a] = most - least > EPSILON
+        self.linked[:] = False
+        for at, strip in enumerate(self._strips):
+            if not len(strip.others):
+                continue
+            least = np.minimum.reduceat(strip.costs.min(axis=0), strip.first)
+            most = np.maximum.reduceat(strip.costs.max(axis=0), strip.first)
+            self.linked[at, strip.others] = self.linked[strip.others, at] = most > least + EPSILON
+            moved = np.where(least < np.inf, least, 0.0)
+            if moved.any():
+                strip.costs[...] -= np.repeat(moved, strip.sizes)
+                self.constant += float(moved.sum())
 
     def sweep(self) -> None:
         """Block-coordinate ascent of the bound: once over the variables and back.
@@ -144,40 +257,35 @@ class ReducedProblem:
         Sequential tree-reweighted message passing (V. Kolmogorov, "A new look at reweighted message passing", 2015):
         every variable shares its costs among the tables ahead, which pass them on.
         """
-        slices = self.slices
         ahead, behind = np.triu(self.linked).sum(axis=1), np.tril(self.linked).sum(axis=1)
         portion = 1.0 / np.maximum(np.maximum(ahead, behind), 1)
-        linked = self.linked[:, self.owner].astype(np.float64)
         for at in np.flatnonzero(ahead).tolist():
-            mine, rest = slices[at], slice(slices[at].stop, None)
-            block, share = self.pairs[mine, rest], self.costs[mine] * portion[at]
-            block += share[:, None] * linked[at, rest]
-            self.costs[mine] -= share * ahead[at]
-            self._collect(block, np.minimum.reduce(block, axis=0), rest)
-        for at in np.flatnonzero(behind)[::-1].tolist():
-            mine, rest = slices[at], slice(0, slices[at].start)
-            block, share = self.pairs[rest, mine], self.costs[mine] * portion[at]
-            block += linked[at, rest, None] * share
-            self.costs[mine] -= share * behind[at]
-            self._collect(block.T, np.minimum.reduce(block, axis=1), rest)
-
-    def _collect(self, block: Floats, least: Floats, labels: slice) -> None:
-        """Move the least costs of labels against one variable from their tables to the labels."""
-        least = np.where(least < np.inf, least, 0.0)  # labels that are excluded
-        block -= least
-        self.costs[labels] += least
+            strip = self._strips[at]
+            share = self.costs[strip.mine] * portion[at]
+            self.costs[strip.mine] -= share * ahead[at]
+            strip.costs[...] += share[:, None] * strip.each(self.linked[at])
+            least = _finite(strip.costs.min(axis=0))
+            strip.costs[...] -= least
+            self.costs[strip.columns] += least
+        shares = np.zeros(len(self.costs))
+        for at, strip in reversed(list(enumerate(self._strips))):
+            if ahead[at]:  # Later variables have all that comes from behind, and have set their shares aside.
+                strip.costs[...] += shares[strip.columns] * strip.each(self.linked[at])
+                given = _finite(np.minimum.reduceat(strip.costs, strip.first, axis=1))
+                strip.costs[...] -= np.repeat(given, strip.sizes, axis=1)
+                self.costs[strip.mine] += given.sum(axis=1)
+            shares[strip.mine] = self.costs[strip.mine] * portion[at]
+            self.costs[strip.mine] -= shares[strip.mine] * behind[at]
 
     def spread(self) -> None:
         """Move all linear costs of linked variables into their tables, evenly."""
         degree = self.linked.sum(axis=1)
         share = self.costs / np.maximum(degree, 1)[self.owner]
-        for at, mine in enumerate(self.slices):
-            ahead = self.linked[at, self.owner[mine.stop :]]
-            behind = self.linked[at, self.owner[: mine.start]]
-            self.pairs[mine, mine.stop :] += share[mine, None] * ahead
-            self.pairs[: mine.start, mine] += behind[:, None] * share[mine]
-            if degree[at]:
-                self.costs[mine] = 0.0
+        for at, strip in enumerate(self._strips):
+            linked = strip.each(self.linked[at])
+            strip.costs[...] += share[strip.mine, None] * linked
+            strip.costs[...] += share[strip.columns] * linked
+        self.costs[degree[self.owner] > 0] = 0.0
 
     # --- tests ---------------------------------------------------------------------------------------
 
@@ -185,10 +293,11 @@ class ReducedProblem:
         """(n,) no layout that uses a label costs less; +inf for a label that every layout excludes."""
         excess = self.excess()
         least = np.zeros(len(excess))
-        for mine in self.slices:
-            ahead, behind = self.pairs[mine, mine.stop :], self.pairs[: mine.start, mine]
-            least[mine.stop :] += (ahead + excess[mine, None]).min(axis=0)
-            least[: mine.start] += (behind + excess[mine]).min(axis=1)
+        for strip in self._strips:
+            if len(strip.others):
+                least[strip.columns] += (strip.costs + excess[strip.mine, None]).min(axis=0)
+                theirs = np.minimum.reduceat(strip.costs + excess[strip.columns], strip.first, axis=1)
+                least[strip.mine] += theirs.sum(axis=1)
         return np.asarray(self.bound() + excess + least)
 
     def exclude_pairs(self, cutoff: float) -> int:
@@ -197,16 +306,19 @@ class ReducedProblem:
         For every third variable the label counts that costs least with both.
         """
         gap = np.float32(cutoff - self.bound())
-        excess, pairs = self.excess().astype(np.float32), self.both_ways().astype(np.float32)
+        excess, matrix = self.excess().astype(np.float32), self.matrix()
+        pairs = (matrix + matrix.T).astype(np.float32)
         found = 0
         for variable, mine in enumerate(self.slices[:-1]):
             later = slice(mine.stop, None)
             total = self._pair_lower_bounds(variable, excess, pairs)
             bad = (total >= gap * np.float32(1 + MARGIN) + np.float32(EPSILON)) & np.isfinite(pairs[mine, later])
             found += int(bad.sum())
-            self.pairs[mine, later][bad] = np.inf
+            matrix[mine, later][bad] = np.inf
             pairs[mine, later][bad] = np.inf
             pairs[later, mine][bad.T] = np.inf
+        if found:  # between variables that do not interact, too
+            self.tables = full_tables(self.owner, matrix)
         return found
 
     def _pair_lower_bounds(self, variable: int, excess: Singles, pairs: Singles) -> Singles:
@@ -239,3 +351,38 @@ def reduced(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:
         if alive.all():
             return problem
         problem = problem.restricted(alive)
+
+
+class _Strip(NamedTuple):
+    """The tables of a variable with later ones."""
+
+    costs: Floats
+    """(labels, q) view of `PairTables.strips`."""
+    mine: slice
+    """The labels of the variable."""
+    columns: Indices
+    """(q,) labels of the later ones."""
+    first: Indices
+    """(tables,) column at which each begins."""
+    others: Indices
+    """(tables,) the later variables."""
+    sizes: Indices
+    """(tables,) how many labels they have."""
+
+    def each(self, of_variables: Flags) -> Floats:
+        """(q,) 1 for the columns of the variables that are flagged, 0 for others."""
+        return np.repeat(of_variables[self.others], self.sizes).astype(np.float64)
+
+
+def _finite(least: Floats) -> Floats:
+    """Costs to be moved: nothing from labels that are excluded."""
+    return np.where(least < np.inf, least, 0.0)
+
+
+def _without(strip: _Strip, pairs: PairCosts) -> Floats:
+    """The costs of a strip less those of the pairs: what messages gave; +inf stays."""
+    found = strip.costs.copy()
+    rows, others, costs = pairs.of_rows(strip.mine.start, strip.mine.stop)
+    finite = costs < np.inf
+    found[rows[finite], np.searchsorted(strip.columns, others[finite])] -= costs[finite]
+    return found

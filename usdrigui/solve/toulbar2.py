@@ -46,7 +46,7 @@ def solve_by_toulbar2(
     """
     least = np.minimum.reduceat(linear, problem.start[:-1])
     spare = cutoff - float(least.sum())
-    costs = np.where(np.isinf(problem.pairs), np.inf, pairs)
+    costs = np.where(np.isinf(problem.matrix()), np.inf, pairs)
     above = np.minimum(linear - least[problem.owner], spare)
     figures = {"labels": len(linear)}
     answer = _asked((problem.start, above, np.minimum(costs, spare), spare), budget)

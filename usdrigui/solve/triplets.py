@@ -18,15 +18,15 @@ CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 100
 """Triplets taken at a time."""
+CUBE = 65536
+"""Costs of three labels that are worked out at a time: they stay in the processor's cache."""
 PASSES = 6
 """Passes over the triplets before others are looked for; a third where labels are many, for all that is done on the
 whole matrix in each."""
-STRONGEST = 1500
-"""Tables whose triplets are looked at: those of the highest costs."""
 
 
-def raise_bound(problem: ReducedProblem, budget: Budget) -> int:
-    """Raise the bound of a problem, in place, by its triplets and those that help it most; how many are new."""
+def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
+    """Raise the bound of a problem, in place, by its triplets and those that help it most."""
     problem.normalize()
     new = _best_triplets(problem)
     problem.messages.update((each, _no_messages(problem, each)) for each in new)
@@ -40,15 +40,13 @@ def raise_bound(problem: ReducedProblem, budget: Budget) -> int:
         if budget.stopped():
             break
     problem.normalize()
-    return len(new)
 
 
 def work_of(problem: ReducedProblem) -> int:
     """Work that a pass over the triplets counts as."""
     sizes = np.diff(problem.start)
-    return (
-        sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages) // 32 + len(problem.costs) ** 2 // 16
-    )
+    cubes = sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages)
+    return cubes // 80 + problem.tables.entries // 8
 
 
 def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Floats, Floats, Floats]:
@@ -59,44 +57,49 @@ def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Floats, Flo
 def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
     """Give each of a triplet's tables an even part of what its pairs cost at least together with a label of the third,
     and then all that is left of it."""
-    a, b, c = (problem.slices[each] for each in triplet)
-    tables = (problem.pairs[a, b], problem.pairs[a, c], problem.pairs[b, c])
-    ab, ac, bc = (table - message for table, message in zip(tables, problem.messages[triplet], strict=True))
-    cube = ab[:, :, None] + ac[:, None, :] + bc[None]
-    given = [np.zeros_like(table) for table in tables]
+    a, b, c = triplet
+    tables = (problem.table(a, b), problem.table(a, c), problem.table(b, c))
+    before = [table - message for table, message in zip(tables, problem.messages[triplet], strict=True)]
+    left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
     for side, share in ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1)):
-        least = cube.min(axis=2 - side) / share
+        ab, ac, bc = left
+        one, other = ((ac.T, bc.T), (ab.T, bc), (ab, ac))[side]
+        least = (_least_together(one, other) + left[side]) / share
         given[side] += least
-        least[np.isinf(least)] = 0.0  # what is excluded stays so
-        cube -= least[_ALONG[side]]
-    for table, old, new in zip(tables, (ab, ac, bc), given, strict=True):
+        left[side] -= np.where(least < np.inf, least, 0.0)  # what is excluded stays so
+    for table, old, new in zip(tables, before, given, strict=True):
         table[...] = new
         new[...] = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
     problem.messages[triplet] = (given[0], given[1], given[2])
 
 
-_ALONG = ((..., None), (slice(None), None), (None,))
-"""How the tables of a triplet lie in its cube."""
+def _least_together(one: Floats, other: Floats) -> Floats:
+    """(x, y) of (t, x) and (t, y) costs: the least of both for any t, a few t at a time."""
+    found = np.full((one.shape[1], other.shape[1]), np.inf)
+    rows = max(1, CUBE // max(found.size, 1))
+    for at in range(0, len(one), rows):
+        part = slice(at, at + rows)
+        np.minimum(found, (one[part, :, None] + other[part, None, :]).min(axis=0), out=found)
+    return found
 
 
 def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
-    """New triplets that raise the bound most, by the cheapest labels of their variables."""
+    """New triplets that raise the bound most, by the cheapest labels of their variables; then those whose weakest table
+    costs most."""
     tables = _cheapest(problem)
     least = tables.min(axis=(2, 3))
-    strength = np.triu(np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0))
-    gains: dict[Triplet, float] = {}
-    for pair in np.argsort(-strength, axis=None, kind="stable")[:STRONGEST].tolist():
-        a, b = divmod(pair, problem.count)
-        third = np.flatnonzero(problem.linked[a] & problem.linked[b])
-        if not strength[a, b] or not len(third):
-            break
+    strength = np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0)
+    rank: dict[Triplet, tuple[float, float]] = {}
+    for a, b in np.argwhere(np.triu(problem.linked)).tolist():
+        third = b + 1 + np.flatnonzero(problem.linked[a, b + 1 :] & problem.linked[b, b + 1 :])
         both = (tables[a, third][:, :, None] + tables[b, third][:, None]).min(axis=3)
-        gain = (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
-        for at in np.flatnonzero(gain > EPSILON):
-            first, second, last = sorted((a, b, int(third[at])))
-            gains[first, second, last] = float(gain[at])
-    new = [each for each in gains if each not in problem.messages]
-    return sorted(new, key=lambda each: (-gains[each], each))[:AT_ONCE]
+        gains = (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
+        gains[gains <= EPSILON] = 0.0
+        weakest = np.minimum(np.minimum(strength[a, third], strength[b, third]), strength[a, b])
+        new = ((a, b, each) not in problem.messages for each in third.tolist())
+        for at in np.flatnonzero(np.fromiter(new, dtype=bool)).tolist():
+            rank[a, b, int(third[at])] = (-float(gains[at]), -float(weakest[at]))
+    return sorted(rank, key=lambda each: (rank[each], each))[:AT_ONCE]
 
 
 def _cheapest(problem: ReducedProblem) -> Floats:
@@ -109,7 +112,10 @@ def _cheapest(problem: ReducedProblem) -> Floats:
             for mine in problem.slices
         ]
     )
-    tables = np.minimum(problem.pairs[labels[:, None, :, None], labels[None, :, None, :]], NEVER)
+    tables = np.zeros((problem.count, problem.count, CHEAPEST, CHEAPEST))
+    place = labels - problem.start[:-1, None]
+    for a, b in np.argwhere(np.triu(problem.linked)).tolist():
+        tables[a, b] = np.minimum(problem.table(a, b)[np.ix_(place[a], place[b])], NEVER)
     share = (problem.costs / np.maximum(problem.linked.sum(axis=1), 1)[problem.owner])[labels]
     tables += tables.transpose(1, 0, 3, 2)
     tables += share[:, None, :, None] + share[None, :, None, :]
