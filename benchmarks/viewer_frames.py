@@ -52,7 +52,7 @@ SPENT = """() => Object.entries(window.parts).map(([name, times]) =>
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path)
-    parser.add_argument("--control", default="jawOpen")
+    parser.add_argument("--control", help="by default jawOpen, or the first one")
     parser.add_argument("--seconds", type=float, default=5.0)
     parser.add_argument("--size", default="1280x800")
     parser.add_argument("--draw", choices=("webgl", "canvas"), help="insist on one; by default the page chooses")
@@ -67,7 +67,9 @@ def main() -> None:
 
 def measure(page, control, seconds):
     page.wait_for_timeout(1500)
-    element = next(each for each in page.evaluate("usdrigui.elements()") if control in each["controls"])
+    elements = page.evaluate("usdrigui.elements()")
+    names = [control] if control else ["jawOpen", elements[0]["controls"][0]]
+    element = next(each for name in names for each in elements if name in each["controls"])
     box = page.locator(".surface").bounding_box()
     x, y = box["x"] + element["handle"][0], box["y"] + element["handle"][1]
     to_x, to_y = element["tracks"][0][-1][0] + box["x"], element["tracks"][0][-1][1] + box["y"]
