@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pxr import Sdf, Usd, UsdSkel, Vt
+from pxr import Gf, Sdf, Usd, UsdSkel, Vt
 
 _ROW = "{:<28} {:<5} {:>6} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}"
 
@@ -103,15 +103,33 @@ def shot(path: Path, layer: Path, variant: str, count: int, frames: int) -> Path
 
 
 def moving(stage: Usd.Stage, frames: int) -> None:
-    """Weights that change at every frame."""
+    """Weights that change at every frame, and joints where nothing turns them."""
     stage.SetStartTimeCode(1)
     stage.SetEndTimeCode(frames)
-    for prim in stage.Traverse():
+    for prim in list(stage.Traverse()):
+        if prim.IsA(UsdSkel.Skeleton) and not UsdSkel.BindingAPI(prim).GetInheritedAnimationSource():
+            rest = UsdSkel.Skeleton(prim).GetRestTransformsAttr().Get()
+            motion = UsdSkel.Animation.Define(stage, prim.GetPath().AppendChild("motion"))
+            motion.CreateJointsAttr(UsdSkel.Skeleton(prim).GetJointsAttr().Get())
+            motion.SetTransforms(rest)
+            UsdSkel.BindingAPI.Apply(prim).CreateAnimationSourceRel().SetTargets([motion.GetPath()])
+    for prim in list(stage.Traverse()):
         if prim.IsA(UsdSkel.Animation):
-            weights = UsdSkel.Animation(prim).GetBlendShapeWeightsAttr()
-            count = len(UsdSkel.Animation(prim).GetBlendShapesAttr().Get() or ())
-            for frame in range(1, frames + 1) if count else ():
-                weights.Set(Vt.FloatArray([((frame * (i + 3)) % 17) / 17.0 for i in range(count)]), frame)
+            animate(UsdSkel.Animation(prim), frames)
+
+
+def animate(animation: UsdSkel.Animation, frames: int) -> None:
+    """Other weights at every frame; other rotations where there is one for all frames."""
+    count = len(animation.GetBlendShapesAttr().Get() or ())
+    still = list(animation.GetRotationsAttr().Get(Usd.TimeCode.EarliestTime()) or ())
+    turning = animation.GetRotationsAttr().GetNumTimeSamples() > 1
+    for frame in range(1, frames + 1):
+        if count:
+            weights = Vt.FloatArray([((frame * (i + 3)) % 17) / 17.0 for i in range(count)])
+            animation.GetBlendShapeWeightsAttr().Set(weights, frame)
+        if still and not turning:
+            turn = Gf.Quatf(Gf.Rotation((1, 0, 0), frame % 17).GetQuat())
+            animation.GetRotationsAttr().Set([turn * each for each in still], frame)
 
 
 def opened_and_played(path: Path) -> tuple[float, float]:
