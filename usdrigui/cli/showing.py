@@ -157,13 +157,16 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
-    read = _spared((arguments.svg, arguments.dwpicker), loaded, arguments)
+    behind = arguments.dwpicker and arguments.dwpicker.with_suffix(".background.png")
+    read = _spared((arguments.svg, arguments.dwpicker, behind), loaded, arguments)
     made = picker.picker(_visible(loaded.characters, arguments), labels=arguments.labels)
     if arguments.svg is not None:
         content = picker.to_svg(made).encode()
         say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
-        content = picker.to_dwpicker(made, arguments.layer.name.partition(".")[0]).encode()
+        name, place = arguments.layer.name.partition(".")[0], f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}"
+        content = picker.to_dwpicker(made, name, place).encode()
+        say(f"{pipeline.write_file(picker.background_png(made), behind, read)} {behind}", arguments)
         say(f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}", arguments)
     say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
     return Exit.OK

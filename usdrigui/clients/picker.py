@@ -1,25 +1,30 @@
 """A layout as a flat picker beside the viewport: SVG for any tool, and the JSON of dwpicker.
 
-The layout is seen from the direction that it was made for, at its base pose, without perspective, over the
-character's silhouette.  The character's elements keep their places, its board moves up to it; characters stand
-side by side.
+Each part of a character is seen from the direction that it was laid out for, at the base pose, without perspective,
+over a picture of it.  Elements keep their places but where handles would lie on each other; the board is in rows beside
+it.  Parts and characters stand in rows.
 """
 
 from __future__ import annotations
 
+import base64
+import io
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from usdrigui.markup import markup
 from usdrigui.model import Element, Floats, Layout, Record, Rig
-from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.surface import mesh_triangles
-from usdrigui.view import lettering
+from usdrigui.view import lettering, shading
+from usdrigui.view.complexion import complexion
 from usdrigui.view.overlay import colour_of, form_of
+from usdrigui.view.sections import main_layout, sections
 from usdrigui.view.shading import look
 from usdrigui.view.silhouette import silhouette
 
@@ -35,6 +40,23 @@ _PITCH = 20.0
 _AROUND, _WIDE, _HAIR, _CROWN = 0.16, 0.9, 1.4, 1.2
 """Of the silhouette: space around the elements, how far it may go to either side of their middle, level with them
 and in the upper half of the head, and up from them, in heights of their box."""
+_FINENESS = 720
+"""Pixels along the longer side of a backdrop."""
+_VEIL = 0.55
+"""Share of the paper in a backdrop, so that handles are told from it."""
+_PAPER = np.array([244.0, 245.0, 246.0])
+_APART = 1.1
+"""Least distance of handles, in their diameters."""
+_LARGEST = 72.0
+"""Longer side of what is shown of a part, in handles; a larger one is shown smaller."""
+_ROUNDS = 400
+"""Of pushing rectangles apart, at most."""
+_ROW_TRACK = 3.0
+"""Longest track in a row of the board, in handles."""
+_ACROSS = 2.6
+"""Widths of a row of panels, in heights of the tallest, before another one begins."""
+_BUTTON, _BUTTON_LETTER, _BUTTON_SCALE = 18.0, 6.2, 1.8
+"""Of a dwpicker file: height of a button, width of a letter on it, and how much larger the whole is for their sake."""
 _DWPICKER = [0, 12, 0]
 """Version of the dwpicker file format that is written; later ones read it and bring it up to date."""
 
@@ -48,10 +70,14 @@ class Spot(Record):
     """(2,)."""
     tracks: tuple[Floats, ...]
     """Per member (k, 2)."""
-    width: float = _HANDLE
-    """Diameter of the handle, that of the part in which the element stands."""
     lead: Floats | None = None
     """(2, 2) line from the name of an element on the face to its handle, where names are asked for."""
+
+    @property
+    def around(self) -> Floats:
+        """(2, 2) corners of the box around handle and tracks."""
+        points = np.vstack([self.handle - 0.5 * _HANDLE, self.handle + 0.5 * _HANDLE, *self.tracks])
+        return np.stack([points.min(axis=0), points.max(axis=0)])
 
     def moved(self, shift: Floats) -> Spot:
         """The same elsewhere."""
@@ -60,13 +86,33 @@ class Spot(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class Backdrop(Record):
+    """What a part of a character looks like, behind its elements."""
+
+    low: Floats
+    """(2,) upper left corner in the picture."""
+    high: Floats
+    outline: tuple[Floats, ...]
+    """Polygons (k, 2) around what it covers; holes are polygons too."""
+    image: Image.Image
+    """RGBA, clear beside the character."""
+    title: str
+    """Of one of several parts."""
+
+    def moved(self, shift: Floats) -> Backdrop:
+        """The same elsewhere."""
+        outline = tuple(loop + shift for loop in self.outline)
+        return replace(self, low=self.low + shift, high=self.high + shift, outline=outline)
+
+
+@dataclass(frozen=True, eq=False)
 class Picker(Record):
     """One or more characters in one picture."""
 
     size: Floats
     """(2,) width and height."""
-    outlines: tuple[tuple[Floats, ...], ...]
-    """Per character polygons (k, 2) around what it covers where its elements are; holes are polygons too."""
+    backdrops: tuple[Backdrop, ...]
+    """One a part of a character."""
     spots: tuple[Spot, ...]
 
 
@@ -75,16 +121,19 @@ def picker(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) ->
 
     Raises RigUIError LAYOUT_STALE where a layout does not belong to its rig.
     """
-    outlines, spots, left, height = [], [], 0.0, 0.0
-    for rig, layout in characters:
-        loops, own = _flat(rig, layout, labels)
-        points = np.concatenate([*loops, *(_drawn(spot) for spot in own), np.zeros((0 if own else 1, 2))])
-        low, high = points.min(axis=0) - _MARGIN, points.max(axis=0) + _MARGIN
-        shift = np.array([left, 0.0]) - low
-        outlines.append(tuple(loop + shift for loop in loops))
-        spots += [spot.moved(shift) for spot in own]
-        left, height = left + float(high[0] - low[0]), max(height, float(high[1] - low[1]))
-    return Picker(np.array([left, height]), tuple(outlines), tuple(spots))
+    panels = [panel for rig, layout in characters for panel in _panels(rig, layout, labels)]
+    boxes = [_box(panel) for panel in panels]
+    wide = _ACROSS * max((float(high[1] - low[1]) for low, high in boxes), default=0.0)
+    backdrops, spots, at, row, size = [], [], np.zeros(2), 0.0, np.zeros(2)
+    for (backdrop, own), (low, high) in zip(panels, boxes, strict=True):
+        if at[0] > 0.0 and at[0] + high[0] - low[0] > wide:
+            at, row = np.array([0.0, at[1] + row]), 0.0
+        backdrops.append(backdrop.moved(at - low))
+        spots += [spot.moved(at - low) for spot in own]
+        row = max(row, float(high[1] - low[1]))
+        size = np.maximum(size, at + high - low)
+        at = np.array([at[0] + high[0] - low[0], at[1]])
+    return Picker(size, tuple(backdrops), tuple(spots))
 
 
 def to_svg(made: Picker) -> str:
@@ -95,9 +144,8 @@ def to_svg(made: Picker) -> str:
         f'width="{width:.0f}" height="{height:.0f}" font-family="sans-serif">',
         f'<rect width="{width:.2f}" height="{height:.2f}" fill="#f4f5f6"/>',
     ]
-    lines += [
-        f'<path d="{_path(each)}" fill="#e4e6e9" fill-rule="evenodd" stroke="#c8ccd1"/>' for each in made.outlines
-    ]
+    for each in made.backdrops:
+        lines += _backdrop(each)
     leads = [spot.lead for spot in made.spots if spot.lead is not None]
     lines += [f'<path d="M{_points(lead)}" fill="none" stroke="#969ba3" stroke-width="1"/>' for lead in leads]
     for spot in made.spots:
@@ -105,47 +153,136 @@ def to_svg(made: Picker) -> str:
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
-def to_dwpicker(made: Picker, name: str) -> str:
-    """A dwpicker file: one button per element, which selects what is called like the element's controls."""
-    width, height = (float(round(each, 2)) for each in made.size)
-    shapes = [_shape("square", (0.0, 0.0, width, height), "#3c4046", background=True)]
-    for spot in made.spots:
-        width = float(round(spot.width, 2))
-        x, y = (float(round(each - 0.5 * width, 2)) for each in spot.handle)
-        form = "round" if spot.element.kind == "slider" else "square"
-        button = _shape(form, (x, y, width, width), _hex(spot.element))
+def to_dwpicker(made: Picker, name: str, background: str = "") -> str:
+    """A dwpicker file: one named button per element, which selects what is called like the element's controls.
+
+    ``background`` is the path of the picture that `background_png` gives, as dwpicker is to find it.
+    """
+    width, height = (float(round(_BUTTON_SCALE * each, 2)) for each in made.size)
+    behind = _shape("square", (0.0, 0.0, width, height), "#3c4046", background=True)
+    shapes = [behind | {"image.path": background, "image.fit": True, "image.width": width, "image.height": height}]
+    for spot, (left, top, wide, high) in zip(made.spots, _buttons(made), strict=True):
+        place = (float(round(left, 2)), float(round(top, 2)), float(round(wide, 2)), float(round(high, 2)))
+        form = "rounded_rect" if spot.element.kind == "slider" else "square"
+        button = _shape(form, place, _hex(spot.element))
         button["action.targets"] = [member.control for member in spot.element.members]
-        label = _shape("square", (x + width, y, 8.0 * len(spot.element.label) + 8.0, width), "#000000")
-        label |= {"text.content": spot.element.label, "bgcolor.transparency": 255, "border": False, "background": True}
-        shapes += [label, button]
+        shapes.append(button | {"text.content": spot.element.label, "text.color": _ink(spot.element)})
     general = {"name": name, "version": _DWPICKER, "zoom_locked": False, "width": width, "height": height}
     return json.dumps({"general": general, "shapes": shapes}, indent=2, ensure_ascii=False) + "\n"
+
+
+def background_png(made: Picker) -> bytes:
+    """All backdrops as one picture of the picker's proportions."""
+    share = min(1.0, 2.0 * _FINENESS / float(made.size.max()))
+    page = Image.new("RGB", tuple(np.maximum(np.rint(share * made.size), 1).astype(int).tolist()), (244, 245, 246))
+    for each in made.backdrops:
+        size = np.maximum(np.rint(share * (each.high - each.low)), 1).astype(int)
+        image = each.image.resize((int(size[0]), int(size[1])))
+        page.paste(image, tuple(np.rint(share * each.low).astype(int).tolist()), image)
+    return _png(page)
+
+
+# --- rectangles that do not overlap ------------------------------------------------------------------
+
+
+def spread(centres: Floats, sizes: Floats) -> Floats:
+    """(n, 2) centres of rectangles of ``sizes`` (n, 2), moved as little as it takes until none overlaps another.
+
+    Pairs that overlap are pushed apart along the axis on which less is missing, the first to the left or up where they
+    coincide; what a crowd still holds then is moved down.
+    """
+    at = centres.astype(np.float64)
+    first, second = np.triu_indices(len(at), 1)
+    least = 0.5 * (sizes[first] + sizes[second])
+    for _ in range(_ROUNDS):
+        apart = at[second] - at[first]
+        missing = least - np.abs(apart)
+        over = np.flatnonzero((missing > 1e-6).all(axis=1))
+        if not len(over):
+            break
+        axis = np.argmin(missing[over], axis=1)
+        push = 0.5 * (missing[over, axis] + 1e-3) * np.where(apart[over, axis] < 0.0, -1.0, 1.0)
+        moved, count = np.zeros_like(at), np.zeros_like(at)
+        for ends, sign in ((first[over], -1.0), (second[over], 1.0)):
+            np.add.at(moved, (ends, axis), sign * push)
+            np.add.at(count, (ends, axis), 1.0)
+        at += moved / np.maximum(count, 1.0)
+    return _cleared(at, sizes)
+
+
+def _cleared(at: Floats, sizes: Floats) -> Floats:
+    """(n, 2) the same, from above to below each moved down past those above that it overlaps still."""
+    order = np.lexsort((at[:, 0], at[:, 1]))
+    for k, index in enumerate(order):
+        above = order[:k]
+        least = 0.5 * (sizes[above] + sizes[index])
+        while (over := (least - np.abs(at[above] - at[index]) > 1e-6).all(axis=1)).any():
+            at[index, 1] = (at[above, 1] + least[:, 1])[over].max() + 1e-6
+    return at
 
 
 # --- geometry ----------------------------------------------------------------------------------------
 
 
-def _flat(rig: Rig, layout: Layout, labels: bool) -> tuple[tuple[Floats, ...], list[Spot]]:
-    """Silhouette and elements of one character, the handles of its main part `_HANDLE` wide."""
+Panel = tuple[Backdrop, list[Spot]]
+
+
+def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
+    """One panel a part of a character."""
     posed = evaluate(prepare(rig, layout))
-    # Pictures have y down.
-    plane = look(layout.view, rig.up)[:2].T * np.array([1.0, -1.0]) * (_HANDLE / layout.handle_width)
-    spots = [
-        Spot(
-            element,
-            at.handle @ plane,
-            tuple(track @ plane for track in at.tracks),
-            _HANDLE * layout.handle_width_of(element) / layout.handle_width,
-        )
-        for element, at in zip(layout.elements, posed.elements, strict=True)
-    ]
+    subject = shading.body(rig, posed.points, complexion(rig, main_layout(layout)))
+    if len(layout.parts) < 2:
+        return [_panel(rig, layout, posed, subject, "", labels)]
+    found = sections(layout, posed, rig.up)
+    return [_panel(rig, each.layout, each.posed, subject, each.title, labels) for each in found]
+
+
+def _panel(rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool) -> Panel:
+    """What is seen of a part, one handle width being `_HANDLE`."""
+    rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
+    plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
     corners = mesh_triangles(rig.meshes, visible_only=True)
     corners = corners if len(corners) else mesh_triangles(rig.meshes)
-    flat = posed.points @ plane
-    low, high = _region(spots, flat[np.unique(corners)])
-    loops = silhouette(flat, corners, low, high)
+    skin = posed.points[np.unique(corners)]
+    low, high = _region(_spots(layout, posed, plane), skin @ plane)
+    smaller = min(1.0, _LARGEST * _HANDLE / max(float((high - low).max()), 1e-9))
+    plane, scale, low, high = smaller * plane, smaller * scale, smaller * low, smaller * high
+    spots, flat = _spots(layout, posed, plane), posed.points @ plane
+    image = _picture(subject, rows, scale, low, high)
+    backdrop = Backdrop(low, high, silhouette(flat, corners, low, high), image, title)
+    spots = _apart(spots)
     spots = _named(spots, low, high) if labels else spots
-    return loops, _with_board(spots, loops, low, high)
+    return backdrop, _with_board(spots, backdrop)
+
+
+def _spots(layout: Layout, posed: PosedLayout, plane: Floats) -> list[Spot]:
+    return [
+        Spot(element, at.handle @ plane, tuple(track @ plane for track in at.tracks))
+        for element, at in zip(layout.elements, posed.elements, strict=True)
+    ]
+
+
+def _picture(subject: shading.Body, rows: Floats, scale: float, low: Floats, high: Floats) -> Image.Image:
+    """What is seen of the body in a rectangle of the plane, paler than it is, RGBA."""
+    share = min(1.0, _FINENESS / float((high - low).max()))
+    width, height = (int(each) for each in np.maximum(np.rint(share * (high - low)), 1))
+    centre = 0.5 * (low + high) * [1.0, -1.0] / scale
+    shaded = shading.shade(subject, shading.Camera(rows, centre @ rows[:2], share * scale, width, height))
+    colour = (1.0 - _VEIL) * 255.0 * shading.encoded(shaded.colour) + _VEIL * _PAPER
+    pixels = np.concatenate([colour, 255.0 * shaded.cover[..., None]], axis=2)
+    return Image.fromarray(pixels.round().clip(0.0, 255.0).astype(np.uint8), "RGBA")
+
+
+def _apart(spots: list[Spot]) -> list[Spot]:
+    """The spots with no handle of the face on another; tracks go with their handles."""
+    face = [i for i, spot in enumerate(spots) if not spot.element.anchor.on_board]
+    if not face:
+        return spots
+    places = np.array([spots[i].handle for i in face])
+    moved = list(spots)
+    for i, shift in zip(face, spread(places, np.full(places.shape, _APART * _HANDLE)) - places, strict=True):
+        moved[i] = spots[i].moved(shift)
+    return moved
 
 
 def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
@@ -181,49 +318,92 @@ def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
     return named
 
 
-def _with_board(spots: list[Spot], loops: tuple[Floats, ...], low: Floats, high: Floats) -> list[Spot]:
-    """The spots with the board next to the silhouette and names there, at a height where the character is."""
-    board = [_drawn(spot) for spot in spots if spot.element.anchor.on_board]
-    if not board:
-        return spots
-    top_left, end = np.concatenate(board).min(axis=0), np.concatenate(board).max(axis=0)
-    outline = np.concatenate([*(_dense(loop) for loop in loops), np.zeros((0, 2))])
-    bottom = float(outline[:, 1].max()) if len(outline) else float(high[1])
-    down = max(min(0.0, bottom - float(end[1])), float(low[1] - top_left[1]))
-    level = outline[(outline[:, 1] >= top_left[1] + down - _GAP) & (outline[:, 1] <= end[1] + down + _GAP), 0]
-    face = [_drawn(spot)[:, 0].max() for spot in spots if not spot.element.anchor.on_board]
-    shift = np.array([max(float(level.max(initial=-np.inf)), *face, -np.inf) + _GAP - top_left[0], down])
-    if not np.isfinite(shift).all():
-        return spots
-    return [spot.moved(shift) if spot.element.anchor.on_board else spot for spot in spots]
+def _with_board(spots: list[Spot], backdrop: Backdrop) -> list[Spot]:
+    """The spots with the board in rows, to the right of the character and of the names there."""
+    board = [i for i, spot in enumerate(spots) if spot.element.anchor.on_board]
+    face = [_drawn(spot) for i, spot in enumerate(spots) if i not in set(board)]
+    right = max((float(points[:, 0].max()) for points in (*backdrop.outline, *face)), default=float(backdrop.low[0]))
+    tallest = max(float(backdrop.high[1] - backdrop.low[1]), 8.0 * _HANDLE)
+    column, top, wide, placed = right + _GAP, 0.0, 0.0, list(spots)
+    for i in board:
+        small = _in_a_row(spots[i])
+        low, high = small.around
+        high_enough = float(high[1] - low[1]) + 6.0
+        if top > 0.0 and top + high_enough > tallest:
+            column, top, wide = column + wide + _GAP, 0.0, 0.0
+        placed[i] = small.moved(np.array([column, float(backdrop.low[1]) + top]) - low)
+        top += high_enough
+        wide = max(wide, float(np.ptp(_drawn(small)[:, 0])))
+    return placed
+
+
+def _in_a_row(spot: Spot) -> Spot:
+    """An element of the board with its tracks no longer than a row holds."""
+    extent = float(np.ptp(np.vstack([spot.handle, *spot.tracks]), axis=0).max())
+    share = min(1.0, _ROW_TRACK * _HANDLE / max(extent, 1e-9))
+    return replace(spot, tracks=tuple(spot.handle + share * (track - spot.handle) for track in spot.tracks))
+
+
+def _box(panel: Panel) -> tuple[Floats, Floats]:
+    """Corners (2,) around everything drawn of a panel, with a margin and room for its title."""
+    backdrop, spots = panel
+    corners = np.stack([backdrop.low, backdrop.high]) if not backdrop.outline else np.zeros((0, 2))
+    points = np.concatenate([*backdrop.outline, *(_drawn(spot) for spot in spots), corners])
+    head = np.array([0.0, _PITCH if backdrop.title else 0.0])
+    return points.min(axis=0) - _MARGIN - head, points.max(axis=0) + _MARGIN
 
 
 def _drawn(spot: Spot) -> Floats:
     """(k, 2) points around everything drawn of an element."""
-    points = [np.vstack([spot.handle - 0.5 * spot.width, spot.handle + 0.5 * spot.width, *spot.tracks])]
+    points = list(spot.around)
     wide = np.array([_LETTER * len(spot.element.label), 0.0])
     if spot.element.anchor.on_board:
-        place = _label_place(spot)
-        points.append(np.vstack([place - [0.0, _LETTER], place + wide]))
+        points += [_label_place(spot), _label_place(spot) + wide]
     if spot.lead is not None:
         outward = -1.0 if spot.lead[0, 0] < spot.handle[0] else 1.0
-        points.append(np.vstack([spot.lead[0] - [0.0, 0.5 * _PITCH], spot.lead[0] + outward * wide]))
-    return np.concatenate(points)
+        points += [spot.lead[0] - [0.0, 0.5 * _PITCH], spot.lead[0] + outward * wide]
+    return np.array(points)
 
 
 def _label_place(spot: Spot) -> Floats:
-    """(2,) where the name of an element on the board begins: above all of it."""
-    around = np.vstack([spot.handle - 0.5 * spot.width, *spot.tracks])
-    return np.asarray(around.min(axis=0) - [0.0, 6.0])
+    """(2,) where the name of an element on the board begins: to the right of all of it."""
+    low, high = spot.around
+    return np.array([high[0] + 8.0, 0.5 * (low[1] + high[1]) + 5.0])
 
 
-def _dense(loop: Floats) -> Floats:
-    """Points along a closed polygon, dense enough to tell how far it goes at any height."""
-    share = np.linspace(0.0, 1.0, 33)[:, None, None]
-    return np.asarray(((1.0 - share) * loop + share * np.roll(loop, -1, axis=0)).reshape(-1, 2))
+def _buttons(made: Picker) -> Floats:
+    """(n, 4) left, top, width and height of a named button per element, none of which overlaps another."""
+    if not made.spots:
+        return np.zeros((0, 4))
+    wide = [max(_BUTTON, _BUTTON_LETTER * len(spot.element.label) + 10.0) for spot in made.spots]
+    sizes = np.stack([np.array(wide), np.full(len(wide), _BUTTON)], axis=1)
+    at = spread(_BUTTON_SCALE * np.array([spot.handle for spot in made.spots]), sizes + 2.0)
+    return np.concatenate([at - 0.5 * sizes, sizes], axis=1)
 
 
 # --- SVG ---------------------------------------------------------------------------------------------
+
+
+def _backdrop(each: Backdrop) -> list[str]:
+    """The character behind its elements: outline, picture, and the name of the part above."""
+    (left, top), (width, height) = each.low, each.high - each.low
+    shown = base64.b64encode(_png(each.image)).decode("ascii")
+    lines = [f'<path d="{_path(each.outline)}" fill="#e4e6e9" fill-rule="evenodd" stroke="#c8ccd1"/>']
+    lines.append(
+        f'<image x="{left:.2f}" y="{top:.2f}" width="{width:.2f}" height="{height:.2f}" preserveAspectRatio="none" '
+        f'href="data:image/png;base64,{shown}"/>'
+    )
+    if each.title:
+        lines.append(
+            f'<text x="{left:.2f}" y="{top - 8.0:.2f}" font-size="16" fill="#565b63">{markup(each.title)}</text>'
+        )
+    return lines
+
+
+def _png(image: Image.Image) -> bytes:
+    stream = io.BytesIO()
+    image.save(stream, "PNG", optimize=True)
+    return stream.getvalue()
 
 
 def _group(spot: Spot) -> list[str]:
@@ -260,7 +440,7 @@ def _group(spot: Spot) -> list[str]:
 
 
 def _handle(spot: Spot) -> str:
-    (x, y), r = spot.handle, 0.5 * spot.width
+    (x, y), r = spot.handle, 0.5 * _HANDLE
     style = f'fill="{_hex(spot.element)}" stroke="#ffffff" stroke-width="2"'
     form = form_of(spot.element)
     if form in ("patch", "joystick"):
@@ -281,6 +461,12 @@ def _path(loops: tuple[Floats, ...]) -> str:
 
 def _hex(element: Element) -> str:
     return "#{:02x}{:02x}{:02x}".format(*colour_of(element))
+
+
+def _ink(element: Element) -> str:
+    """What is read on the colour of an element."""
+    red, green, blue = colour_of(element)
+    return "#16181b" if 0.299 * red + 0.587 * green + 0.114 * blue > 130.0 else "#ffffff"
 
 
 # --- dwpicker ----------------------------------------------------------------------------------------
@@ -313,7 +499,7 @@ def _shape(
         "text.italic": False,
         "text.color": "#ffffff",
         "text.valign": "center",
-        "text.halign": "left",
+        "text.halign": "center",
         "action.targets": [],
         "action.commands": [],
         "action.menu_commands": [],
