@@ -29,6 +29,8 @@ from usdrigui.ties import rounded
 
 PARALLEL = 0.98
 """Cosine of two motions from which one repeats the other."""
+_PARALLEL_ATOMS = 0.995
+"""The same where both are to be atoms in any case: a smile that parts the lips is another smile."""
 EXPLAINED = 0.85
 """Share of a motion's energy that a sum of others must explain."""
 _PARTS = 1.8
@@ -71,7 +73,7 @@ def choose_basis(cosine: Floats, prices: Floats, twins: Indices, pairs: Sequence
     first repeats the second although they are not parallel (steps of one shape).  Deterministic; where prices tie,
     the earlier motion is the atom.
     """
-    known = [(i, Explanation(np.array([j]), np.ones(1), 1.0)) for i, j in (*pairs, *_parallel(cosine))]
+    known = [(i, Explanation(np.array([j]), np.ones(1), 1.0)) for i, j in (*pairs, *_parallel(cosine, prices))]
     # Ties are broken by order, by less than any difference of prices that is meant.
     ranked = prices + 1e-7 * np.arange(len(prices))
     for _ in range(_ROUNDS):
@@ -112,9 +114,10 @@ def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
     return Explanation(parts[order], weights[order], share)
 
 
-def _parallel(cosine: Floats) -> list[tuple[int, int]]:
+def _parallel(cosine: Floats, prices: Floats) -> list[tuple[int, int]]:
     """Ordered pairs of parallel motions: either may repeat the other."""
-    parallel = cosine > PARALLEL
+    atoms = np.outer(prices < 0.0, prices < 0.0)
+    parallel = cosine > np.where(atoms, _PARALLEL_ATOMS, PARALLEL)
     np.fill_diagonal(parallel, val=False)
     return [(int(i), int(j)) for i, j in np.argwhere(parallel)]
 

@@ -44,6 +44,13 @@ def test_a_negative_price_keeps_a_control_that_others_explain_unless_it_repeats_
     assert chosen(vectors, [1.0, 1.0, -1.0, -2.0]).atoms.tolist() == [True, True, False, True]
 
 
+@pytest.mark.parametrize(("price", "atoms"), [(1.0, 1), (-1.0, 2)])
+def test_two_that_are_to_be_atoms_are_one_only_where_they_hardly_differ(price, atoms):
+    smiles = np.stack([E[0], E[0] + 0.15 * E[1]])
+    assert chosen(smiles, [price, price]).atoms.sum() == atoms
+    assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [price, price]).atoms.sum() == 1
+
+
 def test_twins_are_atoms_together():
     left, right = E[0] + 0.05 * E[2], E[1] + 0.05 * E[2]
     vectors = np.stack([left, right, left + right])
