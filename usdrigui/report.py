@@ -10,12 +10,15 @@ import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from usdrigui.errors import REPORT_FORMAT, REPORT_VERSION, Exit, Issue
 from usdrigui.levels import outer_first
 from usdrigui.markup import markup
 from usdrigui.model import Assignment, Element, Floats, Layout, LeftOff, Rig
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 FORMAT, VERSION = REPORT_FORMAT, REPORT_VERSION
 
@@ -37,6 +40,8 @@ class ControlRow:
     """Arc length at the anchor over the control's peak; nan where it is not on the face."""
     reason: str
     """Why it is not on the face, or why it shares an element."""
+    explained_by: tuple[tuple[str, float], ...] = ()
+    """Controls that do together what it does, and how far each goes; empty for one that stands for itself."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +87,18 @@ class CharacterReport:
 
     def __repr__(self) -> str:
         return f"<CharacterReport {self.root}: {len(self.rows)} controls, {len(self.layout.elements)} elements>"
+
+    @property
+    def explanations(self) -> nx.DiGraph:
+        """Which controls explain which: an edge from a composite to each of its parts, `amount` saying how far that
+        goes.  Acyclic; it ends at controls that stand for themselves."""
+        import networkx as nx
+
+        graph = nx.DiGraph()
+        graph.add_nodes_from(row.control for row in self.rows)
+        for row in self.rows:
+            graph.add_edges_from((row.control, part, {"amount": amount}) for part, amount in row.explained_by)
+        return graph
 
     @property
     def kept(self) -> float:
@@ -150,8 +167,15 @@ def _html_table(character: CharacterReport) -> str:
     return f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
 
 
-def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping[str, str]) -> tuple[ControlRow, ...]:
-    """Account for every control: `peaks` are the largest arc lengths, by control name."""
+def rows_of(
+    rig: Rig,
+    layout: Layout,
+    peaks: Mapping[str, float],
+    twins: Mapping[str, str],
+    explained_by: Mapping[str, tuple[tuple[str, float], ...]],
+) -> tuple[ControlRow, ...]:
+    """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls that do together what
+    one does, by control name."""
     carried = {member.control: (element, member.arc_length) for element, member in _members(layout)}
     reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
     rows = []
@@ -165,7 +189,8 @@ def rows_of(rig: Rig, layout: Layout, peaks: Mapping[str, float], twins: Mapping
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")
-        rows.append(ControlRow(control.name, control.kind, place, element_name, twin, kept, reason))
+        others = explained_by.get(control.name, ())
+        rows.append(ControlRow(control.name, control.kind, place, element_name, twin, kept, reason, others))
     rows += [ControlRow(name, "", "left off", "", "", math.nan, reason) for name, reason in reasons.items()]
     return tuple(rows)
 
@@ -293,6 +318,7 @@ def _row(row: ControlRow) -> dict[str, Any]:
         "twin": row.twin,
         "displacement_kept": row.kept,
         "reason": row.reason,
+        "explained_by": dict(row.explained_by),
     }
 
 

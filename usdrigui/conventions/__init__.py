@@ -36,6 +36,8 @@ _GAZE = frozenset({"look", "gaze"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
 _SHARED = 0.8
 """Share of a rig's names that begin (or end) with a word from which the word says nothing."""
+_CORE = 2.0
+"""Importance of the actions without which no face is animated."""
 _SEVERAL = 3
 """Names of actions with which a word must begin to be their maker's."""
 _CODED = 0.5
@@ -61,6 +63,11 @@ class Action:
     """Of the region around that place in which it may stand, in the same unit."""
     vague: bool = False
     """Whether only the region is known, not which way it goes."""
+
+    @property
+    def is_core(self) -> bool:
+        """Whether it is one of those without which no face is animated."""
+        return self.category == "atom" and self.importance >= _CORE
 
     @property
     def in_family(self) -> bool:

@@ -327,7 +327,8 @@ def _account(
         rig.controls[each.control].name: each.peak for inputs in parts for each in inputs.face.trajectories.motions
     }
     twins = {control: twin for inputs in parts for control, twin in inputs.twin_names.items()}
-    rows = rows_of(rig, layout, peaks, twins)
+    explained_by = {control: others for inputs in parts for control, others in inputs.explained_by.items()}
+    rows = rows_of(rig, layout, peaks, twins, explained_by)
     added = _added(existing, layout)
     nothing = () if existing is None or added else (_nothing_added(layout),)
     return CharacterReport(

@@ -112,6 +112,13 @@ class ProblemInputs:
         return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained, *renamed, *self.pins.issues)
 
     @property
+    def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
+        """Names of the controls that others explain, to those and how far each of them goes."""
+        names = [self.face.rig.controls[motion.control].name for motion in self.face.trajectories.motions]
+        told = zip(names, self.classification, strict=True)
+        return {name: tuple((names[i], amount) for i, amount in each.explained_by) for name, each in told}
+
+    @property
     def left_off(self) -> tuple[LeftOff, ...]:
         """Controls that the stages after reading left off, and why."""
         return (*self.face.trajectories.left_off, *self.candidates.left_off)

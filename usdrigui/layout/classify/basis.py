@@ -74,16 +74,22 @@ def choose_basis(cosine: Floats, prices: Floats, twins: Indices, pairs: Sequence
     the earlier motion is the atom.
     """
     known = [(i, Explanation(np.array([j]), np.ones(1), 1.0)) for i, j in (*pairs, *_parallel(cosine, prices))]
+    # What stands in any case explains first: beside it an atom that explains dear ones may not be needed.
+    known += _explained(prices, prices < 0.0, cosine)
     # Ties are broken by order, by less than any difference of prices that is meant.
     ranked = prices + 1e-7 * np.arange(len(prices))
     for _ in range(_ROUNDS):
         atoms = _cheapest(ranked, twins, known)
-        found = [(i, each) for i in np.flatnonzero(prices > 0.0).tolist() if (each := explain(i, atoms, cosine))]
-        new = [(i, each) for i, each in found if not _is_known(i, each, known)]
+        new = [(i, each) for i, each in _explained(prices, atoms, cosine) if not _is_known(i, each, known)]
         if not new:
             break
         known += new
     return Basis(atoms, tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(prices))))
+
+
+def _explained(prices: Floats, atoms: Flags, cosine: Floats) -> list[tuple[int, Explanation]]:
+    """The motions that need not be atoms and that these `atoms` (m,) explain."""
+    return [(i, each) for i in np.flatnonzero(prices > 0.0).tolist() if (each := explain(i, atoms, cosine))]
 
 
 def explain(index: int, atoms: Flags, cosine: Floats) -> Explanation | None:

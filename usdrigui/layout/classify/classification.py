@@ -22,8 +22,6 @@ _UNMOVED_SHARE = 0.1
 """Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
 
 
-_CORE = 2.0
-"""Importance of the actions without which no face is animated."""
 _FELT = 0.25
 """Displacement that can be felt, in typical peaks of the rig's controls."""
 
@@ -39,6 +37,8 @@ class Classification:
     """Share of the visible face that it moves notably."""
     issues: tuple[Issue, ...] = ()
     """EXPLANATION_FAILED where the reason could not be put into words."""
+    explained_by: tuple[tuple[int, float], ...] = ()
+    """Motions of which that of a composite is the sum, and how far each of them goes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,10 +93,12 @@ def classify(
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()
+        explained_by: tuple[tuple[int, float], ...] = ()
         if index in repeated and category == repeated[index].category:
+            explained_by = repeated[index].explained_by
             tell = functools.partial(explanation, repeated[index], names)
             reason, issues = explained(tell, "repeats other controls", names[index])
-        found.append(Classification(category, reason, float(shares[index]), issues))
+        found.append(Classification(category, reason, float(shares[index]), issues, explained_by))
     return tuple(found)
 
 
@@ -141,7 +143,7 @@ def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories)
     length `seen`, can be felt, or of a family, which stands together."""
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
-    core = meaning.action.in_family or meaning.action.importance >= _CORE
+    core = meaning.action.in_family or meaning.action.is_core
     return core or seen >= _FELT * trajectories.typical_length
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from usdrigui.conventions import Meaning
-from usdrigui.layout.classify.basis import Basis, choose_basis
+from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_basis
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
@@ -59,6 +59,8 @@ class Composite:
     amount: float = 1.0
     """Of a repetition: how far it goes, as a share of the other."""
     family_reason: str = ""
+    explained_by: tuple[tuple[int, float], ...] = ()
+    """Motions of which it is the sum, and how far each of them goes, the strongest first."""
 
 
 def explanation(composite: Composite, names: Sequence[str]) -> str:
@@ -93,6 +95,8 @@ def composites(
         similarity.cosine, _prices(names, meaning, twins, coverage, families), twins, _steps(names, similarity.cosine)
     )
     found = {i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()}
+    off_face = [i for family in families if not family.on_face for i in family.members]
+    standing = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
     spread = _Spreads(rig, trajectories, similarity)
     for i in np.flatnonzero(basis.atoms & (twins == np.arange(len(names)))).tolist():
         if meaning[i] is None and (pair := spread.distant_pair(i, basis.atoms)):
@@ -101,7 +105,8 @@ def composites(
         for i in family.members:
             found.pop(i, None)
             if not family.on_face:
-                found[i] = Composite(family.kind, "family", family_reason=family.reason)
+                told = _amounts(i, best_sum(i, standing, similarity.cosine), similarity.norm)
+                found[i] = Composite(family.kind, "family", family_reason=family.reason, explained_by=told)
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 
@@ -150,9 +155,18 @@ def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
     """What a motion that is no atom repeats; `norm` (m,) of the motions."""
     told = basis.explanations[index]
     parts = tuple(told.parts[:_NAMED].tolist()) if told is not None else ()
+    amounts = _amounts(index, told, norm)
     if len(parts) == 1:
-        return Composite("composite", "repetition", parts, float(norm[index] / norm[parts[0]]))
-    return Composite("composite", "mixture", parts)
+        return Composite("composite", "repetition", parts, float(norm[index] / norm[parts[0]]), explained_by=amounts)
+    return Composite("composite", "mixture", parts, explained_by=amounts)
+
+
+def _amounts(index: int, told: Explanation | None, norm: Floats) -> tuple[tuple[int, float], ...]:
+    """The motions of an explanation of motion `index`, and how far each goes, in shares of its own range."""
+    if told is None:
+        return ()
+    amounts = told.weights * norm[index] / norm[told.parts]
+    return tuple(zip(told.parts.tolist(), np.round(amounts, 6).tolist(), strict=True))
 
 
 class _Spreads:

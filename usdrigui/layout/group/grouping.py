@@ -473,8 +473,10 @@ class _Grouping:
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        expected = self.requests.expectation(motion.control)
-        both_sides = expected.both_sides if expected is not None else None
+        expected, meaning = self.requests.expectation(motion.control), self.requests.meaning(motion.control)
+        # A name that tells the region alone says nothing of its middle.
+        told = expected is not None and meaning is not None and not meaning.action.vague
+        both_sides = expected.both_sides if expected is not None and told else None
         return two_lobed(face.trajectories, face.symmetry, face.views.anywhere, motion, both_sides)
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from usdrigui.conventions import Meaning
 from usdrigui.errors import refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
@@ -24,6 +25,8 @@ from usdrigui.overlap import own_costs
 from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
 from usdrigui.surface import mean_edge_length, mesh_triangles
 
+_NEEDED = 5.0
+"""What it costs besides, per copy, that a control leaves the face that is needed there: more than any place does."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
@@ -146,7 +149,13 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
     overrides = [requests.overrides[control] for control in group.controls]
     if not settings.off_face_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
         return float(np.inf)
-    return settings.off_face_penalty * len(group.copies)
+    needed = any(_is_needed(requests.meaning(control)) for control in group.controls)
+    return (settings.off_face_penalty + _NEEDED * needed) * len(group.copies)
+
+
+def _is_needed(meaning: Meaning | None) -> bool:
+    """Whether a crowd must not send the control away: no face is animated without it, or its family would be split."""
+    return meaning is not None and (meaning.action.is_core or meaning.action.in_family)
 
 
 # --- fixed anchors -----------------------------------------------------------------------------------

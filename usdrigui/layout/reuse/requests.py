@@ -39,6 +39,10 @@ class Requests:
     names: Names = NO_NAMES
     """What the names of the controls say."""
 
+    def meaning(self, control: int) -> Meaning | None:
+        """How the name of a control is read; None where it says nothing or is not asked."""
+        return self.names.meanings[control] if self.names.meanings else None
+
     def expectation(self, control: int) -> Expectation | None:
         """Where a control is expected, unless nothing says so."""
         return self.names.expected[control] if self.names.expected else None

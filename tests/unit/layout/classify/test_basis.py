@@ -44,6 +44,11 @@ def test_a_negative_price_keeps_a_control_that_others_explain_unless_it_repeats_
     assert chosen(vectors, [1.0, 1.0, -1.0, -2.0]).atoms.tolist() == [True, True, False, True]
 
 
+def test_a_sum_that_explains_a_dear_one_is_no_atom_where_its_own_parts_explain_that_too():
+    vectors = np.stack([E[0], E[1], E[0] + E[1], 0.5 * (E[0] + E[1])])
+    assert chosen(vectors, [-1.0, -1.0, 1.0, 4.0]).atoms.tolist() == [True, True, False, False]
+
+
 @pytest.mark.parametrize(("price", "atoms"), [(1.0, 1), (-1.0, 2)])
 def test_two_that_are_to_be_atoms_are_one_only_where_they_hardly_differ(price, atoms):
     smiles = np.stack([E[0], E[0] + 0.15 * E[1]])

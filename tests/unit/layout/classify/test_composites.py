@@ -4,11 +4,13 @@ from dataclasses import replace
 
 import chain
 import makers
+import networkx
 import numpy as np
 import pytest
 
 from usdrigui.layout.classify import classification
 from usdrigui.layout.classify.composites import composites
+from usdrigui.report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
 
@@ -90,3 +92,18 @@ def test_an_explanation_that_fails_costs_the_words_alone(monkeypatch):
     monkeypatch.setattr(classification, "explanation", lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
         chain.measured(rig)
+
+
+def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():
+    smiles, chin = SHAPES["smile_L"] + SHAPES["smile_R"], SHAPES["chin"]
+    visemes = {"viseme_aa": 0.8 * chin, "viseme_O": chin + 0.5 * SHAPES["pucker"], "viseme_I": 0.5 * smiles}
+    inputs = chain.problem_of(makers.face_with(both=2.0 * smiles, pucker_50=0.5 * SHAPES["pucker"], **visemes)).inputs
+    told = {name: dict(parts) for name, parts in inputs.explained_by.items()}
+    assert told["both"] == pytest.approx({"smile_L": 2.0, "smile_R": 2.0}, rel=1e-2)
+    assert told["viseme_O"] == pytest.approx({"chin": 1.0, "pucker": 0.5}, rel=1e-2)
+    rows = tuple(ControlRow(name, "", "face", "", "", 1.0, "", tuple(parts.items())) for name, parts in told.items())
+    graph = CharacterReport("/Root", None, None, None, rows, ()).explanations
+    assert networkx.is_directed_acyclic_graph(graph)
+    ends = {name for name in graph if not graph.out_degree(name)}
+    assert ends == set(SHAPES)
+    assert graph.edges["viseme_aa", "chin"]["amount"] == pytest.approx(0.8, rel=1e-2)

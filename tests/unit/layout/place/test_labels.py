@@ -158,3 +158,15 @@ def test_a_control_kept_on_the_face_cannot_leave_it():
     beside = {variable.name: variable.off_face_cost for variable in line.problem.variables}
     assert np.isinf(beside["chin"])
     assert np.isfinite(beside["pucker"])
+
+
+@pytest.mark.parametrize("conventions", [True, False])
+def test_what_a_face_needs_and_families_leave_it_last_in_a_crowd(conventions):
+    needed = {"sculpt": False, "noseWrinkleTop": True, "jawOpen": True, "viseme_aa": True, "cheekPuff": False}
+    shapes = {name: makers.bump(POINTS, (0.0, 0.4 * i - 0.8), (0, 1, 0.2)) for i, name in enumerate(needed)}
+    asked = chain.settings(candidates={**PLAIN, "conventions": conventions})
+    problem = chain.problem_of(makers.rig(POINTS, QUADS, shapes), asked).problem
+    least = max(-each.cost.min() for each in problem.variables)
+    assert {each.name: each.off_face_cost > least for each in problem.variables} == {
+        name: conventions and need for name, need in needed.items()
+    }

@@ -6,6 +6,8 @@ import pytest
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
+NAMED = (("eyeBlink", 0.3, 0.35), ("browOuterUp", 0.45, 0.5), ("mouthSmile", 0.25, -0.45), ("noseSneer", 0.15, 0.0))
+SIDED = (("L", 1.0), ("R", -1.0))
 
 
 def elements_of(control, x, **settings):
@@ -34,3 +36,15 @@ def test_the_configuration_has_the_last_word(setting, x, count):
 def test_a_double_element_without_room_on_the_face_stands_on_the_board_once():
     found = elements_of("puff", 0.45, objective={"handle_size": 0.9, "handle_size_min": 0.9})
     assert [each.anchor.on_board for each in found] == [True]
+
+
+@pytest.mark.parametrize(("name", "count"), [("mouth_depression", 2), ("mouthPucker", 1)])
+def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_has_lobes(name, count):
+    """Both keep about .6 of their peak in the middle."""
+    sides = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
+    lobes = sum(makers.bump(POINTS, (w * 0.185, -0.45), (w * 0.1, 0.0, 1.0), 0.28, 0.1) for _, w in SIDED)
+    line = chain.problem_of(makers.rig(POINTS, QUADS, sides | {"jawOpen": SHAPES["chin"], name: lobes}))
+    control = next(i for i, each in enumerate(line.face.rig.controls) if each.name == name)
+    group = next(each for each in line.groups if control in each.controls)
+    assert line.inputs.requests.expectation(control) is not None
+    assert len(group.copies) == count
