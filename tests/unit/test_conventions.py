@@ -119,3 +119,8 @@ def test_the_axes_of_a_joystick_have_two_ends_each():
     for each in meanings([f"eyeLook{way}_L" for way in ("Up", "Down", "In", "Out")] + ["lookLeft", "lookRight"]):
         ends.setdefault(each.action.axis, set()).add(each.action.pole)
     assert all(ends[axis] == {-1, 1} for pair in joysticks().values() for axis in pair)
+
+
+def test_a_word_for_the_middle_is_no_control_of_both_sides():
+    found = meanings(["Lips_Dn_Lower_M", "mouthLowerDown_C", "Lips_Dn_Lower_Left", "browInnerUp", "m", "mbp"])
+    assert [each.middle for each in found] == [True, True, False, False, False, False]

@@ -32,6 +32,7 @@ _SIDES: Mapping[str, Side] = {
     "left": "left", "l": "left", "lf": "left", "lt": "left", "lb": "left",
     "right": "right", "r": "right", "rt": "right", "rb": "right",
 }  # fmt: skip
+_MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _GAZE = frozenset({"look", "gaze"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
 _SHARED = 0.8
@@ -82,6 +83,8 @@ class Meaning:
     action: Action
     side: Side
     """Side of the character on which the name says that it acts; a guess that geometry overrules."""
+    middle: bool = False
+    """Whether the name says that it acts in the middle, beside controls of either side: Lips_Lower_M."""
 
 
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
@@ -158,7 +161,7 @@ def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
             # In mouthLeft the only side is the direction; in lookLeft_R there is another one.
             alone = sum(word in _SIDES for word in each) == 1
             spent = phrase.directed and alone and not phrase.fits(rest, "")
-            return Meaning(_actions()[phrase.action], "" if spent else side)
+            return Meaning(_actions()[phrase.action], "" if spent else side, not _MIDDLES.isdisjoint(each[1:]))
     return None
 
 

@@ -127,7 +127,7 @@ def _prices(
     for i, each in enumerate(meaning):
         if i in in_family:
             prices[i] += _FAMILY_PRICE
-        elif each is not None and not each.side and {"left", "right"} <= sides[each.action.name]:
+        elif each is not None and not (each.side or each.middle) and {"left", "right"} <= sides[each.action.name]:
             prices[i] += _BOTH_SIDES_PRICE
         elif each is not None:
             prices[i] = -each.action.importance
