@@ -202,6 +202,11 @@ def test_each_part_has_a_panel_at_the_scale_of_its_own_handles(characters):
     elements = (replace(first, part="hands"), *(replace(each, part="face") for each in others))
     made = picker.picker([(rig, replace(layout, parts=parts, elements=elements))])
     assert [backdrop.title for backdrop in made.backdrops] == ["face", "hands"]
+    wider = tuple(replace(each, low=each.low - [90.0, 0.0]) for each in made.backdrops)  # than what is seen of it
+    root = ElementTree.fromstring(picker.to_svg(replace(made, backdrops=wider)))
+    titles = {each.text: float(each.get("x")) for each in root.iter(f"{SVG}text") if each.text in ("face", "hands")}
+    for backdrop in made.backdrops:
+        assert titles[backdrop.title] == pytest.approx(np.concatenate(backdrop.outline)[:, 0].min(), abs=0.01)
     whole = {spot.element.name: np.ptp(spot.tracks[0], axis=0).max() for spot in picker.picker(characters).spots}
     shares = {
         spot.element.name: np.ptp(spot.tracks[0], axis=0).max() / max(whole[spot.element.name], 1e-9)

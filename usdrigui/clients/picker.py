@@ -394,6 +394,7 @@ def _backdrop(each: Backdrop) -> list[str]:
         f'href="data:image/png;base64,{shown}"/>'
     )
     if each.title:
+        left = min((float(loop[:, 0].min()) for loop in each.outline), default=float(left))
         lines.append(
             f'<text x="{left:.2f}" y="{top - 8.0:.2f}" font-size="16" fill="#565b63">{markup(each.title)}</text>'
         )
