@@ -1,5 +1,6 @@
 """What tests of several folders share."""
 
+import os
 import sys
 
 import pytest
@@ -53,6 +54,7 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
+    os.environ.pop("COLUMNS", None)  # pytest-xdist sets it: what is printed here goes to no terminal
     if config.option.suite is None:
         named = config.args_source is pytest.Config.ArgsSource.ARGS or config.option.markexpr
         config.option.suite = "all" if named else "quick"

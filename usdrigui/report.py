@@ -261,7 +261,7 @@ def _character(character: CharacterReport) -> dict[str, Any]:
     layout, assignment = character.layout, character.assignment
     return {
         "root": character.root,
-        "variantPath": character.layout.variant_path,
+        "variant_path": character.layout.variant_path,
         "points": int(character.rig.starts[-1]),
         "meshes": len(character.rig.meshes),
         "controls": [_row(row) for row in character.rows],

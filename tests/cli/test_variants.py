@@ -71,7 +71,7 @@ def test_levels_agree(made):
 def test_the_report_tells_the_variants(made):
     report = json.loads((made / "report.json").read_text())
     characters = report["characters"]
-    assert [each["variantPath"] for each in characters] == [f"/Char{{LOD={each}}}" for each in ("high", "low", "mid")]
+    assert [each["variant_path"] for each in characters] == [f"/Char{{LOD={each}}}" for each in ("high", "low", "mid")]
     assert list(characters[1]["matchings"]) == ["/Char{LOD=high}"], "the level that is selected comes first"
     assert [each["path"] for each in report["issues"] if each["code"] == "VARIANT_LEFT_OFF"] == ["{LOD=box}"]
 

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection, Sequence
 
+BETWEEN = ("_", "+", "__", "++")
+"""Joins the names of the controls of an element."""
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
 
 
@@ -11,6 +14,26 @@ def is_step_of(name: str, other: str) -> bool:
     """True when `name` is `other` with a number behind it, as flattened in-betweens are called."""
     stem = re.fullmatch(r"(.*[A-Za-z].*?)[ _.:-]?\d+", name)
     return stem is not None and stem[1].lower() == other.lower()
+
+
+def element_name(controls: Sequence[str], known: Collection[str]) -> str:
+    """Name of the element of some controls: theirs, joined so that no other of the controls `known` have that name.
+
+    Of ``smile`` and ``50`` it is ``smile_50``, and ``smile+50`` where there is a control ``smile_50``.
+    """
+    joined = {between: between.join(controls) for between in BETWEEN}
+    clear = (name for between, name in joined.items() if len(controls) == 1 or _readings(name, between, known) < 2)
+    return next(clear, joined[BETWEEN[-1]])
+
+
+def _readings(name: str, between: str, known: Collection[str]) -> int:
+    """In how many ways a name can be read as one of those known, or as several of them joined."""
+    parts = name.split(between)
+    readings = [1]  # of what comes before each part
+    for end in range(1, len(parts) + 1):
+        firsts = (start for start in range(end) if between.join(parts[start:end]) in known)
+        readings.append(sum(readings[start] for start in firsts))
+    return readings[-1]
 
 
 def common_label(labels: list[str]) -> str:

@@ -44,6 +44,11 @@ class Rig(Record):
     """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``; empty without."""
 
     @cached_property
+    def control_names(self) -> frozenset[str]:
+        """The names of all controls."""
+        return frozenset(control.name for control in self.controls)
+
+    @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
         """(mesh index, shape) of every shape that a channel drives; channels without shapes are absent."""
         found: dict[int, tuple[tuple[int, Shape], ...]] = {}

@@ -339,6 +339,13 @@ def _unexpected(error: Exception, path: str) -> RigUIError:
 
 def load() -> None:
     """Import what the tasks need before the bounds are set: none of it is the asset's doing."""
+    import usdrigui.usd.clips
+    import usdrigui.usd.existing_layouts
+    import usdrigui.usd.faults
+    import usdrigui.usd.layer
+    import usdrigui.usd.read_layout
+    import usdrigui.usd.rig
+    import usdrigui.usd.variants  # noqa: F401
 
 
 def _peak() -> int:

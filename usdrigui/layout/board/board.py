@@ -17,7 +17,7 @@ import numpy as np
 from usdrigui.layout.board.board_place import anchor_point, face_middle, silhouette
 from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
-from usdrigui.layout.names import common_label
+from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Anchor, Element, Floats, Group, Member, Rig, Side
@@ -163,7 +163,8 @@ def _element(drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], 
     face, requests, group = drawing.face, drawing.requests, entry.group
     if group.kind != "slider":
         place = place - drawing.frame[1] * _ROW * face.handle_width
-    names = ["_".join(face.control_name(control) for control in each.controls) for each in row]
+    known = face.rig.control_names
+    names = [element_name([face.control_name(control) for control in each.controls], known) for each in row]
     own = row.index(entry)
     anchor, side = _anchor(drawing, place), _side(face, entry, own)
     length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)

@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.group.coarse_groups import with_inner
 from usdrigui.layout.motion.tracks import arc_lengths, magnification, paths
-from usdrigui.layout.names import common_label
+from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.place.labels import own_mirror_image
 from usdrigui.layout.place.problem import PlacementProblem
 from usdrigui.layout.reuse.requests import Requests
@@ -97,16 +97,12 @@ def _once(group: Group) -> Iterator[tuple[int, ...]]:
 def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
     """Names of the element and of its images, each unique."""
     given = [group.name, *group.image_names]
-    names = [given[copy] or element_name(rig, controls) for copy, controls in enumerate(choice.controls)]
+    own = [element_name([rig.controls[each].name for each in copy], rig.control_names) for copy in choice.controls]
+    names = [said or name for said, name in zip(given, own, strict=False)]
     if len(set(names)) < len(names):
         # The same controls on both sides: a double element in the middle.
         names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
     return names
-
-
-def element_name(rig: Rig, controls: tuple[int, ...]) -> str:
-    """Name of the element of these controls."""
-    return "_".join(rig.controls[control].name for control in controls)
 
 
 def _weights(problem: LayoutProblem, typical_length: float, samples: int) -> tuple[tuple[str, float], ...]:

@@ -11,6 +11,7 @@ from dataclasses import replace
 from itertools import chain
 
 from usdrigui.errors import meant, refuse
+from usdrigui.layout.names import element_name
 from usdrigui.model import Element, Group, Rig
 from usdrigui.settings import LevelSettings
 
@@ -79,7 +80,7 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
     for axis in group.axes:
         images = tuple(tuple(copy[i] for i in axis) for copy in group.images)
         yield Group(
-            name="_".join(rig.controls[group.controls[i]].name for i in axis),
+            name=element_name([rig.controls[group.controls[i]].name for i in axis], rig.control_names),
             kind="slider",
             controls=tuple(group.controls[i] for i in axis),
             opposed=((0, 1),) if len(axis) == 2 else (),

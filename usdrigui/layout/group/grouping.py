@@ -20,6 +20,7 @@ from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.evidence import Evidence, Relation
 from usdrigui.layout.motion.similarity import Similarity, bidirectional
+from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.partial_layout import has_own_place
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.lobes import two_lobed
@@ -147,7 +148,7 @@ class _Grouping:
     def of_the_user(self) -> list[_Merged]:
         """The groups that the configuration names, in its order."""
         index = {name: i for i, name in enumerate(self.names)}
-        known = {control.name for control in self.face.rig.controls}
+        known = self.face.rig.control_names
         found: list[_Merged] = []
         taken: set[int] = set()
         for name, members in self.settings.groups.items():
@@ -454,7 +455,7 @@ class _Grouping:
         first = self.sets[merged.motions[0]]
         reasons = [reason for reason in (first.off_face_reason, merged.reason) if reason]
         return Group(
-            name=merged.name or "_".join(self.names[i] for i in merged.motions),
+            name=merged.name or element_name([self.names[i] for i in merged.motions], self.face.rig.control_names),
             kind=_kind(merged),
             controls=controls,
             opposed=tuple((axis[0], axis[1]) for axis in merged.axes if len(axis) == 2),

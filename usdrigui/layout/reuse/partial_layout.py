@@ -29,7 +29,7 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
     A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE where the
     layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that the rig lacks.
     """
-    known = {control.name for control in rig.controls}
+    known = rig.control_names
     renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
     controls = dict(settings.controls)
     placed: set[str] = set()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from usdrigui.layout.names import BETWEEN
 from usdrigui.model import Element, Layout
 
 
@@ -21,9 +22,8 @@ def element_names(layout: Layout, names: Mapping[str, str]) -> dict[str, str]:
 
 def _name(element: Element, names: Mapping[str, str]) -> str:
     controls = [member.control for member in element.members]
-    if element.name != "_".join(controls):
-        return element.name
-    return "_".join(names.get(control, control) for control in controls)
+    between = next((each for each in BETWEEN if element.name == each.join(controls)), None)
+    return element.name if between is None else between.join(names.get(control, control) for control in controls)
 
 
 def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, str]) -> Element:

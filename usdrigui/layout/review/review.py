@@ -116,7 +116,7 @@ def refuse_stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings:
 def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
     comparable = not _custom_base(layout, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
-    known = {control.name for control in rig.controls}
+    known = rig.control_names
     gone = not known.issuperset(layout.controls)
     renamed = match_layout(layout, rig, trajectories).renamed if gone else {}
     for element in layout.elements:

@@ -1,0 +1,23 @@
+"""usdrigui.layout.names: what elements are called."""
+
+import itertools
+
+import pytest
+
+from usdrigui.layout.names import element_name
+
+CONTROLS = ["smile", "50", "smile_50", "a_b", "c", "a", "b_c", "+", "a+b"]
+
+
+@pytest.mark.parametrize(
+    ("controls", "expected"),
+    [(["a"], "a"), (["smile", "c"], "smile_c"), (["smile", "50"], "smile+50"), (["a_b", "c"], "a_b+c")],
+)
+def test_names_are_joined_so_that_they_are_nobody_elses(controls, expected):
+    assert element_name(controls, CONTROLS) == expected
+
+
+def test_no_two_elements_have_one_name():
+    groups = [group for size in (1, 2, 3) for group in itertools.permutations(CONTROLS[:7], size)]
+    names = [element_name(group, CONTROLS[:7]) for group in groups]
+    assert len(set(names)) == len(names)
