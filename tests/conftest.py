@@ -54,7 +54,9 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
-    os.environ.pop("COLUMNS", None)  # pytest-xdist sets it: what is printed here goes to no terminal
+    # readline, which pytest loads, sets it behind Python's back: what is printed here goes to no terminal.
+    os.environ.pop("COLUMNS", None)
+    os.unsetenv("COLUMNS")
     if config.option.suite is None:
         named = config.args_source is pytest.Config.ArgsSource.ARGS or config.option.markexpr
         config.option.suite = "all" if named else "quick"

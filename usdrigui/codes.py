@@ -471,7 +471,12 @@ _CODES: dict[str, Code] = {
     ),
     # --- writing ---------------------------------------------------------------------------------
     "FILE_FULL": Code("error", "There is no room for the file.", "Free some space and run again.", Exit.FILE),
-    "FILE_READ_ONLY": Code("error", "The folder or file is read-only.", "Choose another place with -o.", Exit.FILE),
+    "FILE_READ_ONLY": Code(
+        "error",
+        "The folder or file is read-only.",
+        "Choose another place for it, or make this one writable.",
+        Exit.FILE,
+    ),
     "FILE_PERMISSION": Code(
         "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
     ),

@@ -33,6 +33,9 @@ __all__ = [
     "visible",
 ]
 
+_SLIP = 0.85
+"""Likeness (difflib) from which a name is another with a slip of a letter."""
+
 
 REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
 
@@ -148,12 +151,17 @@ def _listed(paths: Sequence[str]) -> str:
 def meant(name: str, known: Iterable[str]) -> str:
     """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where nothing is like it.
 
-    The same name in another spelling comes first, then one that means the same, then one with nearly the same letters.
+    A slip of a letter comes first, then the same name in another spelling or one that means the same, then one with
+    nearly the same letters.  A slip does not turn left into right.
     """
     from usdrigui.conventions import same_name
+    from usdrigui.conventions.sides import side_of
 
     folded = {each.lower(): each for each in known}
-    like = same_name(name, tuple(folded.values())) or next(iter(get_close_matches(name.lower(), folded, n=1)), "")
+    same_side = [each for each, said in folded.items() if side_of(said) == side_of(name)]
+    slip = next(iter(get_close_matches(name.lower(), same_side, n=1, cutoff=_SLIP)), "")
+    near = get_close_matches(name.lower(), folded, n=1)
+    like = slip or same_name(name, tuple(folded.values())) or next(iter(near), "")
     return f"; did you mean {folded.get(like, like)!r}?" if like else ""
 
 

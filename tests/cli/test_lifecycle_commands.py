@@ -10,6 +10,7 @@ import pytest
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.cli import main
+from usdrigui.errors import meant
 from usdrigui.usd.properties import instances_applied
 from usdrigui.usd.read_layout import element_prims, read_layout, with_corrections
 
@@ -327,7 +328,7 @@ def test_another_character_is_imitated_whatever_its_controls_are_called(folder, 
 
 
 @pytest.mark.parametrize(
-    ("configuration", "meant"),
+    ("configuration", "wanted"),
     [
         ("[objectve]\nhandle_size = 0.1", "objective"),
         ('[controls.smile_l]\nlabel = "x"', "smile_L"),
@@ -342,11 +343,23 @@ def test_another_character_is_imitated_whatever_its_controls_are_called(folder, 
         ("[controls.eyes_closed_right]\nlabel = 'x'", "blink_R"),
     ],
 )
-def test_a_name_that_is_nearly_right_is_suggested(folder, capsys, configuration, meant):
+def test_a_name_that_is_nearly_right_is_suggested(folder, capsys, configuration, wanted):
     (folder / "char.rigui.toml").write_text(configuration)
     like = ("--like", folder / "old.rigui.usda") if "like" in configuration else ()
     told = run(capsys, "process", folder / "char.usda", "--dry-run", *like, expected=2)
-    assert told["issues"][0]["message"].endswith(f"; did you mean {meant!r}?")
+    assert told["issues"][0]["message"].endswith(f"; did you mean {wanted!r}?")
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "wanted"),
+    [
+        ("jawOpn", ["Jaw:rx", "jawOpen"], "jawOpen"),
+        ("mouthStrechLeft", ["mouthLeft", "mouthStretchLeft"], "mouthStretchLeft"),
+        ("eyeBlink_L", ["eyeBlink_R", "eyeBlinkLeft"], "eyeBlinkLeft"),
+    ],
+)
+def test_a_slip_of_a_letter_is_no_other_control(name, known, wanted):
+    assert meant(name, known) == f"; did you mean {wanted!r}?"
 
 
 def test_a_preset_that_is_nearly_right_is_suggested(folder, capsys):

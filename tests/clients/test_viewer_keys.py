@@ -57,6 +57,16 @@ def test_keys_are_dragged_copied_deleted_and_come_back(viewer):
     assert keyed(viewer) == {"brow_L": [[1, 0.25], [11, 0.75]]}
 
 
+def test_what_changed_is_keyed_whatever_is_selected(viewer):
+    viewer.page.evaluate("usdrigui.app.session.select([usdrigui.app.session.elements.list[0]])")
+    selected = viewer.page.evaluate(
+        "usdrigui.app.session.chosenControls.map((i) => usdrigui.app.session.controls[i].name)"
+    )
+    other = next(each for each in ("brow_L", "brow_R") if each not in selected)
+    key(viewer, 1, **{other: 0.5})
+    assert {*keyed(viewer)} == {other, *selected}
+
+
 def test_a_tween_lies_between_the_keys_around(viewer):
     key(viewer, 1, brow_L=0.2)
     key(viewer, 11, brow_L=0.6)

@@ -77,7 +77,7 @@ export class Inspector {
         act('Zero', 'Selected controls to their defaults (0)', () => session.zero(session.chosenControls)),
         act('Reset', 'Selected controls to the base pose (R)', () => session.reset(session.chosenControls)),
         act('Hide', 'Hide the selected elements', () => session.hide(session.selectedElements)),
-        act('Key', 'Key the selected controls at this frame (K)', () => this.timeline.key(session.chosenControls)),
+        act('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.timeline.key()),
       ),
     );
     this.updateNumbers();
@@ -216,7 +216,10 @@ export class Inspector {
         ['ghost', 'Ghost', 'Draw what the face covers faintly'],
         ['hide', 'Depth', 'Do not draw what the face covers'],
       ], 'Covered'),
-      this.option('labels', [['hover', 'Hover'], ['all', 'All']], 'Labels'),
+      this.option('labels', [
+        ['hover', 'Hover', 'Name the handle under the pointer'],
+        ['all', 'All', 'Name every handle (L)'],
+      ], 'Labels'),
       this.slide('opacity', 'Opacity', 'How strongly handles and tracks are drawn', 0.1, 1),
       this.check('fade', 'Fade the others while dragging'),
       this.check('heat', 'Show the area of influence', 'Heat map of the hovered or selected control'),

@@ -59,7 +59,7 @@ export class Timeline {
       this.number,
       this.unkeyed,
       make('div', { class: 'scrub' }, this.waves, this.ticks, this.slider),
-      button('Key', 'Key the selected controls, or all that changed, at this frame (K)', () => this.key()),
+      button('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
       this.autoButton,
       this.tween(),
@@ -137,8 +137,9 @@ export class Timeline {
 
   // --- keys ------------------------------------------------------------------------------------------
 
-  /** Key some controls; without any named, the selected ones or else all that changed. */
-  key(controls = this.chosen(this.session.changed())) {
+  /** Key the selected controls and all that changed: what is seen is what is keyed, whatever moved it. */
+  key() {
+    const controls = [...new Set([...this.chosen([]), ...this.session.changed()])];
     if (!controls.length) this.say('Nothing to key: select a control or change one');
     else this.session.key(controls);
   }
