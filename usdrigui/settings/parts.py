@@ -458,7 +458,7 @@ class SolveSettings:
     )
     gap: float = setting(0.0001, "Relative gap at which a solution is called optimal.", bounds=(0.0, 1.0))
     work_limit: int = setting(
-        80_000_000,
+        60_000_000,
         "Pair evaluations and the like after which the solver stops with what it has; reproducible.",
         bounds=(0, 2**62),
         level="expert",
