@@ -96,7 +96,8 @@ def amiss() -> list[str]:
 def drawn(scene: Scene, folder: Path) -> Image.Image:
     """The panels of a scene side by side."""
     panels = [_panel(scene, panel, folder) for panel in scene.panels]
-    strip = Image.new("RGB", (sum(each.width + GAP for each in panels) - GAP, PANEL[1]), (250, 250, 251))
+    size = sum(each.width + GAP for each in panels) - GAP, max(each.height for each in panels)
+    strip = Image.new("RGB", size, (250, 250, 251))
     for at, each in enumerate(panels):
         strip.paste(each, (at * (PANEL[0] + GAP), 0))
     return strip
