@@ -478,7 +478,7 @@ _CODES: dict[str, Code] = {
         Exit.FILE,
     ),
     "FILE_PERMISSION": Code(
-        "error", "The file may not be written.", "Correct the permissions, or choose another place with -o.", Exit.FILE
+        "error", "The file may not be written.", "Correct the permissions, or choose another place for it.", Exit.FILE
     ),
     "FILE_TARGET": Code("error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE),
     "STUDY_RESULTS": Code(

@@ -185,13 +185,13 @@ class Screen:
         """Print a sentence, in as many lines as it needs."""
         _put(sys.stdout, wrapped(visible(text), columns(sys.stdout)))
 
-    def _copyable(self, text: str) -> None:
-        """Print lines of a configuration as they are to be written."""
-        _put(sys.stdout, map(visible, text.splitlines()))
-
     def _tell(self, text: str) -> None:
         """The same on standard error."""
         _put(sys.stderr, wrapped(visible(text), columns(sys.stderr)))
+
+    def _copyable(self, text: str) -> None:
+        """Print lines of a configuration as they are to be written."""
+        _put(sys.stdout, map(visible, text.splitlines()))
 
     def _live(self, status: Status, event: Event) -> None:
         status.update(Text(f"{event.stage}: {event.detail}" if event.detail else event.stage))
@@ -275,9 +275,8 @@ def _rows_table(rows: Sequence[ControlRow]) -> Table:
     table = Table("control", "place", "displacement", "element", "kind", "twin", "why", below=("why",))
     for row in rows:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
-        place = "board" if row.place == "board" else row.place
         element = row.element if row.element != row.control else ""
-        table.add_row(*map(_cell, (row.control, place, share, element, row.kind, row.twin, row.reason)))
+        table.add_row(*map(visible, (row.control, row.place, share, element, row.kind, row.twin, row.reason)))
     return table
 
 
@@ -287,7 +286,7 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
         gain = f"{each.gain:.3f}" if each.better else ""
         numbers = (_percent(each.kept), f"{each.linear:.3f}", f"{each.overlap:.3f}")
-        table.add_row(*map(_cell, (each.element, *numbers, apart, each.nearest, gain, each.better)))
+        table.add_row(*map(visible, (each.element, *numbers, apart, each.nearest, gain, each.better)))
     return table
 
 
@@ -298,7 +297,7 @@ def _changes_table(changes: Sequence[Change]) -> Table:
         element = change.element if change.element != change.control else ""
         why = ((f"was {change.was}",) if change.was else ()) + change.why
         cells = (change.control, change.kind, by, element, change.before, change.after, "; ".join(why))
-        table.add_row(*map(_cell, cells))
+        table.add_row(*map(visible, cells))
     return table
 
 
@@ -309,7 +308,7 @@ def _batch_table(rows: Sequence[Row]) -> Table:
         gap = f"{row.gap:.1e}" if row.sound else ""
         why = f"{row.code} {row.message}".strip()
         cells = (row.asset, row.outcome, *counts, gap, str(row.warnings or ""), f"{row.seconds:.2f}", why)
-        table.add_row(*map(_cell, cells))
+        table.add_row(*map(visible, cells))
     return table
 
 
@@ -332,23 +331,19 @@ def _facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> 
             facts.twin,
             ", ".join(facts.flags),
         )
-        table.add_row(*map(_cell, cells))
+        table.add_row(*map(visible, cells))
     return table
 
 
 def _use_table(controls: Sequence[UseFacts]) -> Table:
     table = Table("control", "use", "active", "importance")
     for each in controls:
-        table.add_row(*map(_cell, (each.control, f"{each.use:.3f}", _percent(each.active), f"{each.importance:.2f}")))
+        table.add_row(*map(visible, (each.control, f"{each.use:.3f}", _percent(each.active), f"{each.importance:.2f}")))
     return table
 
 
 def _put(stream: TextIO, lines: Iterable[str]) -> None:
     stream.write("".join(f"{line}\n" for line in lines))
-
-
-def _cell(text: str) -> str:
-    return visible(text)
 
 
 def _verdict(report: Report) -> str:

@@ -10,9 +10,10 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from processes import children_of, until
-from skel_stages import character, head
+from skel_stages import add_mesh, add_shape, character, grid, head
 
 from usdrigui.cli import main
 from usdrigui.settings import Settings
@@ -86,11 +87,28 @@ def test_a_signal_while_reading_ends_the_run_and_the_reader(hanging, number):
     assert untouched(hanging)
 
 
+@pytest.fixture(scope="module")
+def crowded(tmp_path_factory):
+    """200 controls on the middle of one sheet: its best layout is not proven within a minute."""
+    path = tmp_path_factory.mktemp("crowd") / "char.usda"
+    points, _ = grid(31)
+    random = np.random.default_rng(1)
+
+    def crowd(stage):
+        mesh = add_mesh(stage, "/Char/Sheet", "/Char/Skel", side=31)
+        for number in range(200):
+            far = np.sum((points[:, :2] - random.uniform(-0.4, 0.4, 2)) ** 2, axis=1)
+            bump = np.exp(-far / random.uniform(0.01, 0.06))
+            add_shape(mesh, f"shape{number}", 0.2 * bump[:, None] * random.normal(size=3))
+
+    return head(path, edit=crowd)
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, number):
+def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, crowded, number):
     target, report = tmp_path / "out.usda", tmp_path / "out.json"
     endless = ("--gap", "0", "--set", "solve.work_limit=2000000000000")
-    process = start(SAMPLE, "-o", target, "--report", report, *endless)
+    process = start(crowded, "-o", target, "--report", report, *endless)
     wait_for_line(process, "problem")
     time.sleep(0.5)
     sent = time.monotonic()

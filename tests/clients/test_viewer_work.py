@@ -27,20 +27,12 @@ def animated(rig, root):
 
 
 @pytest.fixture(scope="module")
-def two_path(tmp_path_factory):
+def page_path(tmp_path_factory):
     """Two characters on one page."""
     rigs = [animated(makers.face(), "/One"), animated(makers.face(), "/Two")]
     path = tmp_path_factory.mktemp("work") / "two.html"
     path.write_text(page_html([(rig, replace(peak_layout(rig), root=rig.root)) for rig in rigs], "two"))
     return path
-
-
-@pytest.fixture
-def viewer(browser, two_path):
-    made = Viewer(browser, two_path)
-    yield made
-    assert made.trouble == []
-    made.close()
 
 
 def choose(viewer, root):
@@ -106,9 +98,9 @@ def test_a_reload_offers_the_work_back(viewer):
     assert viewer.moved() == {}
 
 
-def test_two_pages_on_one_character_lose_nothing_of_each_other(viewer, two_path):
+def test_two_pages_on_one_character_lose_nothing_of_each_other(viewer, page_path):
     other = viewer.page.context.new_page()
-    other.goto(two_path.resolve().as_uri())
+    other.goto(page_path.resolve().as_uri())
     other.wait_for_selector(".timeline")
     other.evaluate("usdrigui.set({ chin: 1 })")
     viewer.set(brow_L=1.0)
@@ -123,9 +115,9 @@ def test_two_pages_on_one_character_lose_nothing_of_each_other(viewer, two_path)
     assert sorted(found, key=str) == [{"brow_L": 1.0}, {"chin": 1.0}]
 
 
-def test_a_browser_that_keeps_nothing_is_told_before_work_is_lost(browser, two_path):
+def test_a_browser_that_keeps_nothing_is_told_before_work_is_lost(browser, page_path):
     no_storage = "{ get() { throw new DOMException('no', 'SecurityError'); } }"
-    viewer = Viewer(browser, two_path, script=f"Object.defineProperty(window, 'localStorage', {no_storage})")
+    viewer = Viewer(browser, page_path, script=f"Object.defineProperty(window, 'localStorage', {no_storage})")
     asked = []
     viewer.page.on("dialog", lambda dialog: (asked.append(dialog.type), dialog.accept()))
     viewer.page.mouse.click(5, 5)

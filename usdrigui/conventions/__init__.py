@@ -75,6 +75,11 @@ class Action:
         """Whether it is one of a set that is used as a set, not an end or an axis of something."""
         return self.category in ("viseme", "emotion", "identity")
 
+    @property
+    def is_needed(self) -> bool:
+        """Whether it is missed where it leaves the face: no face is animated without it, or its family is split."""
+        return self.is_core or self.in_family
+
 
 @dataclass(frozen=True, slots=True)
 class Meaning:

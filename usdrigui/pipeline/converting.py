@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from usdrigui.errors import refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.pipeline.targets import check_replaceable, check_target, make_folder
+from usdrigui.pipeline.variants import selecting
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import LayoutsResult, ReadResult
@@ -22,7 +22,7 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     layer brings the layout in, or a part of it), FILE_TARGET and all that reading and writing can raise.
     """
     own = read_layer_isolated(layer, settings)
-    chosen = [_with_variants(settings, each) for each in own.variants] or [settings]
+    chosen = [selecting(settings, each) for each in own.variants] or [settings]
     layouts = [read_layouts_isolated(layer, each) for each in chosen]
     origins = [path for each in layouts for path in each.composed_from.values()]
     if origins or not own.ours:
@@ -42,10 +42,6 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
         state = write_layout(list(laid.values()), source, target, output, reads[0].metadata, write=files.stage)
         files.commit()
     return state
-
-
-def _with_variants(settings: Settings, variants: Mapping[str, str]) -> Settings:
-    return replace(settings, read=replace(settings.read, variants=variants))
 
 
 def _pairs(layouts: Sequence[LayoutsResult], reads: Sequence[ReadResult], source: Path) -> Iterator[tuple[Rig, Layout]]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.errors import Issue, RigUIError, explained, issue, refuse
+from usdrigui.errors import Issue, explained, issue, refuse
 from usdrigui.examples import ExampleLayers, Examples, as_sibling, followed, read_examples, rigs_over
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
@@ -142,17 +142,9 @@ def _readings(asset: Path, settings: Settings, layers: ExampleLayers) -> tuple[l
 def _read_each(
     settings: Settings, sets: Mapping[str, tuple[str, ...]], read: Callable[[Settings], Reading]
 ) -> tuple[list[Reading], tuple[Issue, ...]]:
-    readings, plain, refusals = [], [], []
-    for chosen in variants.each_variant(settings, sets):
-        try:
-            readings.append(read(chosen))
-        except RigUIError as error:
-            plain.append(variants.left_off(error, chosen))
-            refusals.append(error)
-    if not readings:
-        raise refusals[0]
+    readings, plain = variants.in_each_variant(settings, sets, read)
     _check_above(readings)
-    return readings, tuple(plain)
+    return readings, plain
 
 
 def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
@@ -176,9 +168,8 @@ def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Re
 
 def _of_variant(found: Reading, layers: ExampleLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]) -> Reading:
     """Some characters of a shot, over the layout that the base has for the variants that they select."""
-    settings = replace(found.settings, read=replace(found.settings.read, variants=chosen))
     source = replace(found.source, rigs=tuple(rigs))
-    return Reading(found.settings, source, read_examples(layers, settings))
+    return Reading(found.settings, source, read_examples(layers, variants.selecting(found.settings, chosen)))
 
 
 def _check_above(readings: Sequence[Reading]) -> None:

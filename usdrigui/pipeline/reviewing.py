@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.layout.parts.division import Part
@@ -28,8 +28,6 @@ from usdrigui.usd.reader_process import (
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
-
-T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +122,9 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
     clock = Clock(progress)
     if not settings.read.each_variant:
         return _checked(layer, settings, clock)
-    reviews, plain = _each(layer, settings, lambda chosen: _checked(layer, chosen, clock))
+    reviews, plain = variants.in_each_variant(
+        settings, read_variants_isolated(layer, settings), lambda chosen: _checked(layer, chosen, clock)
+    )
     characters = {root: review for each in reviews for root, review in each.characters}
     faults = dict.fromkeys((*(fault for each in reviews for fault in each.faults), *plain))
     return LayerReview(str(layer), tuple(characters.items()), clock.seconds, tuple(faults))
@@ -139,22 +139,6 @@ def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
                 raise
             return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
     return _review_of(str(layer), loaded, stale, settings, clock)
-
-
-def _each(layer: Path, settings: Settings, look: Callable[[Settings], T]) -> tuple[list[T], list[Issue]]:
-    """What is found in each variant that the settings name, and which of them have no layout; raises if none has."""
-    found: list[T] = []
-    plain: list[Issue] = []
-    refusals = []
-    for chosen in variants.each_variant(settings, read_variants_isolated(layer, settings)):
-        try:
-            found.append(look(chosen))
-        except RigUIError as error:
-            plain.append(variants.left_off(error, chosen))
-            refusals.append(error)
-    if not found:
-        raise refusals[0]
-    return found, plain
 
 
 def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
@@ -229,7 +213,9 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     """
     if not settings.read.each_variant:
         return _difference(before, after, settings)
-    each, _ = _each(after, settings, lambda chosen: _difference(before, after, chosen))
+    each, _ = variants.in_each_variant(
+        settings, read_variants_isolated(after, settings), lambda chosen: _difference(before, after, chosen)
+    )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
     return LayerDifference(str(before), str(after), tuple(characters.values()), tuple(sorted(only)))

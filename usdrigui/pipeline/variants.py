@@ -3,14 +3,38 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import TypeVar
 
-from usdrigui.errors import Issue, RigUIError, issue, meant, refuse
+from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.settings import Settings
+from usdrigui.usd.variant_paths import unknown_set
+
+T = TypeVar("T")
 
 _PLAIN = ("SKELROOT_MISSING", "CONTROLS_MISSING", "LAYOUT_MISSING", "VARIANT_UNKNOWN")
 """What a variant without a character, or without a layout, is refused for; combinations need not all be there."""
+
+
+def in_each_variant(
+    settings: Settings, sets: Mapping[str, tuple[str, ...]], act: Callable[[Settings], T]
+) -> tuple[list[T], tuple[Issue, ...]]:
+    """What is found in each variant, and that the others are left off, as they have no character or no layout.
+
+    Raises what `act` raises for another reason, or everywhere, and as `each_variant`.
+    """
+    found: list[T] = []
+    plain, refusals = [], []
+    for chosen in each_variant(settings, sets):
+        try:
+            found.append(act(chosen))
+        except RigUIError as error:
+            plain.append(left_off(error, chosen))
+            refusals.append(error)
+    if not found:
+        raise refusals[0]
+    return found, tuple(plain)
 
 
 def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Iterator[Settings]:
@@ -21,12 +45,15 @@ def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Ite
     read = settings.read
     for name in read.each_variant:
         if name not in sets:
-            known = f"the sets are: {', '.join(sets)}" if sets else "the stage has no variant set"
-            raise refuse("VARIANT_UNKNOWN", name, f"no prim has this variant set; {known}{meant(name, sets)}")
+            raise unknown_set(name, sets)
     choices = [sets[name] if name not in read.variants else (read.variants[name],) for name in read.each_variant]
     for chosen in itertools.product(*choices):
-        variants = {**read.variants, **dict(zip(read.each_variant, chosen, strict=True))}
-        yield replace(settings, read=replace(read, variants=variants))
+        yield selecting(settings, {**read.variants, **dict(zip(read.each_variant, chosen, strict=True))})
+
+
+def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
+    """The settings with these variants selected, by the names of their sets."""
+    return replace(settings, read=replace(settings.read, variants=variants))
 
 
 def left_off(error: RigUIError, settings: Settings) -> Issue:

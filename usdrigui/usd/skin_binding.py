@@ -89,7 +89,7 @@ class AnchorBinding(Record):
     """(3,) anchor in the bind pose."""
     handle: JointBinding
     track: JointBinding
-    """As `handle`, less what the element's own controls move; beside the face, those of any element there."""
+    """As `handle`, less what the element's own controls move; on the board, those of any element there."""
     shapes: tuple[PointShape, ...]
     """Of the anchor, in the order of the channels; none for an element that does not deform."""
     own_channels: frozenset[int]
@@ -116,8 +116,8 @@ class SkinBinding:
         rows = [starts[mesh.path] + point for mesh, point in on_face]
         self._rigid = carrying_joint(rig, np.array(rows, dtype=np.int64))
         self._shapes = _shapes_of(rig, on_face, self.size)
-        beside = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
-        self._board = _own_joints([self.control(name) for name in beside], self.size)
+        on_board = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
+        self._board = _own_joints([self.control(name) for name in on_board], self.size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""

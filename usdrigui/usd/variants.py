@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pxr import Sdf, Usd
 
 from usdrigui.errors import meant, refuse
+from usdrigui.usd.variant_paths import unknown_set
 
 
 def select(stage: Usd.Stage, wanted: Mapping[str, str]) -> None:
@@ -87,7 +88,6 @@ def _prims(stage: Usd.Stage) -> Usd.PrimRange:
 def _unknown(stage: Usd.Stage, name: str, variant: str) -> Exception:
     sets = variant_sets(stage)
     if name not in sets:
-        known = f"the sets are: {', '.join(sets)}" if sets else "the stage has no variant set"
-        return refuse("VARIANT_UNKNOWN", name, f"no prim has this variant set; {known}{meant(name, sets)}")
+        return unknown_set(name, sets)
     known = f"it has {', '.join(sets[name])}{meant(variant, sets[name])}"
     return refuse("VARIANT_UNKNOWN", name, f"no prim has the variant {variant!r} in this set; {known}")

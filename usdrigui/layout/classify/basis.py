@@ -37,6 +37,8 @@ _PARTS = 1.8
 """Effective number of parts from which a sum is one, and not one control with some noise."""
 _LISTED = 0.1
 """Least weight, relative to the largest, of a part that an explanation names."""
+_ALIKE = 0.05
+"""Cosine from which another motion can be a part of a sum."""
 _RIDGE = 1e-4
 """Keeps the products of nearly parallel motions invertible."""
 _ROUNDS = 20
@@ -102,22 +104,30 @@ def explain(index: int, atoms: Flags, cosine: Floats) -> Explanation | None:
 
 def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
     """The non-negative sum of the other `atoms` (m,) nearest to motion `index`, in the norm of the motions."""
-    parts = np.flatnonzero(atoms & (cosine[index] > 0.05))
-    parts = parts[parts != index]
+    parts, matrix, wanted = least_squares(index, atoms, cosine)
     if not len(parts):
         return Explanation(parts, np.zeros(0), 0.0)
     table, target = cosine[np.ix_(parts, parts)], cosine[parts, index]
-    # |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and
-    # |L' w - L^-1 t|^2.
-    root = np.linalg.cholesky(table + _RIDGE * np.eye(len(parts)))
     try:
-        weights, _ = nnls(root.T, np.linalg.solve(root, target))
+        weights, _ = nnls(matrix, wanted)
     except RuntimeError:  # Too many steps: no few of them explain it.
         return Explanation(parts[:0], np.zeros(0), 0.0)
     share = float(2.0 * weights @ target - weights @ table @ weights)
     order = np.argsort(-rounded(weights), kind="stable")
     order = order[weights[order] > _LISTED * weights.max()]
     return Explanation(parts[order], weights[order], share)
+
+
+def least_squares(index: int, among: Flags, cosine: Floats) -> tuple[Indices, Floats, Floats]:
+    """The other motions (k,) `among` (m,) that are like motion `index`, and the matrix (k, k) and vector (k,) of which
+    |A w - b| is, but for a constant, the distance of the motion from the sum of these with weights w.
+
+    |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and |L' w - L^-1 t|^2.
+    """
+    parts = np.flatnonzero(among & (cosine[index] > _ALIKE))
+    parts = parts[parts != index]
+    root = np.linalg.cholesky(cosine[np.ix_(parts, parts)] + _RIDGE * np.eye(len(parts)))
+    return parts, root.T, np.linalg.solve(root, cosine[parts, index])
 
 
 def _parallel(cosine: Floats, prices: Floats) -> list[tuple[int, int]]:

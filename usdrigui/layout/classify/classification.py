@@ -143,8 +143,7 @@ def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories)
     length `seen`, can be felt, or of a family, which stands together."""
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
-    core = meaning.action.in_family or meaning.action.is_core
-    return core or seen >= _FELT * trajectories.typical_length
+    return meaning.action.is_needed or seen >= _FELT * trajectories.typical_length
 
 
 def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:

@@ -18,16 +18,13 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import lsq_linear
 
+from usdrigui.layout.classify.basis import least_squares
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Flags, Floats, Indices, Trajectories
 from usdrigui.ties import first_largest
 
 _RANGE = 2.0
 """Times its own range that another control may go in the sum: a tiny control scaled up explains anything."""
-_ALIKE = 0.05
-"""Cosine from which another control is a part of the sum."""
-_RIDGE = 1e-4
-"""Keeps the products of nearly parallel motions invertible."""
 _HALF = 0.5
 """Share up to which a motion is the control's own."""
 _NOTABLE = 0.5
@@ -81,14 +78,11 @@ def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> 
 def _sum_of_others(similarity: Similarity, index: int, on_face: Flags) -> tuple[Indices, Floats]:
     """Motions (k,) and how far each goes, in its own range, in the sum nearest to motion `index`."""
     cosine, norm = similarity.cosine, similarity.norm
-    parts = np.flatnonzero(on_face & (cosine[index] > _ALIKE))
-    parts = parts[parts != index]
+    parts, matrix, wanted = least_squares(index, on_face, cosine)
     if not len(parts):
         return parts, np.zeros(0)
-    # As in `basis.best_sum`: the distance of fields by way of their products.
-    root = np.linalg.cholesky(cosine[np.ix_(parts, parts)] + _RIDGE * np.eye(len(parts)))
     most = _RANGE * norm[parts] / norm[index]
-    answer = lsq_linear(root.T, np.linalg.solve(root, cosine[parts, index]), bounds=(0.0, most), method="bvls")
+    answer = lsq_linear(matrix, wanted, bounds=(0.0, most), method="bvls")
     weights = np.asarray(answer.x) * norm[index] / norm[parts]
     used = weights > 0.0
     return parts[used], weights[used]

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.conventions import Meaning
 from usdrigui.errors import refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.candidates import SHARED_LEAST, candidates_of_axis, loosened
@@ -149,13 +148,9 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
     overrides = [requests.overrides[control] for control in group.controls]
     if not settings.off_face_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
         return float(np.inf)
-    needed = any(_is_needed(requests.meaning(control)) for control in group.controls)
+    meanings = [requests.meaning(control) for control in group.controls]
+    needed = any(meaning is not None and meaning.action.is_needed for meaning in meanings)
     return (settings.off_face_penalty + _NEEDED * needed) * len(group.copies)
-
-
-def _is_needed(meaning: Meaning | None) -> bool:
-    """Whether a crowd must not send the control away: no face is animated without it, or its family would be split."""
-    return meaning is not None and (meaning.action.is_core or meaning.action.in_family)
 
 
 # --- fixed anchors -----------------------------------------------------------------------------------

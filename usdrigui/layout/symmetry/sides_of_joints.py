@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 
 import numpy as np
 
@@ -49,10 +50,11 @@ def _twins(rig: Rig, names: list[str]) -> dict[int, int]:
     found: dict[int, int] = {}
     for told in (names, [_COUNT.sub("", name) for name in names]):
         keys = [(joint.skeleton, name.lower()) for joint, name in zip(rig.joints, told, strict=True)]
-        alone = {key: i for i, key in enumerate(keys) if keys.count(key) == 1}
-        for i, (skeleton, name) in enumerate(keys):
+        counts = Counter(keys)
+        alone = {key: i for i, key in enumerate(keys) if counts[key] == 1}
+        for (skeleton, name), i in alone.items():
             other = alone.get((skeleton, mirrored(name)), i)
-            if other != i and i in alone.values():
+            if other != i:
                 found.setdefault(i, other)
     return found
 
