@@ -1,19 +1,21 @@
-"""What each part of the objective and each reduction is good for: one table and one picture grid per rig.
+"""What each part of the objective and each reduction is good for: one table and one picture grid
+per rig.
 
     python benchmarks/ablation.py [ASSET ...] [--rows WORD...] [--seconds 60] [--folder DIR]
 
-Up to three assets; without one the sample character.  Every row is printed as soon as it is there; the folder
-gets ``ablation_NAME.csv`` and ``ablation_NAME.md`` (rewritten row by row, so that a run cut short leaves what
-it has) and ``ablation_NAME.png``.  The rows follow the figures of Kim & Singh 2021: random, peak only, overlap
-only, centroid of influence and full (figure 6); lambda 1, 0.85, 0.4 (figure 9); 100, 20, 5, 0.5 % of the
-candidates (figure 10); 1, 2, 4, 6 clusters by single linkage, and two by the printed sum (figure 11).
+Up to three assets; without one the sample character.  Every row is printed as soon as it is there;
+the folder gets ``ablation_NAME.csv`` and ``ablation_NAME.md`` (rewritten row by row, so that a run
+cut short leaves what it has) and ``ablation_NAME.png``.  The rows follow the figures of Kim & Singh
+2021: random, peak only, overlap only, centroid of influence and full (figure 6); lambda 1, 0.85,
+0.4 (figure 9); 100, 20, 5, 0.5 % of the candidates (figure 10); 1, 2, 4, 6 clusters by single
+linkage, and two by the printed sum (figure 11).
 
-All rows choose among the candidates of the full problem, and every cost is the default objective's, except
-that handles nearer than a handle's width cost no more than their overlap: ``nearest`` (handle widths) tells
-of them.  ``bound`` is proven for the default objective, once, by the full row, and ``above`` the cost's
-share over it.  ``visible`` is the share of (anchor, view) pairs in which the view shows the anchor; ``kept``
-the mean of every control's arc length at its anchor over its peak; ``beside`` the number of elements that
-left the face.  Seconds are of choosing alone.
+All rows choose among the candidates of the full problem, and every cost is the default objective's,
+except that handles nearer than a handle's width cost no more than their overlap: ``nearest``
+(handle widths) tells of them.  ``bound`` is proven for the default objective, once, by the full
+row, and ``above`` the cost's share over it.  ``visible`` is the share of (anchor, view) pairs in
+which the view shows the anchor; ``kept`` the mean of every control's arc length at its anchor over
+its peak; ``beside`` the number of elements that left the face.  Seconds are of choosing alone.
 """
 
 from __future__ import annotations
@@ -72,7 +74,8 @@ def main() -> None:
 
 
 def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None:
-    """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and picture."""
+    """Print the rows of one asset as they come, and keep them in the folder as csv, markdown and
+    picture."""
     settings = load({"solve": {"time_limit": seconds}})
     inputs = build_problem(read_rigs_isolated(asset, settings).rigs[0], settings)
     print(head(asset.stem), flush=True)
@@ -88,9 +91,16 @@ def compare(asset: Path, words: list[str], seconds: float, folder: Path) -> None
 
 
 def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("assets", nargs="*", type=Path, default=[SAMPLE], help=f"at most {MOST}")
-    parser.add_argument("--rows", nargs="*", default=[], help="only rows whose figure or name holds one of these words")
+    parser.add_argument(
+        "--rows",
+        nargs="*",
+        default=[],
+        help="only rows whose figure or name holds one of these words",
+    )
     parser.add_argument("--seconds", type=float, default=60.0, help="limit of every solve")
     parser.add_argument("--folder", type=Path, default=Path(), help="where the pictures go")
     arguments = parser.parse_args()
@@ -100,7 +110,8 @@ def _arguments() -> argparse.Namespace:
 
 
 def ablation(inputs: ProblemInputs, words: list[str] | None = None) -> Iterator[Row]:
-    """The rows of one character as they are made; the full row comes first and always, for its bound."""
+    """The rows of one character as they are made; the full row comes first and always, for its
+    bound."""
     limits = inputs.settings.solve
     start = time.perf_counter()
     full = solve(inputs.placement.problem, limits)
@@ -113,26 +124,32 @@ def ablation(inputs: ProblemInputs, words: list[str] | None = None) -> Iterator[
         yield _row(inputs, figure, name, labels, full.bound, time.perf_counter() - start)
 
 
-# --- the rules ---------------------------------------------------------------------------------------
+# --- the rules ------------------------------------------------------------------------------------
 
 
 def at_random(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
     """Any candidate of each element (figure 6a)."""
     rng = np.random.default_rng(limits.seed)
     return np.array(
-        [rng.integers(len(each.cost)) if len(each.cost) else -1 for each in inputs.placement.problem.variables]
+        [
+            rng.integers(len(each.cost)) if len(each.cost) else -1
+            for each in inputs.placement.problem.variables
+        ]
     )
 
 
 def at_centroid(inputs: ProblemInputs, _: SolveSettings) -> Indices:
-    """The candidate nearest to the middle of what the element's controls move, arc length times area as weight."""
+    """The candidate nearest to the middle of what the element's controls move, arc length times
+    area as weight."""
     face = inputs.face
     motions = {each.control: each for each in face.trajectories.motions}
     labels = []
     for choice in inputs.placement.choices:
         moving = [motions[control] for control in choice.controls[0]]
         points = np.concatenate([each.points for each in moving])
-        weight = np.concatenate([each.arc_length * face.trajectories.areas[each.points] for each in moving])
+        weight = np.concatenate(
+            [each.arc_length * face.trajectories.areas[each.points] for each in moving]
+        )
         middle = np.average(face.trajectories.base[points], axis=0, weights=weight + 1e-30)
         apart = np.linalg.norm(face.trajectories.base[choice.anchors[:, 0]] - middle, axis=1)
         labels.append(int(apart.argmin()) if len(apart) else -1)
@@ -145,7 +162,8 @@ def by_displacement(inputs: ProblemInputs, _: SolveSettings) -> Indices:
 
 
 def by_overlap(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
-    """As far apart as the candidates allow: no displacement, no occlusion, no price of the plane (figure 6c)."""
+    """As far apart as the candidates allow: no displacement, no occlusion, no price of the plane
+    (figure 6c)."""
     return solve(_on_face(bare_problem(inputs, 0.0)), limits).labels
 
 
@@ -159,7 +177,8 @@ def by_weight(weight: float) -> Rule:
 
 
 def by_paper(share: float, clusters: int, linkage: Linkage = "single") -> Rule:
-    """The paper's reductions: a share of the candidates, clusters in sequence (figures 10 and 11)."""
+    """The paper's reductions: a share of the candidates, clusters in sequence (figures 10 and
+    11)."""
 
     def rule(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
         reduced = replace(limits, method="paper", sample=share, clusters=clusters, linkage=linkage)
@@ -174,7 +193,10 @@ RULES: tuple[tuple[str, str, Rule], ...] = (
     ("6", "overlap only", by_overlap),
     ("6", "centroid of influence", at_centroid),
     *(("9", f"lambda {weight:g}", by_weight(weight)) for weight in (1.0, 0.85, 0.4)),
-    *(("10", f"{100 * share:g} % of the candidates", by_paper(share, 1)) for share in (1.0, 0.2, 0.05, 0.005)),
+    *(
+        ("10", f"{100 * share:g} % of the candidates", by_paper(share, 1))
+        for share in (1.0, 0.2, 0.05, 0.005)
+    ),
     *(
         ("11", f"{clusters} clusters" if clusters > 1 else "1 cluster", by_paper(1.0, clusters))
         for clusters in (1, 2, 4, 6)
@@ -182,12 +204,17 @@ RULES: tuple[tuple[str, str, Rule], ...] = (
     ("11", "2 clusters by sums", by_paper(1.0, 2, "sum")),
 )
 FULL = ("6", "full")
-ORDER = [(figure, name) for figure, name, _ in RULES[:4]] + [FULL] + [(figure, name) for figure, name, _ in RULES[4:]]
+ORDER = (
+    [(figure, name) for figure, name, _ in RULES[:4]]
+    + [FULL]
+    + [(figure, name) for figure, name, _ in RULES[4:]]
+)
 """Figure and name of all rows as tables list them."""
 
 
 def displacement_costs(inputs: ProblemInputs) -> list[Floats]:
-    """(R,) per variable: minus the displacement of each candidate of the full problem, all copies."""
+    """(R,) per variable: minus the displacement of each candidate of the full problem, all
+    copies."""
     return [each.cost for each in bare_problem(inputs, 1.0).variables]
 
 
@@ -197,40 +224,51 @@ def bare_problem(inputs: ProblemInputs, weight: float) -> LayoutProblem:
     return _with_settings(inputs, replace(inputs.candidates, sets=free), weight, 0.0)
 
 
-def _with_settings(inputs: ProblemInputs, candidates: Candidates, weight: float, plane: float) -> LayoutProblem:
-    """The problem under other settings, its labels those of the full one; `plane` scales the plane's price."""
+def _with_settings(
+    inputs: ProblemInputs, candidates: Candidates, weight: float, plane: float
+) -> LayoutProblem:
+    """The problem under other settings, its labels those of the full one; `plane` scales the
+    plane's price."""
     settings = inputs.settings
     changed = replace(
         settings,
         objective=replace(settings.objective, displacement_weight=weight),
         symmetry=replace(settings.symmetry, plane_weight=plane * settings.symmetry.plane_weight),
     )
-    other = placement_problem(inputs.face, candidates, inputs.placement.groups, inputs.requests, changed).problem
+    other = placement_problem(
+        inputs.face, candidates, inputs.placement.groups, inputs.requests, changed
+    ).problem
     same = tuple(map(_same_labels, inputs.placement.problem.variables, other.variables))
     return replace(other, variables=same, extra=inputs.placement.problem.extra)
 
 
 def _same_labels(full: Variable, other: Variable) -> Variable:
-    """The costs of `other` at the candidates of `full`: which are kept depends on handles, not on weights."""
+    """The costs of `other` at the candidates of `full`: which are kept depends on handles, not on
+    weights."""
     if not np.array_equal(full.points, other.points):
         raise ValueError(f"{full.name} has other candidates under other weights")
     return replace(full, cost=other.cost, off_face_cost=other.off_face_cost)
 
 
 def _on_face(problem: LayoutProblem) -> LayoutProblem:
-    """The board at the price of any overlap: without displacement to lose everything would leave."""
+    """The board at the price of any overlap: without displacement to lose everything would
+    leave."""
     price = problem.overlap.maximum * len(problem.variables)
-    return replace(problem, variables=tuple(replace(each, off_face_cost=price) for each in problem.variables))
+    return replace(
+        problem, variables=tuple(replace(each, off_face_cost=price) for each in problem.variables)
+    )
 
 
 def _least(cost: Floats) -> int:
     return int(cost.argmin()) if len(cost) else -1
 
 
-# --- the figures -------------------------------------------------------------------------------------
+# --- the figures ----------------------------------------------------------------------------------
 
 
-def _row(inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: float, seconds: float) -> Row:
+def _row(
+    inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: float, seconds: float
+) -> Row:
     soft = replace(inputs.placement.problem, separation=0.0)
     cost = total_cost(soft, labels)
     chosen = Assignment(labels, cost, min(bound, cost), "stopped", 0.0, name, name)
@@ -252,7 +290,11 @@ def _row(inputs: ProblemInputs, figure: str, name: str, labels: Indices, bound: 
 
 def anchors_of(inputs: ProblemInputs, labels: Indices) -> Indices:
     """(elements on the face,) anchor points, all copies."""
-    chosen = [c.anchors[label] for c, label in zip(inputs.placement.choices, labels, strict=True) if label >= 0]
+    chosen = [
+        c.anchors[label]
+        for c, label in zip(inputs.placement.choices, labels, strict=True)
+        if label >= 0
+    ]
     return np.concatenate([np.zeros(0, dtype=np.int64), *chosen])
 
 
@@ -263,10 +305,13 @@ def nearest_handles(positions: Floats) -> float:
 
 
 def displacement_kept(inputs: ProblemInputs, labels: Indices) -> float:
-    """Mean over the controls on the face of the arc length at the anchor over the control's peak."""
+    """Mean over the controls on the face of the arc length at the anchor over the control's
+    peak."""
     motions = {each.control: each for each in inputs.face.trajectories.motions}
     shares = [
-        motions[control].arc_length[np.searchsorted(motions[control].points, choice.sources[label, copy])]
+        motions[control].arc_length[
+            np.searchsorted(motions[control].points, choice.sources[label, copy])
+        ]
         / motions[control].arc_length.max()
         for choice, label in zip(inputs.placement.choices, labels, strict=True)
         if label >= 0
@@ -276,7 +321,7 @@ def displacement_kept(inputs: ProblemInputs, labels: Indices) -> float:
     return float(np.mean(shares)) if shares else 0.0
 
 
-# --- output ------------------------------------------------------------------------------------------
+# --- output ---------------------------------------------------------------------------------------
 
 
 COLUMNS = ("cost", "bound", "above", "seconds", "nearest", "visible", "kept", "board")
@@ -329,8 +374,13 @@ def picture(inputs: ProblemInputs, rows: list[Row]) -> Image.Image:
     strips = []
     for figure in dict.fromkeys(row.figure for row in rows):
         mine = [row for row in rows if row.figure == figure]
-        fronts = [render(inputs.face.rig, row.layout, views=("front",), size=CELL, title=row.name) for row in mine]
-        titles = [f"figure {figure}: {row.name}, cost {row.cost:.2f}, {row.seconds:.1f} s" for row in mine]
+        fronts = [
+            render(inputs.face.rig, row.layout, views=("front",), size=CELL, title=row.name)
+            for row in mine
+        ]
+        titles = [
+            f"figure {figure}: {row.name}, cost {row.cost:.2f}, {row.seconds:.1f} s" for row in mine
+        ]
         strips.append(contact_sheet(fronts, titles, columns=len(mine), width=WIDTH))
     page = Image.new("RGB", (WIDTH, sum(strip.height for strip in strips)))
     top = 0

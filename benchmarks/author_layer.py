@@ -1,7 +1,7 @@
 """How long a crowded layout takes to author, write and read: ``python benchmarks/author_layer.py``.
 
-A made-up face of 142 controls, each of whose anchors 40 shapes move: about the size of a MetaHuman's.
-Prints processor seconds (best of three) and sizes.
+A made-up face of 142 controls, each of whose anchors 40 shapes move: about the size of a
+MetaHuman's. Prints processor seconds (best of three) and sizes.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """Throughput of batches: ``python benchmarks/batch.py RIG [RIG ...] [--count 40] [--timeout 120]``.
 
-Makes `count` assets of the rigs named (the rigs themselves, and copies of other proportions), lays them all out
-by one process, by two, and by two workers of a dask scheduler on this machine, and prints assets per hour and
-the ratio to one process.  Layers of the three runs must be the same to the byte.
+Makes `count` assets of the rigs named (the rigs themselves, and copies of other proportions), lays
+them all out by one process, by two, and by two workers of a dask scheduler on this machine, and
+prints assets per hour and the ratio to one process.  Layers of the three runs must be the same to
+the byte.
 """
 
 from __future__ import annotations
@@ -37,7 +38,10 @@ def main() -> int:
         folder = Path(scratch)
         make_assets(arguments.rigs, arguments.count, folder / "assets")
         print(f"{arguments.count} assets of {len(arguments.rigs)} rigs, {os.cpu_count()} cores")
-        print("| where | seconds | assets/hour | ratio | written | refused or failed |\n|---|---|---|---|---|---|")
+        print(
+            "| where | seconds | assets/hour | ratio | written | refused or failed"
+            " |\n|---|---|---|---|---|---|"
+        )
         digests, base = set(), 0.0
         for name, options in (
             ("1 process", ["--jobs", "1"]),
@@ -49,7 +53,10 @@ def main() -> int:
             base = base or seconds
             failed = counts["refused"] + counts["failed"]
             rate = 3600 * arguments.count / seconds
-            row = f"{seconds:.1f} | {rate:.0f} | {base / seconds:.2f} | {counts['written']} | {failed}"
+            row = (
+                f"{seconds:.1f} | {rate:.0f} | {base / seconds:.2f} | {counts['written']} |"
+                f" {failed}"
+            )
             print(f"| {name} | {row} |", flush=True)
             digests.add(digest(out))
             if failed:
@@ -60,7 +67,8 @@ def main() -> int:
 
 
 def make_assets(rigs: Sequence[Path], count: int, folder: Path) -> None:
-    """`count` files: each rig in turn, every round after the first 2 % taller and 1 % wider than the last."""
+    """`count` files: each rig in turn, every round after the first 2 % taller and 1 % wider than
+    the last."""
     folder.mkdir()
     for number, rig in zip(range(count), itertools.cycle(rigs), strict=False):
         layer = Usd.Stage.Open(str(rig)).Flatten()
@@ -84,15 +92,29 @@ def _grow(attribute: Usd.Attribute, scale: np.ndarray) -> None:
         attribute.Set(type(value).FromNumpy((np.asarray(value) * scale).astype(np.float32)))
 
 
-def run_batch(assets: Path, out: Path, options: list[str], timeout: float) -> tuple[float, dict[str, int]]:
-    """Seconds and counts of one `usdrigui batch`; on a cluster of its own if no `options` say where."""
-    command = [sys.executable, "-m", "usdrigui", "batch", str(assets / "*.usdc"), "--output-dir", str(out), "--json"]
+def run_batch(
+    assets: Path, out: Path, options: list[str], timeout: float
+) -> tuple[float, dict[str, int]]:
+    """Seconds and counts of one `usdrigui batch`; on a cluster of its own if no `options` say
+    where."""
+    command = [
+        sys.executable,
+        "-m",
+        "usdrigui",
+        "batch",
+        str(assets / "*.usdc"),
+        "--output-dir",
+        str(out),
+        "--json",
+    ]
     command += ["--bare", f"--timeout={timeout}"]
     if options:
         done = subprocess.run([*command, *options], capture_output=True, text=True, check=False)
     else:
         with cluster(assets.parent) as address:
-            done = subprocess.run([*command, "--dask", address], capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                [*command, "--dask", address], capture_output=True, text=True, check=False
+            )
     told = json.loads(done.stdout)
     for row in told["assets"]:
         if row["exit"]:
@@ -131,7 +153,9 @@ def cluster(folder: Path) -> Iterator[str]:
 def digest(folder: Path) -> str:
     """Digest of all layers of a folder."""
     found = sorted(folder.glob("*.usda"))
-    return hashlib.sha256(b"".join(hashlib.sha256(each.read_bytes()).digest() for each in found)).hexdigest()
+    return hashlib.sha256(
+        b"".join(hashlib.sha256(each.read_bytes()).digest() for each in found)
+    ).hexdigest()
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Layout problems to measure solvers on: families of face-like ones from a seed, and finer heads from real rigs."""
+"""Layout problems to measure solvers on: families of face-like ones from a seed, and finer heads
+from real rigs."""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ TABLE_1 = MappingProxyType(
 """Points and controls of rigs in the paper's Table 1."""
 
 _FEATURES = (
-    # where controls gather on a face (x, height), how widely where they are crowded, and what share of them
+    # where controls gather on a face (x, height), how widely where they are crowded, and what share
+    # of them
     (0.0, -0.45, 0.16, 0.45),  # mouth
     (0.33, 0.22, 0.10, 0.20),  # eye
     (0.33, 0.45, 0.10, 0.15),  # brow
@@ -36,25 +38,29 @@ _FEATURES = (
     (0.50, -0.15, 0.12, 0.12),  # cheek
 )
 SCATTER = 2.25
-"""How much more widely controls stand than where they are crowded: as closely as on the closest of the real rigs
-(decision 034)."""
+"""How much more widely controls stand than where they are crowded: as closely as on the closest of
+the real rigs (decision 034)."""
 CROWDED = 1.0
-"""Nearly three times as closely as on any rig we know: harder problems than a layout of a face poses."""
+"""Nearly three times as closely as on any rig we know: harder problems than a layout of a face
+poses."""
 
 
 def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTER) -> LayoutProblem:
-    """A problem of the size and the crowding of a face: a head of `points`, `controls` bumps of motion on it.
+    """A problem of the size and the crowding of a face: a head of `points`, `controls` bumps of
+    motion on it.
 
-    A third of the controls lies on the middle line; of the rest, mirrored pairs are optimised once with two
-    copies, so the number of variables is about two thirds of `controls`.  Lengths in head half-heights.
-    Handles are as wide as a layout of such controls would make them by default (decisions 034, 045).
+    A third of the controls lies on the middle line; of the rest, mirrored pairs are optimised once
+    with two copies, so the number of variables is about two thirds of `controls`.  Lengths in head
+    half-heights. Handles are as wide as a layout of such controls would make them by default
+    (decisions 034, 045).
     """
     generator = np.random.default_rng(seed)
     positions, normals = _head(points)
     middle = round(controls / 3)
     middle += (controls - middle) % 2
     motions = [
-        _motion(generator, positions, normals, scatter, mirrored=at >= middle) for at in range((controls + middle) // 2)
+        _motion(generator, positions, normals, scatter, mirrored=at >= middle)
+        for at in range((controls + middle) // 2)
     ]
     settings = ObjectiveSettings()
     width = _handle_width(positions, motions, settings)
@@ -74,9 +80,11 @@ def face_like(points: int, controls: int, seed: int = 0, scatter: float = SCATTE
 
 
 def crowding(problem: LayoutProblem, face: float) -> float:
-    """Share of the other controls that want a place around one: within 8 % of `face`, the face's height.
+    """Share of the other controls that want a place around one: within 8 % of `face`, the face's
+    height.
 
-    A control wants the places where it keeps 85 % of its peak (as in decision 045), and is spread over them evenly.
+    A control wants the places where it keeps 85 % of its peak (as in decision 045), and is spread
+    over them evenly.
     """
     places, weights = [], []
     for variable in problem.variables:
@@ -89,7 +97,8 @@ def crowding(problem: LayoutProblem, face: float) -> float:
 
 
 def _head(points: int) -> tuple[Floats, Floats]:
-    """Evenly spread points and normals of an ellipsoid; the face looks along +z, the denser half."""
+    """Evenly spread points and normals of an ellipsoid; the face looks along +z, the denser
+    half."""
     at = np.arange(points) + 0.5
     height, turn = 1.0 - 2.0 * at / points, np.pi * (1.0 + 5.0**0.5) * at
     round_ = np.sqrt(1.0 - height**2)
@@ -101,9 +110,15 @@ def _head(points: int) -> tuple[Floats, Floats]:
 
 
 def _motion(
-    generator: np.random.Generator, positions: Floats, normals: Floats, scatter: float, *, mirrored: bool
+    generator: np.random.Generator,
+    positions: Floats,
+    normals: Floats,
+    scatter: float,
+    *,
+    mirrored: bool,
 ) -> tuple[Floats, bool]:
-    """(n, 3) offsets of one control: a smooth bump at one of the features, sideways and outwards."""
+    """(n, 3) offsets of one control: a smooth bump at one of the features, sideways and
+    outwards."""
     share = np.array([each[3] for each in _FEATURES])
     across, height, spread, _ = _FEATURES[int(generator.choice(len(share), p=share / share.sum()))]
     spread *= scatter
@@ -123,9 +138,11 @@ def _motion(
     return offsets, mirrored
 
 
-def _handle_width(positions: Floats, motions: list[tuple[Floats, bool]], settings: ObjectiveSettings) -> float:
-    """By the rule for real rigs; each of a mirrored pair is a control.  The points are evenly spread, so that the
-    places that a control wants share it equally."""
+def _handle_width(
+    positions: Floats, motions: list[tuple[Floats, bool]], settings: ObjectiveSettings
+) -> float:
+    """By the rule for real rigs; each of a mirrored pair is a control.  The points are evenly
+    spread, so that the places that a control wants share it equally."""
     total = np.zeros((2, len(positions)))
     for offsets, mirrored in motions:
         length = np.linalg.norm(offsets, axis=1)
@@ -146,7 +163,8 @@ def _variable(
     overlap: Overlap,
     width: float,
 ) -> Variable:
-    """The candidates of one control: points that move more than the mean and half the peak (paper section 4.2)."""
+    """The candidates of one control: points that move more than the mean and half the peak (paper
+    section 4.2)."""
     length = np.linalg.norm(offsets, axis=1)
     moving = length[length > 0]
     points: Indices = np.flatnonzero((length >= moving.mean()) & (length >= 0.5 * length.max()))
@@ -160,11 +178,20 @@ def _variable(
     cost = own_costs(samples, handles, overlap, width) - settings.displacement_weight * displacement
     free = np.isfinite(cost)
     off_face = settings.off_face_penalty * copies
-    return Variable(name, points[free], cost[free], samples[free], handles[free].copy(), off_face, displacement[free])
+    return Variable(
+        name,
+        points[free],
+        cost[free],
+        samples[free],
+        handles[free].copy(),
+        off_face,
+        displacement[free],
+    )
 
 
 def subdivided(rig: Rig) -> Rig:
-    """The same rig with every mesh face cut into quads once, linearly: four times the points, same motions."""
+    """The same rig with every mesh face cut into quads once, linearly: four times the points, same
+    motions."""
     return replace(rig, meshes=tuple(_subdivided_mesh(each) for each in rig.meshes))
 
 
@@ -178,7 +205,9 @@ def _subdivided_mesh(mesh: RigMesh) -> RigMesh:
     edges, edge = np.unique(ends, axis=0, return_inverse=True)
     edge = edge.reshape(-1)
     before = edge[first[face] + (corner - 1) % mesh.face_counts[face]]
-    quads = np.column_stack([mesh.face_indices, count + edge, count + len(edges) + face, count + before])
+    quads = np.column_stack(
+        [mesh.face_indices, count + edge, count + len(edges) + face, count + before]
+    )
 
     def finer(values: Floats) -> Floats:
         """Values at the corners, at the middles of the edges and of the faces."""

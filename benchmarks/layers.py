@@ -1,14 +1,17 @@
-"""What layouts cost a stage: ``python benchmarks/layers.py LAYER [LAYER ...] [--against FOLDER] [--characters 10]``.
+"""What layouts cost a stage: ``python benchmarks/layers.py LAYER [LAYER ...] [--against FOLDER]
+[--characters 10]``.
 
-One row per layer: prims and bytes as text, seconds to open the stage and to play it, that is to bake the skinning of
-made frames (``--frames 120``, five seconds), alone and for a shot of several characters; without the layout (the
-variant ``rigUI = none``) and with it, and what each costs more than the same shot of the source.  ``--against`` names a
-folder with layers of the same names, for example of the first format, that get a row of their own.
+One row per layer: prims and bytes as text, seconds to open the stage and to play it, that is to
+bake the skinning of made frames (``--frames 120``, five seconds), alone and for a shot of several
+characters; without the layout (the variant ``rigUI = none``) and with it, and what each costs more
+than the same shot of the source.  ``--against`` names a folder with layers of the same names, for
+example of the first format, that get a row of their own.
 
-Processor seconds.  All stages of a row take turns (``--rounds 7``), so that whatever else the machine does meets all of
-them; the least of each counts, because other programs only ever add.  The last column is by how much the two best
-rounds of the plain shot differ: what is below says nothing.  With PXR_WORK_THREAD_LIMIT=1 in the environment USD's
-threads do not wait for one another, which counts as work too.
+Processor seconds.  All stages of a row take turns (``--rounds 7``), so that whatever else the
+machine does meets all of them; the least of each counts, because other programs only ever add.  The
+last column is by how much the two best rounds of the plain shot differ: what is below says nothing.
+With PXR_WORK_THREAD_LIMIT=1 in the environment USD's threads do not wait for one another, which
+counts as work too.
 """
 
 from __future__ import annotations
@@ -35,7 +38,21 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=7)
     options = parser.parse_args()
     many = f"x{options.characters}"
-    print(_ROW.format("layer", "", "prims", "MB", "open", "play", f"open {many}", "play", "to play", "in all", "noise"))
+    print(
+        _ROW.format(
+            "layer",
+            "",
+            "prims",
+            "MB",
+            "open",
+            "play",
+            f"open {many}",
+            "play",
+            "to play",
+            "in all",
+            "noise",
+        )
+    )
     for layer in options.layers:
         compare(layer, options)
 
@@ -55,11 +72,18 @@ def compare(layer: Path, options: argparse.Namespace) -> None:
     best = np.sort(many["bare"].sum(axis=1))[:2]
     for name, each in seconds.items():
         path = stages[name][0]
-        more = (each[3] / bare[3] - 1.0, (each[2] + each[3]) / (bare[2] + bare[3]) - 1.0, best[1] / best[0] - 1.0)
+        more = (
+            each[3] / bare[3] - 1.0,
+            (each[2] + each[3]) / (bare[2] + bare[3]) - 1.0,
+            best[1] / best[0] - 1.0,
+        )
         size = len(Sdf.Layer.FindOrOpen(str(path)).ExportToString())
         figures = (f"{value:.3f}" for value in each)
         shares = (f"{100.0 * value:+.1f} %" for value in more)
-        print(_ROW.format(layer.name, name, prim_count(path), f"{size / 1e6:.2f}", *figures, *shares), flush=True)
+        print(
+            _ROW.format(layer.name, name, prim_count(path), f"{size / 1e6:.2f}", *figures, *shares),
+            flush=True,
+        )
 
 
 def prim_count(layer: Path) -> int:
@@ -70,22 +94,30 @@ def prim_count(layer: Path) -> int:
     return len(found)
 
 
-def measured(stages: Mapping[str, tuple[Path, str]], options: argparse.Namespace) -> dict[int, dict[str, np.ndarray]]:
+def measured(
+    stages: Mapping[str, tuple[Path, str]], options: argparse.Namespace
+) -> dict[int, dict[str, np.ndarray]]:
     """By number of characters and stage, (rounds, 2) seconds to open and to play."""
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         for count in (1, options.characters):
             shots = {
-                name: shot(Path(folder) / f"{name}{count}.usda", path, variant, count, options.frames)
+                name: shot(
+                    Path(folder) / f"{name}{count}.usda", path, variant, count, options.frames
+                )
                 for name, (path, variant) in stages.items()
             }
-            rounds = [{name: opened_and_played(path) for name, path in shots.items()} for _ in range(options.rounds)]
+            rounds = [
+                {name: opened_and_played(path) for name, path in shots.items()}
+                for _ in range(options.rounds)
+            ]
             found[count] = {name: np.array([each[name] for each in rounds]) for name in shots}
     return found
 
 
 def shot(path: Path, layer: Path, variant: str, count: int, frames: int) -> Path:
-    """A shot that references the character of a layer as often as asked, each with the variant selected."""
+    """A shot that references the character of a layer as often as asked, each with the variant
+    selected."""
     stage = Usd.Stage.CreateNew(str(path))
     asset = Usd.Stage.Open(str(layer))
     top = asset.GetDefaultPrim() or asset.GetPseudoRoot().GetAllChildren()[0]
@@ -107,7 +139,10 @@ def moving(stage: Usd.Stage, frames: int) -> None:
     stage.SetStartTimeCode(1)
     stage.SetEndTimeCode(frames)
     for prim in list(stage.Traverse()):
-        if prim.IsA(UsdSkel.Skeleton) and not UsdSkel.BindingAPI(prim).GetInheritedAnimationSource():
+        if (
+            prim.IsA(UsdSkel.Skeleton)
+            and not UsdSkel.BindingAPI(prim).GetInheritedAnimationSource()
+        ):
             rest = UsdSkel.Skeleton(prim).GetRestTransformsAttr().Get()
             motion = UsdSkel.Animation.Define(stage, prim.GetPath().AppendChild("motion"))
             motion.CreateJointsAttr(UsdSkel.Skeleton(prim).GetJointsAttr().Get())

@@ -1,12 +1,14 @@
 """Small faults put into the code one by one, and whether the tests of the file notice.
 
-    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout solve pose usd] [--seconds 120] [--json FILE]
+    python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout solve pose usd]
+    [--seconds 120] [--json FILE]
 
-A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the last for the first.
-The kind is drawn first, then the place, so that no kind crowds out the others.  Each is made in a copy of the checkout,
-and the quick tests of its file run there until one fails: those of its name, those that import it, those of its folder,
-and the laws of its package.  A mutant is killed when a test fails or when they take more than `--seconds` of processor
-time.  The test that kills must pass without the mutant.  Prints a line for each and the share killed; exit 1 below
+A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the
+last for the first. The kind is drawn first, then the place, so that no kind crowds out the others.
+Each is made in a copy of the checkout, and the quick tests of its file run there until one fails:
+those of its name, those that import it, those of its folder, and the laws of its package.  A mutant
+is killed when a test fails or when they take more than `--seconds` of processor time.  The test
+that kills must pass without the mutant.  Prints a line for each and the share killed; exit 1 below
 `--least`.
 """
 
@@ -33,14 +35,25 @@ LAWS = {
     "layout": ["tests/laws/test_layout_laws.py", "tests/unit/test_sample_asset.py"],
     "solve": ["tests/unit/test_solve_exact.py", "tests/unit/test_solve_methods.py"],
     "pose": ["tests/laws/test_posing_equals_usdskel.py"],
-    "usd": ["tests/laws/test_layout_round_trip.py", "tests/unit/test_layer.py", "tests/unit/test_reading_controls.py"],
+    "usd": [
+        "tests/laws/test_layout_round_trip.py",
+        "tests/unit/test_layer.py",
+        "tests/unit/test_reading_controls.py",
+    ],
 }
 """Tests that every file of a package answers to, after its own."""
 ELSEWHERE = ("tests/real/", "tests/refuse/", "tests/clients/", "tests/cli/", "tests/blender/")
 """Tests of whole commands import much and are near no file."""
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 REPLACED = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
-NAMES = {"max": "min", "min": "max", "mean": "max", "median": "max", "argmax": "argmin", "argmin": "argmax"}
+NAMES = {
+    "max": "min",
+    "min": "max",
+    "mean": "max",
+    "median": "max",
+    "argmax": "argmin",
+    "argmin": "argmax",
+}
 NAMES |= {"maximum": "minimum", "minimum": "maximum", "any": "all", "all": "any"}
 
 
@@ -62,7 +75,7 @@ class Mutant:
         return text[: self.start] + self.new + text[end:]
 
 
-# --- mutants -----------------------------------------------------------------------------------------
+# --- mutants --------------------------------------------------------------------------------------
 
 
 def mutants(path: Path) -> Iterator[Mutant]:
@@ -76,10 +89,14 @@ def mutants(path: Path) -> Iterator[Mutant]:
         raw = text[starts[line - 1] : starts[line]].encode()
         return starts[line - 1] + len(raw[:column].decode())
 
-    def made(kind: str, node: ast.expr, after: int, before: int, pattern: str, new: str) -> Iterator[Mutant]:
+    def made(
+        kind: str, node: ast.expr, after: int, before: int, pattern: str, new: str
+    ) -> Iterator[Mutant]:
         found = re.compile(pattern).search(text, after, before)
         if found:
-            yield Mutant(str(path.relative_to(ROOT)), node.lineno, kind, found.start(), found.group(), new)
+            yield Mutant(
+                str(path.relative_to(ROOT)), node.lineno, kind, found.start(), found.group(), new
+            )
 
     for node in _expressions(ast.parse(text)):
         start = offset(node.lineno, node.col_offset)
@@ -94,7 +111,9 @@ def mutants(path: Path) -> Iterator[Mutant]:
             case ast.BinOp(left=left, op=op, right=right) if type(op) in REPLACED:
                 after, before = _end(left, offset), offset(right.lineno, right.col_offset)
                 yield from made("arithmetic", node, after, before, r"[-+*/]", REPLACED[type(op)])
-            case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as callee) if name in NAMES:
+            case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as callee) if (
+                name in NAMES
+            ):
                 after = _end(callee, offset)
                 yield from made("choice", node, after - len(name), after, name, NAMES[name])
             case ast.Subscript(slice=ast.Constant(value=0) as at):
@@ -113,7 +132,9 @@ def _expressions(tree: ast.AST) -> Iterator[ast.expr]:
         if name in ("annotation", "returns", "decorator_list"):
             continue
         for node in value if isinstance(value, list) else [value]:
-            if not isinstance(node, ast.AST) or isinstance(node, ast.JoinedStr | ast.Raise | ast.Assert):
+            if not isinstance(node, ast.AST) or isinstance(
+                node, ast.JoinedStr | ast.Raise | ast.Assert
+            ):
                 continue
             if isinstance(node, ast.expr):
                 yield node
@@ -134,7 +155,7 @@ def drawn(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
     return [by_kind[kinds[at % len(kinds)]].pop() for at in range(count)]
 
 
-# --- tests -------------------------------------------------------------------------------------------
+# --- tests ----------------------------------------------------------------------------------------
 
 
 def tests_of(path: str) -> list[str]:
@@ -144,13 +165,20 @@ def tests_of(path: str) -> list[str]:
     if inside.parts[0] == "solve":
         near = sorted(ROOT.glob("tests/unit/test_solve_*.py"))
     else:
-        near = [*folder.glob(f"test_{inside.stem}.py"), *ROOT.glob(f"tests/unit/test_{inside.stem}.py")]
+        near = [
+            *folder.glob(f"test_{inside.stem}.py"),
+            *ROOT.glob(f"tests/unit/test_{inside.stem}.py"),
+        ]
     module = ".".join(("usdrigui", *inside.parts))
     everything = sorted((ROOT / "tests").rglob("test_*.py"))
     near += [each for each in everything if module in _imported(each)]
     near += sorted(folder.glob("test_*.py")) if len(inside.parts) > 2 else []
     names = [str(each.relative_to(ROOT)) for each in near] + LAWS[inside.parts[0]]
-    return [each for each in dict.fromkeys(names) if not each.startswith(ELSEWHERE) and (ROOT / each).exists()]
+    return [
+        each
+        for each in dict.fromkeys(names)
+        if not each.startswith(ELSEWHERE) and (ROOT / each).exists()
+    ]
 
 
 def _imported(path: Path) -> set[str]:
@@ -166,7 +194,19 @@ def _imported(path: Path) -> set[str]:
 
 def failing(copy: Path, tests: Sequence[str], seconds: float) -> str:
     """The first test that fails in the copy, `time` if they take too long, or nothing."""
-    command = [sys.executable, "-m", "pytest", "-x", "-n", "0", "--suite", "quick", "-p", "no:cacheprovider", *tests]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-x",
+        "-n",
+        "0",
+        "--suite",
+        "quick",
+        "-p",
+        "no:cacheprovider",
+        *tests,
+    ]
     whole = max(1, int(seconds))
     done = subprocess.run(
         command,
@@ -187,7 +227,9 @@ def failing(copy: Path, tests: Sequence[str], seconds: float) -> str:
 
 def _copied(folder: Path) -> Path:
     """A copy of the files of the checkout that git knows, as they are now."""
-    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True)
+    listed = subprocess.run(
+        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
     for name in filter(None, listed.stdout.split("\0")):
         if (ROOT / name).exists():
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -208,7 +250,9 @@ def judged(copy: Path, mutant: Mutant, seconds: float) -> str:
 
 def main() -> int:
     """Judge the mutants that were drawn; exit 1 if fewer than `--least` of them are killed."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--first", type=int, default=0, help="pass over so many of those drawn")
     parser.add_argument("--seed", type=int, default=0)

@@ -1,7 +1,9 @@
-"""Time of the preview picture: ``python benchmarks/picture.py ASSET [--elements 150] [-o OUT.png]``.
+"""Time of the preview picture: ``python benchmarks/picture.py ASSET [--elements 150] [-o
+OUT.png]``.
 
-Lays elements at random points that move (no optimiser), draws front and three-quarter views and prints
-the seconds of processor time and of the clock, with Embree where it is installed and with numpy alone.
+Lays elements at random points that move (no optimiser), draws front and three-quarter views and
+prints the seconds of processor time and of the clock, with Embree where it is installed and with
+numpy alone.
 """
 
 from __future__ import annotations
@@ -37,7 +39,9 @@ def scattered(rig: Rig, count: int) -> Layout:
         moving = np.flatnonzero(length > 0.5 * length.max(initial=0.0))
         if len(moving) and len(elements) < count:
             row = int(rng.choice(moving))
-            elements.append(_slider(rig, number, j, at, base.points, normals, int(points[row]), offsets[:, row]))
+            elements.append(
+                _slider(rig, number, j, at, base.points, normals, int(points[row]), offsets[:, row])
+            )
     anchors = np.array([element.anchor.position for element in elements])
     # Facing +Z with Y up, or -Y with Z up: the left is +X.
     front = np.cross(np.array([1.0, 0.0, 0.0]), rig.up)
@@ -64,10 +68,20 @@ def scattered(rig: Rig, count: int) -> Layout:
 def _slider(rig, number, j, at, points, normals, point, offsets) -> Element:
     mesh, local = rig.mesh_of(point)
     where = rig.meshes[mesh]
-    anchor = Anchor(where.path, local, len(where.points), where.topology_hash, points[point], normals[point], False)
+    anchor = Anchor(
+        where.path,
+        local,
+        len(where.points),
+        where.topology_hash,
+        points[point],
+        normals[point],
+        False,
+    )
     member = Member(rig.controls[j].name, at, points[point] + offsets.astype(np.float64), 1.0, 1.0)
     side = "left" if points[point][0] > 0 else "right"
-    return Element(f"e{number}", rig.controls[j].label, "slider", (member,), (), anchor, side, "", "", "")
+    return Element(
+        f"e{number}", rig.controls[j].label, "slider", (member,), (), anchor, side, "", "", ""
+    )
 
 
 def main() -> None:
@@ -76,15 +90,21 @@ def main() -> None:
     parser.add_argument("--elements", type=int, default=150)
     parser.add_argument("-o", "--output", type=Path)
     given = parser.parse_args()
-    (rig, *_) = read_rigs(given.asset, Settings())
+    rig, *_ = read_rigs(given.asset, Settings())
     layout = scattered(rig, given.elements)
     points = sum(len(mesh.points) for mesh in rig.meshes)
-    print(f"{given.asset.name}: {points} points, {len(layout.elements)} elements, 3 views, 1800 x 1000")
+    print(
+        f"{given.asset.name}: {points} points, {len(layout.elements)} elements, 3 views, 1800 x"
+        " 1000"
+    )
     for name, caster in (("as installed", make_caster), ("numpy alone", GridCaster)):
         shading.make_caster = caster
         began, clock = time.process_time(), time.perf_counter()
         image = render(rig, layout)
-        print(f"{name:13} {time.process_time() - began:5.2f} s processor, {time.perf_counter() - clock:5.2f} s clock")
+        print(
+            f"{name:13} {time.process_time() - began:5.2f} s processor,"
+            f" {time.perf_counter() - clock:5.2f} s clock"
+        )
         if given.output is not None and caster is make_caster:
             image.save(given.output)
 

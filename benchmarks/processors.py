@@ -1,10 +1,12 @@
-"""The same layers on every processor: ``python benchmarks/processors.py [ASSET ...] [--rigs N] [-- OPTION ...]``.
+"""The same layers on every processor: ``python benchmarks/processors.py [ASSET ...] [--rigs N] [--
+OPTION ...]``.
 
-Lays every asset out as other processors would: with OpenBLAS's kernels for them (OPENBLAS_CORETYPE), without what
-numpy dispatches beyond its baseline (NPY_DISABLE_CPU_FEATURES), and with the C library's plain functions
-(GLIBC_TUNABLES); prints one row per asset and one column per processor, and returns 1 if two layers differ in a
-byte.  ``--rigs N`` adds a row of N valid rigs from a seed (tests/valid), of 24 controls at most.  Kernels that this
-processor cannot run are left out.  OPTIONs go to ``usdrigui process``.
+Lays every asset out as other processors would: with OpenBLAS's kernels for them
+(OPENBLAS_CORETYPE), without what numpy dispatches beyond its baseline (NPY_DISABLE_CPU_FEATURES),
+and with the C library's plain functions (GLIBC_TUNABLES); prints one row per asset and one column
+per processor, and returns 1 if two layers differ in a byte.  ``--rigs N`` adds a row of N valid
+rigs from a seed (tests/valid), of 24 controls at most.  Kernels that this processor cannot run are
+left out.  OPTIONs go to ``usdrigui process``.
 """
 
 from __future__ import annotations
@@ -22,7 +24,10 @@ import numpy as np
 DISPATCHED = ",".join(np.show_config(mode="dicts")["SIMD Extensions"].get("found", []))
 """What numpy uses of this processor beyond what it needs of any."""
 KERNELS = ("Haswell", "Zen", "SkylakeX", "SandyBridge", "Nehalem")
-PLAIN = {"NPY_DISABLE_CPU_FEATURES": DISPATCHED, "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-AVX,-FMA,-AVX512F"}
+PLAIN = {
+    "NPY_DISABLE_CPU_FEATURES": DISPATCHED,
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-AVX,-FMA,-AVX512F",
+}
 """Numpy's baseline, and mathematical functions without fused multiplication."""
 
 
@@ -32,41 +37,72 @@ MANY = Path(__file__).resolve().parents[1] / "tests" / "valid" / "many_rigs.py"
 def processors() -> dict[str, dict[str, str]]:
     """Environment by name of each processor that this one can stand for."""
     kernels = {name: {"OPENBLAS_CORETYPE": name} for name in KERNELS if _kernel(name)}
-    return {"own": {}, **kernels, "own, plain": PLAIN, "Nehalem, plain": {**kernels["Nehalem"], **PLAIN}}
+    return {
+        "own": {},
+        **kernels,
+        "own, plain": PLAIN,
+        "Nehalem, plain": {**kernels["Nehalem"], **PLAIN},
+    }
 
 
 def main() -> int:
     """Print the table; returns 1 if two layers of an asset differ, or if one could not be made."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("assets", nargs="*", type=Path)
-    parser.add_argument("--rigs", type=int, default=0, metavar="N", help="valid rigs from seeds 0 to N - 1")
+    parser.add_argument(
+        "--rigs", type=int, default=0, metavar="N", help="valid rigs from seeds 0 to N - 1"
+    )
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
     arguments, options = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     worlds = processors()
-    print(f"own kernel: {_kernel('')}; Zen runs {_kernel('Zen')}'s; numpy dispatches {DISPATCHED or 'nothing'}")
+    print(
+        f"own kernel: {_kernel('')}; Zen runs {_kernel('Zen')}'s; numpy dispatches"
+        f" {DISPATCHED or 'nothing'}"
+    )
     print(f"| asset | {' | '.join(worlds)} |\n|---|{'---|' * len(worlds)}")
     differs = False
     for asset in arguments.assets:
         layers = [layer(asset, world, options) for world in worlds.values()]
-        cells = ["same" if each == layers[0] else difference(layers[0], each) for each in layers[1:]]
+        cells = [
+            "same" if each == layers[0] else difference(layers[0], each) for each in layers[1:]
+        ]
         print(f"| {asset.stem} | {len(layers[0])} bytes | {' | '.join(cells)} |", flush=True)
         differs |= len(set(layers)) > 1
     if arguments.rigs:
         digests = [rig_digests(arguments.rigs, world) for world in worlds.values()]
-        others = [[seed for seed, own in digests[0].items() if each.get(seed) != own] for each in digests[1:]]
+        others = [
+            [seed for seed, own in digests[0].items() if each.get(seed) != own]
+            for each in digests[1:]
+        ]
         cells = [f"differ: {', '.join(seeds)}" if seeds else "same" for seeds in others]
-        print(f"| {arguments.rigs} valid rigs | {len(set(digests[0].values()))} layers | {' | '.join(cells)} |")
+        print(
+            f"| {arguments.rigs} valid rigs | {len(set(digests[0].values()))} layers |"
+            f" {' | '.join(cells)} |"
+        )
         differs |= any(others)
     print("LAYERS DIFFER" if differs else "the same bytes on every processor")
     return int(differs)
 
 
 def layer(asset: Path, world: dict[str, str], options: list[str]) -> bytes:
-    """The layer that `usdrigui process` writes in an environment; what it says where it writes none."""
+    """The layer that `usdrigui process` writes in an environment; what it says where it writes
+    none."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder) / "out.rigui.usda"
-        command = [sys.executable, "-m", "usdrigui", "process", str(asset), "-o", str(target), "--bare", "--quiet"]
-        run = subprocess.run([*command, *options], env={**os.environ, **world}, capture_output=True, check=False)
+        command = [
+            sys.executable,
+            "-m",
+            "usdrigui",
+            "process",
+            str(asset),
+            "-o",
+            str(target),
+            "--bare",
+            "--quiet",
+        ]
+        run = subprocess.run(
+            [*command, *options], env={**os.environ, **world}, capture_output=True, check=False
+        )
         return target.read_bytes() if target.exists() else run.stderr
 
 
@@ -86,7 +122,8 @@ def difference(one: bytes, other: bytes) -> str:
 
 
 def _kernel(name: str) -> str:
-    """The kernel that OpenBLAS runs when asked for one; empty where this processor has none of it."""
+    """The kernel that OpenBLAS runs when asked for one; empty where this processor has none of
+    it."""
     environment = {**os.environ, "OPENBLAS_VERBOSE": "2", "OPENBLAS_CORETYPE": name}
     run = subprocess.run(
         [sys.executable, "-c", "import numpy; numpy.eye(64) @ numpy.ones((64, 64))"],
@@ -95,7 +132,9 @@ def _kernel(name: str) -> str:
         text=True,
         check=False,
     )
-    found = [line.removeprefix("Core: ") for line in run.stderr.splitlines() if line.startswith("Core: ")]
+    found = [
+        line.removeprefix("Core: ") for line in run.stderr.splitlines() if line.startswith("Core: ")
+    ]
     return found[0] if run.returncode == 0 and found else ""
 
 

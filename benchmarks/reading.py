@@ -2,13 +2,13 @@
 
     python benchmarks/reading.py ASSET...
 
-*arrays* is usd-core alone: it opens the stage, lets UsdSkel resolve the bindings and hands over, as numpy
-arrays, what a `Rig` is made of: points, faces, influences, offsets, point indices, in-betweens, joints and
-animation.  *points* is usd-core alone handing over what trajectories are made of as well: the points that
-UsdSkel computes for every blend shape at each of its weights, or for every frame where there are no blend
-shapes.  *reading* is `read_rigs`, *ours* is `read_rigs` and `trajectories`.  All start from the file; the
-best of several alternating runs in one process counts.  Peak memory is that of a fresh process which does
-ours once.
+*arrays* is usd-core alone: it opens the stage, lets UsdSkel resolve the bindings and hands over, as
+numpy arrays, what a `Rig` is made of: points, faces, influences, offsets, point indices,
+in-betweens, joints and animation.  *points* is usd-core alone handing over what trajectories are
+made of as well: the points that UsdSkel computes for every blend shape at each of its weights, or
+for every frame where there are no blend shapes.  *reading* is `read_rigs`, *ours* is `read_rigs`
+and `trajectories`.  All start from the file; the best of several alternating runs in one process
+counts.  Peak memory is that of a fresh process which does ours once.
 """
 
 from __future__ import annotations
@@ -45,7 +45,10 @@ def usd_alone(path: Path) -> int:
 def _skeleton(query: UsdSkel.SkeletonQuery) -> int:
     arrays = []
     if len(query.GetJointOrder()):
-        arrays += [query.GetJointWorldBindTransforms(), query.ComputeJointLocalTransforms(Usd.TimeCode.Default(), True)]
+        arrays += [
+            query.GetJointWorldBindTransforms(),
+            query.ComputeJointLocalTransforms(Usd.TimeCode.Default(), True),
+        ]
     animation = query.GetAnimQuery()
     if animation:
         for sample in animation.GetBlendShapeWeightTimeSamples():
@@ -64,7 +67,11 @@ def _influences(query: UsdSkel.SkinningQuery) -> int:
 def _prim(prim: Usd.Prim) -> int:
     if prim.IsA(UsdGeom.Mesh):
         mesh = UsdGeom.Mesh(prim)
-        attributes = [mesh.GetPointsAttr(), mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()]
+        attributes = [
+            mesh.GetPointsAttr(),
+            mesh.GetFaceVertexCountsAttr(),
+            mesh.GetFaceVertexIndicesAttr(),
+        ]
         UsdSkel.BindingAPI(prim).GetBlendShapesAttr().Get()
         UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
     elif prim.IsA(UsdSkel.BlendShape):
@@ -78,7 +85,8 @@ def _prim(prim: Usd.Prim) -> int:
 
 
 def usd_points(path: Path) -> int:
-    """Bytes of those arrays and of the points at every weight of every blend shape, or at every frame."""
+    """Bytes of those arrays and of the points at every weight of every blend shape, or at every
+    frame."""
     total = usd_alone(path)
     stage = Usd.Stage.Open(str(path))
     for root in [prim for prim in stage.Traverse() if prim.IsA(UsdSkel.Root)]:
@@ -87,7 +95,11 @@ def usd_points(path: Path) -> int:
         for binding in cache.ComputeSkelBindings(UsdSkel.Root(root), Usd.TraverseInstanceProxies()):
             skeleton = cache.GetSkelQuery(binding.GetSkeleton())
             for query in binding.GetSkinningTargets():
-                total += _shaped(skeleton, query) if query.HasBlendShapes() else _animated(skeleton, query)
+                total += (
+                    _shaped(skeleton, query)
+                    if query.HasBlendShapes()
+                    else _animated(skeleton, query)
+                )
     return total
 
 
@@ -99,12 +111,18 @@ def _shaped(skeleton: UsdSkel.SkeletonQuery, query: UsdSkel.SkinningQuery) -> in
     weights = np.zeros(shapes.GetNumBlendShapes(), dtype=np.float32)
     total = 0
     for index in range(len(weights)):
-        for knot in {1.0, *(between.GetWeight() for between in shapes.GetBlendShape(index).GetInbetweens())}:
+        for knot in {
+            1.0,
+            *(between.GetWeight() for between in shapes.GetBlendShape(index).GetInbetweens()),
+        }:
             weights[:] = 0.0
             weights[index] = knot
             points = Vt.Vec3fArray(rest)
             shapes.ComputeDeformedPoints(
-                *shapes.ComputeSubShapeWeights(Vt.FloatArray.FromNumpy(weights)), indices, offsets, points
+                *shapes.ComputeSubShapeWeights(Vt.FloatArray.FromNumpy(weights)),
+                indices,
+                offsets,
+                points,
             )
             if query.HasJointInfluences():
                 query.ComputeSkinnedPoints(matrices, points, Usd.TimeCode.Default())
@@ -126,7 +144,9 @@ def _animated(skeleton: UsdSkel.SkeletonQuery, query: UsdSkel.SkinningQuery) -> 
 def ours(path: Path) -> int:
     """Number of trajectories of the asset."""
     settings = Settings()
-    return sum(len(trajectories(rig, settings.trajectories).motions) for rig in read_rigs(path, settings))
+    return sum(
+        len(trajectories(rig, settings.trajectories).motions) for rig in read_rigs(path, settings)
+    )
 
 
 def seconds(action, path: Path) -> float:
@@ -140,7 +160,9 @@ ACTIONS = (usd_alone, usd_points, lambda path: read_rigs(path, Settings()), ours
 
 def measured(path: Path, runs: int) -> list[float]:
     """Seconds of each of the actions, each the best of `runs`."""
-    return np.min([[seconds(action, path) for action in ACTIONS] for _ in range(runs)], axis=0).tolist()
+    return np.min(
+        [[seconds(action, path) for action in ACTIONS] for _ in range(runs)], axis=0
+    ).tolist()
 
 
 def peak_memory(path: Path) -> float:
@@ -159,7 +181,9 @@ def _own_peak() -> float:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("assets", nargs="+", type=Path)
     parser.add_argument("--runs", type=int, default=7)
     parser.add_argument("--child", action="store_true", help=argparse.SUPPRESS)
@@ -168,7 +192,16 @@ def main() -> None:
         ours(arguments.assets[0])
         print(_own_peak())
         return
-    heads = ("arrays", "points", "reading", "ours", "reading/arrays", "ours/arrays", "ours/points", "peak MiB")
+    heads = (
+        "arrays",
+        "points",
+        "reading",
+        "ours",
+        "reading/arrays",
+        "ours/arrays",
+        "ours/points",
+        "peak MiB",
+    )
     print(f"{'asset':<26}" + "".join(f"{head:>{max(9, len(head) + 2)}}" for head in heads))
     for path in arguments.assets:
         arrays, points, reading, both = measured(path, arguments.runs)

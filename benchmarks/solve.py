@@ -1,22 +1,26 @@
-"""One command, one table: our solver beside the paper's pipeline, raw McCormick, toulbar2 and CPLEX.
+"""One command, one table: our solver beside the paper's pipeline, raw McCormick, toulbar2 and
+CPLEX.
 
-    python benchmarks/solve.py [--cases WORD...] [--methods WORD...] [--seconds 120] [--assets DIR] [--json FILE]
+    python benchmarks/solve.py [--cases WORD...] [--methods WORD...] [--seconds 120] [--assets DIR]
+    [--json FILE]
 
-``--methods ours`` alone prints the solver's own figures: gap, processor seconds, memory, and the processor seconds
-after which a layout within a thousandth of the final cost was there (``.1 % at``).
+``--methods ours`` alone prints the solver's own figures: gap, processor seconds, memory, and the
+processor seconds after which a layout within a thousandth of the final cost was there (``.1 %
+at``).
 
-Cases: the sample and the real rigs, folded (symmetric pairs once) and, of some, unfolded; a head of 100 K points made
-from ict_face57 by subdivision; face-like problems at the sizes of the paper's Table 1, crowded ones, and such of 300
-and 500 controls.  Methods: ``ours``; the paper's pipeline at 20, 5 and 1 % of the candidates; HiGHS on the program of
-the whole problem; toulbar2 on what our reduction leaves; CPLEX's integer quadratic program, as far as its free size
-goes.  The paper's pipeline solves its clusters by our solver or, as ``paper 5% cplex`` and as the paper did, by CPLEX's
-integer quadratic program.
+Cases: the sample and the real rigs, folded (symmetric pairs once) and, of some, unfolded; a head of
+100 K points made from ict_face57 by subdivision; face-like problems at the sizes of the paper's
+Table 1, crowded ones, and such of 300 and 500 controls.  Methods: ``ours``; the paper's pipeline at
+20, 5 and 1 % of the candidates; HiGHS on the program of the whole problem; toulbar2 on what our
+reduction leaves; CPLEX's integer quadratic program, as far as its free size goes.  The paper's
+pipeline solves its clusters by our solver or, as ``paper 5% cplex`` and as the paper did, by
+CPLEX's integer quadratic program.
 
-Every run is a process of its own: wall and processor seconds of the solve alone, peak memory of the process.  Every
-method first solves a small problem, so that loading its packages does not count.
-Gaps of methods that prove no bound of the whole problem are against our bound.  ``cost +`` is how much a
-cost lies above ours, ``time x`` the processor time over ours, ``ours ... s`` the processor time after which we had
-a layout at least as good.
+Every run is a process of its own: wall and processor seconds of the solve alone, peak memory of the
+process.  Every method first solves a small problem, so that loading its packages does not count.
+Gaps of methods that prove no bound of the whole problem are against our bound.  ``cost +`` is how
+much a cost lies above ours, ``time x`` the processor time over ours, ``ours ... s`` the processor
+time after which we had a layout at least as good.
 """
 
 from __future__ import annotations
@@ -53,7 +57,16 @@ UNFOLDED = ("ict_face57", "mh_expr34", "godette", "openusd_blendshapes", "vitruv
 """Real rigs that are solved without folding symmetric pairs, too."""
 MANY = (300, 500)
 """Controls of made problems on 20 000 points."""
-METHODS = ("ours", "paper 20%", "paper 5%", "paper 5% cplex", "paper 1%", "mccormick", "toulbar2", "cplex")
+METHODS = (
+    "ours",
+    "paper 20%",
+    "paper 5%",
+    "paper 5% cplex",
+    "paper 1%",
+    "mccormick",
+    "toulbar2",
+    "cplex",
+)
 FREE_CPLEX = 1000
 """Variables and constraints of CPLEX's free size."""
 FEW = 5000
@@ -80,7 +93,9 @@ def main() -> None:
         for name, path in cases(Path(folder), arguments.assets, arguments.cases):
             ours: dict[str, Any] = {}
             for method in arguments.methods:
-                row = {"case": name, "method": method} | _in_a_process(path, method, arguments.seconds)
+                row = {"case": name, "method": method} | _in_a_process(
+                    path, method, arguments.seconds
+                )
                 ours = row if method == "ours" and "cost" in row else ours
                 rows.append(_compared(row, ours))
                 print(_line(rows[-1]), flush=True)
@@ -89,17 +104,23 @@ def main() -> None:
 
 
 def _arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cases", nargs="*", default=[], help="only cases whose names hold one of these words")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "--cases", nargs="*", default=[], help="only cases whose names hold one of these words"
+    )
     parser.add_argument("--methods", nargs="*", default=list(METHODS), choices=METHODS)
-    parser.add_argument("--seconds", type=float, default=120.0, help="wall-clock limit of every run")
+    parser.add_argument(
+        "--seconds", type=float, default=120.0, help="wall-clock limit of every run"
+    )
     parser.add_argument("--assets", type=Path, default=ASSETS)
     parser.add_argument("--json", help="write the rows to this file as well")
     parser.add_argument("--one", nargs=2, metavar=("PROBLEM", "METHOD"), help=argparse.SUPPRESS)
     return parser.parse_args()
 
 
-# --- cases -------------------------------------------------------------------------------------------
+# --- cases ----------------------------------------------------------------------------------------
 
 
 def cases(folder: Path, assets: Path, words: list[str]) -> Any:
@@ -145,13 +166,15 @@ def _saved(folder: Path, problem: LayoutProblem) -> Path:
     return path
 
 
-# --- runs --------------------------------------------------------------------------------------------
+# --- runs -----------------------------------------------------------------------------------------
 
 
 def _in_a_process(path: Path, method: str, seconds: float) -> dict[str, Any]:
     command = [sys.executable, __file__, "--one", str(path), method, "--seconds", str(seconds)]
     try:
-        run = subprocess.run(command, capture_output=True, text=True, check=False, timeout=3 * seconds + 60)
+        run = subprocess.run(
+            command, capture_output=True, text=True, check=False, timeout=3 * seconds + 60
+        )
     except subprocess.TimeoutExpired:
         return {"note": "did not stop in time"}
     if run.returncode:
@@ -188,7 +211,8 @@ def _solved(problem: LayoutProblem, method: str, seconds: float) -> dict[str, An
 
 
 def _peak() -> float:
-    """Peak MiB of this process.  What getrusage tells includes, on Linux, the process that started it."""
+    """Peak MiB of this process.  What getrusage tells includes, on Linux, the process that started
+    it."""
     status = Path("/proc/self/status")
     if status.exists():
         return float(status.read_text().split("VmHWM:")[1].split()[0]) / 1024
@@ -201,9 +225,12 @@ def _ours(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]
 
 
 def _paper(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
-    """Two clusters, a sample of their candidates; each solved by us or, as the paper did, by CPLEX."""
+    """Two clusters, a sample of their candidates; each solved by us or, as the paper did, by
+    CPLEX."""
     share = float(method.split()[1].rstrip("%")) / 100
-    settings = SolveSettings(method="paper", clusters=2, sample=share, time_limit=seconds, work_limit=UNLIMITED)
+    settings = SolveSettings(
+        method="paper", clusters=2, sample=share, time_limit=seconds, work_limit=UNLIMITED
+    )
     if not method.endswith("cplex"):
         return _by_us(problem, settings) | {"bound": None}
     found = solve_by_clusters(problem, Budget(settings), _integer_quadratic)
@@ -218,7 +245,9 @@ def _toulbar2(problem: LayoutProblem, method: str, seconds: float) -> dict[str, 
 def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:
     layouts: list[tuple[float, float]] = []
     began = time.process_time()
-    found = solve(problem, settings, lambda each: layouts.append((time.process_time() - began, each.cost)))
+    found = solve(
+        problem, settings, lambda each: layouts.append((time.process_time() - began, each.cost))
+    )
     enough = found.cost + 1e-3 * abs(found.cost)
     return {
         "cost": found.cost,
@@ -230,14 +259,17 @@ def _by_us(problem: LayoutProblem, settings: SolveSettings) -> dict[str, Any]:
 
 
 def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
-    """HiGHS on the program of the whole problem, costs as they are: no reduction, no reparametrisation."""
+    """HiGHS on the program of the whole problem, costs as they are: no reduction, no
+    reparametrisation."""
     del method
     budget = Budget(SolveSettings(time_limit=seconds, work_limit=UNLIMITED))
     labels = all_labels(problem)
     if len(labels.label) > FEW:
         return {"note": f"{len(labels.label)} candidates: too large to write down"}
     label_set, pairs, price = _written_down(problem, labels, budget)
-    left = ReducedProblem(label_set.variable, np.arange(len(label_set.cost)), label_set.cost.copy(), pairs)
+    left = ReducedProblem(
+        label_set.variable, np.arange(len(label_set.cost)), label_set.cost.copy(), pairs
+    )
     left.normalize()
     found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget, budget.work_left)
     cost = None if found.chosen is None else total_cost(problem, labels.label[found.chosen])
@@ -271,7 +303,9 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     program.parameters.mip.tolerances.mipgap.set(1e-4)
     program.variables.add(obj=label_set.cost.tolist(), types="B" * len(label_set.cost))
     for a, b in zip(label_set.start[:-1].tolist(), label_set.start[1:].tolist(), strict=True):
-        program.linear_constraints.add([[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0])
+        program.linear_constraints.add(
+            [[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0]
+        )
     rows, columns = np.nonzero(pairs)
     costs = np.minimum(pairs[rows, columns], price)
     terms = list(zip(rows.tolist(), columns.tolist(), costs.tolist(), strict=True))
@@ -279,23 +313,37 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     program.solve()
     values = np.array(program.solution.get_values())
     chosen = np.array(
-        [a + values[a:b].argmax() for a, b in zip(label_set.start[:-1], label_set.start[1:], strict=True)]
+        [
+            a + values[a:b].argmax()
+            for a, b in zip(label_set.start[:-1], label_set.start[1:], strict=True)
+        ]
     )
     budget.found("cplex", bound=program.solution.MIP.get_best_objective())
     return assignment(problem, labels, labels.label[chosen], budget, "cplex")
 
 
-def _written_down(problem: LayoutProblem, labels: Labels, budget: Budget) -> tuple[LabelSet, Floats, float]:
-    """Every label by itself, the costs of all pairs, and what stands for a pair that is forbidden."""
+def _written_down(
+    problem: LayoutProblem, labels: Labels, budget: Budget
+) -> tuple[LabelSet, Floats, float]:
+    """Every label by itself, the costs of all pairs, and what stands for a pair that is
+    forbidden."""
     label_set = block_set(labels, singles(labels))
-    pairs = pair_costs(problem, label_set, near_blocks(problem, label_set, budget), labels.label).matrix()
+    pairs = pair_costs(
+        problem, label_set, near_blocks(problem, label_set, budget), labels.label
+    ).matrix()
     return label_set, pairs, forbidden_price(problem, labels)
 
 
-_SOLVERS = {"ours": _ours, "paper": _paper, "mccormick": _mccormick, "toulbar2": _toulbar2, "cplex": _cplex}
+_SOLVERS = {
+    "ours": _ours,
+    "paper": _paper,
+    "mccormick": _mccormick,
+    "toulbar2": _toulbar2,
+    "cplex": _cplex,
+}
 
 
-# --- table -------------------------------------------------------------------------------------------
+# --- table ----------------------------------------------------------------------------------------
 
 
 def _compared(row: dict[str, Any], ours: dict[str, Any]) -> dict[str, Any]:
@@ -308,7 +356,9 @@ def _compared(row: dict[str, Any], ours: dict[str, Any]) -> dict[str, Any]:
     if ours and row is not ours:
         row["cost above ours"] = (row["cost"] - ours["cost"]) / abs(ours["cost"])
         row["time over ours"] = row["processor"] / max(ours["processor"], 1e-3)
-        row["as good after"] = next((at for at, cost in ours["layouts"] if cost <= row["cost"] + SAME), None)
+        row["as good after"] = next(
+            (at for at, cost in ours["layouts"] if cost <= row["cost"] + SAME), None
+        )
     return row
 
 

@@ -1,11 +1,13 @@
-"""Frames per second of the web viewer while a handle is dragged, in Chromium without a graphics card.
+"""Frames per second of the web viewer while a handle is dragged, in Chromium without a graphics
+card.
 
-    python benchmarks/viewer_frames.py char.rigui.html [--control NAME] [--seconds 5] [--size 1280x800]
+    python benchmarks/viewer_frames.py char.rigui.html [--control NAME] [--seconds 5] [--size
+    1280x800]
                                                        [--draw webgl|canvas]
 
-Also prints where the time of a frame goes: what the page measures, and the processor time per frame of the
-page's own process (script, style, canvases) and of the graphics process (software WebGL and putting the
-picture together), which other work on the machine changes little (Linux only).
+Also prints where the time of a frame goes: what the page measures, and the processor time per frame
+of the page's own process (script, style, canvases) and of the graphics process (software WebGL and
+putting the picture together), which other work on the machine changes little (Linux only).
 """
 
 from __future__ import annotations
@@ -50,12 +52,16 @@ SPENT = """() => Object.entries(window.parts).map(([name, times]) =>
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("page", type=Path)
     parser.add_argument("--control", help="by default jawOpen, or the first one")
     parser.add_argument("--seconds", type=float, default=5.0)
     parser.add_argument("--size", default="1280x800")
-    parser.add_argument("--draw", choices=("webgl", "canvas"), help="insist on one; by default the page chooses")
+    parser.add_argument(
+        "--draw", choices=("webgl", "canvas"), help="insist on one; by default the page chooses"
+    )
     given = parser.parse_args()
     playwright = started()
     browser = chromium(playwright)
@@ -88,16 +94,26 @@ def measure(page, control, seconds):
     spent = page.evaluate(SPENT)
     by, fineness = page.evaluate("[usdrigui.app.view.stage.drawnBy, usdrigui.app.view.fineness]")
     page.mouse.up()
-    print(f"{frames / now:.1f} frames per second, drawn by the {by} at {fineness:.2f} of the resolution")
+    print(
+        f"{frames / now:.1f} frames per second, drawn by the {by} at {fineness:.2f} of the"
+        " resolution"
+    )
     each = {role: 1000 * used / max(1, frames) for role, used in processor.items()}
-    print(f"{sum(each.values()):.0f} ms of processor time per frame on {os.cpu_count()} processors, of which ", end="")
-    print(f"page {each['page']:.0f}, graphics {each['graphics']:.0f}; load {os.getloadavg()[0]:.1f}")
+    print(
+        f"{sum(each.values()):.0f} ms of processor time per frame on {os.cpu_count()} processors,"
+        " of which ",
+        end="",
+    )
+    print(
+        f"page {each['page']:.0f}, graphics {each['graphics']:.0f}; load {os.getloadavg()[0]:.1f}"
+    )
     for name, count, mean in spent:
         print(f"  {name:20} {mean:7.2f} ms  x {count}")
 
 
 def processor_seconds() -> Counter[str]:
-    """Processor time so far of the processes that come from this one, by what they do for the browser."""
+    """Processor time so far of the processes that come from this one, by what they do for the
+    browser."""
     parents, ticks, roles = {}, {}, {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:

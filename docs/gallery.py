@@ -2,9 +2,10 @@
 
     python docs/gallery.py ASSETS [NAME ...] [--before FOLDER] [--judge SCRIPT]
 
-ASSETS holds the real rigs by the names in gallery.toml; absent ones are skipped, and where names are given all others.
-FOLDER holds earlier layers of the same rigs and their reports (NAME.rigui.usda, NAME.json).  SCRIPT is a
-program that prints how many controls of a layer stand where an animator expects them.
+ASSETS holds the real rigs by the names in gallery.toml; absent ones are skipped, and where names
+are given all others. FOLDER holds earlier layers of the same rigs and their reports
+(NAME.rigui.usda, NAME.json).  SCRIPT is a program that prints how many controls of a layer stand
+where an animator expects them.
 """
 
 from __future__ import annotations
@@ -27,21 +28,26 @@ from usdrigui.settings import Settings
 from usdrigui.view.picture import contact_sheet, render
 
 DOCS = Path(__file__).resolve().parent
-IMAGES, PAGE, ROWS = DOCS / "images" / "gallery", DOCS / "gallery.md", DOCS / "images" / "gallery" / "rows.json"
+IMAGES, PAGE, ROWS = (
+    DOCS / "images" / "gallery",
+    DOCS / "gallery.md",
+    DOCS / "images" / "gallery" / "rows.json",
+)
 WIDTH, PANEL, QUALITY = 760, (760, 620), 72
 
 REMARKS: dict[str, str] = tomllib.loads((DOCS / "gallery.toml").read_text("utf-8"))
 """By rig, in the order of the page: what is still wrong on it, looked at by eye."""
 
 _INTRODUCTION = """\
-Real rigs by default settings, by an earlier version and by this one. *On the character* counts controls;
-*kept* is the mean displacement at the handle as a share of the control's peak; *placed* counts the controls (of joints:
-the axes) that stand where an animator expects them, by a program that does not know this one.
+Real rigs by default settings, by an earlier version and by this one. *On the character* counts
+controls; *kept* is the mean displacement at the handle as a share of the control's peak; *placed*
+counts the controls (of joints: the axes) that stand where an animator expects them, by a program
+that does not know this one.
 
-Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`: MakeHuman, CC0;
-vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma, CC-BY 3.0; facecap_blender: Face
-Cap, (c) 2020 Niels J., MIT; rocketbox_male17: Microsoft Rocketbox, MIT; hand_webxr: WebXR input profiles, Amazon, MIT;
-openusd_blendshapes: OpenUSD's own test."""
+Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`:
+MakeHuman, CC0; vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma,
+CC-BY 3.0; facecap_blender: Face Cap, (c) 2020 Niels J., MIT; rocketbox_male17: Microsoft Rocketbox,
+MIT; hand_webxr: WebXR input profiles, Amazon, MIT; openusd_blendshapes: OpenUSD's own test."""
 
 
 @dataclass(frozen=True)
@@ -80,13 +86,17 @@ def _results(name: str, asset: Path, before: Path | None, judge: Path | None) ->
     """Of the earlier layer, if there is one, and of today's; their picture is drawn."""
     with tempfile.TemporaryDirectory() as scratch:
         layer = Path(scratch) / f"{name}.rigui.usda"
-        (Path(scratch) / f"{name}.json").write_text(to_json(process(asset, Settings(), output=layer)), "utf-8")
+        (Path(scratch) / f"{name}.json").write_text(
+            to_json(process(asset, Settings(), output=layer)), "utf-8"
+        )
         layers = [layer]
         if before is not None and (before / layer.name).is_file():
             layers.insert(0, before / layer.name)
         images = [_picture(each) for each in layers]
         titles = ["before", "now"][-len(layers) :]
-        contact_sheet(images, titles, len(images), WIDTH * len(images)).save(IMAGES / f"{name}.jpg", quality=QUALITY)
+        contact_sheet(images, titles, len(images), WIDTH * len(images)).save(
+            IMAGES / f"{name}.jpg", quality=QUALITY
+        )
         return [_result(each, judge) for each in layers]
 
 
@@ -97,9 +107,9 @@ def _picture(layer: Path) -> Image.Image:
 
 
 def _result(layer: Path, judge: Path | None) -> Result:
-    character = json.loads(layer.with_name(layer.name.replace(".rigui.usda", ".json")).read_text("utf-8"))[
-        "characters"
-    ][0]
+    character = json.loads(
+        layer.with_name(layer.name.replace(".rigui.usda", ".json")).read_text("utf-8")
+    )["characters"][0]
     counts, solution = character["counts"], character["solution"]
     parts = ", ".join(part["name"] for part in character.get("parts", ())) or "one"
     kept = character["displacement_kept"]
@@ -115,7 +125,9 @@ def _result(layer: Path, judge: Path | None) -> Result:
 def _judged(layer: Path, judge: Path | None) -> str:
     if judge is None:
         return "-"
-    said = subprocess.run([sys.executable, str(judge), str(layer)], capture_output=True, text=True, check=False).stdout
+    said = subprocess.run(
+        [sys.executable, str(judge), str(layer)], capture_output=True, text=True, check=False
+    ).stdout
     found = re.search(r"(\d+/\d+) placed|joint axes (\d+/\d+)", said)
     return next((each for each in found.groups() if each), "-") if found else "-"
 
@@ -134,11 +146,20 @@ def page(rows: dict[str, list[dict[str, str]]]) -> str:
     ]
     shown = [name for name in REMARKS if name in rows]
     for name in shown:
-        cells = [[each[key] for each in rows[name]] for key in ("on_character", "kept", "gap", "judged")]
+        cells = [
+            [each[key] for each in rows[name]] for key in ("on_character", "kept", "gap", "judged")
+        ]
         told = [" → ".join(each) for each in cells]
         lines.append(f"| {name} | {rows[name][-1]['parts']} | {' | '.join(told)} |")
     for name in shown:
-        lines += ["", f"## {name}", "", f"![{name}](images/gallery/{name}.jpg)", "", REMARKS[name].strip()]
+        lines += [
+            "",
+            f"## {name}",
+            "",
+            f"![{name}](images/gallery/{name}.jpg)",
+            "",
+            REMARKS[name].strip(),
+        ]
     return "\n".join(lines) + "\n"
 
 

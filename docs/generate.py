@@ -1,8 +1,8 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
-settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from usdrigui/codes.py,
-schema.md from schemas/generatedSchema.usda.  With ``--check`` nothing is written and the exit code says whether the
-pages are up to date.
+settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from
+usdrigui/codes.py, schema.md from schemas/generatedSchema.usda.  With ``--check`` nothing is written
+and the exit code says whether the pages are up to date.
 """
 
 from __future__ import annotations
@@ -24,7 +24,10 @@ from usdrigui.settings.table import About, settings_in
 
 ROOT = Path(__file__).resolve().parents[1]
 TEN = (
-    *(f'controls."NAME".{key}' for key in ("exclude", "place", "near", "anchor", "minimum", "maximum", "twin")),
+    *(
+        f'controls."NAME".{key}'
+        for key in ("exclude", "place", "near", "anchor", "minimum", "maximum", "twin")
+    ),
     "groups.groups",
     "objective.handle_size",
     "read.joints",
@@ -51,7 +54,11 @@ def main() -> int:
 
 def pages() -> dict[str, str]:
     """File name below docs/ to its text."""
-    return {"settings.md": settings_page(), "issue-codes.md": codes_page(), "schema.md": schema_page()}
+    return {
+        "settings.md": settings_page(),
+        "issue-codes.md": codes_page(),
+        "schema.md": schema_page(),
+    }
 
 
 def settings_page() -> str:
@@ -59,19 +66,25 @@ def settings_page() -> str:
     parts = [
         "# Settings\n",
         NOTE,
-        "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with `--config`, or on the\n"
-        "command line (`--set solve.gap=1e-3`, `--set controls.smile.maximum=0.5`; names with a dot in quotes:\n"
-        "`--set 'controls.\"brow.L\".exclude=true'`). An environment variable (`USDRIGUI_SOLVE_GAP=1e-3`) can say\n"
-        "every setting but those of a control, pose or joint by its name (`controls`, `poses`, `joints`).\n"
-        "Strongest first: command line, configuration file, environment, preset, default. Unknown keys are errors.\n\n"
-        "`check`, `view`, `picture` and `picker` of a layout need the configuration that it was made with, as it says\n"
-        "which controls the character has. They take one file: that of `--config`; without it that of the layout's\n"
-        "own name (`looks/cfg.toml` for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\n"
-        "the layout stands over, wherever the layout lies. For an asset, by itself or with its layout attached, it is\n"
-        "`CHAR.rigui.toml` beside it. A layer over a layout (corrections) takes that of the layout if it has none.\n\n"
-        "`usdrigui config-schema > usdrigui.schema.json` writes a JSON Schema of all of this. An editor with a TOML\n"
-        "language server (Even Better TOML, taplo) completes and checks a configuration whose first line is\n"
-        "`#:schema ./usdrigui.schema.json`.\n",
+        (
+            "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with"
+            " `--config`, or on the\ncommand line (`--set solve.gap=1e-3`, `--set"
+            " controls.smile.maximum=0.5`; names with a dot in quotes:\n`--set"
+            " 'controls.\"brow.L\".exclude=true'`). An environment variable"
+            " (`USDRIGUI_SOLVE_GAP=1e-3`) can say\nevery setting but those of a control, pose or"
+            " joint by its name (`controls`, `poses`, `joints`).\nStrongest first: command line,"
+            " configuration file, environment, preset, default. Unknown keys are"
+            " errors.\n\n`check`, `view`, `picture` and `picker` of a layout need the configuration"
+            " that it was made with, as it says\nwhich controls the character has. They take one"
+            " file: that of `--config`; without it that of the layout's\nown name (`looks/cfg.toml`"
+            " for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\nthe"
+            " layout stands over, wherever the layout lies. For an asset, by itself or with its"
+            " layout attached, it is\n`CHAR.rigui.toml` beside it. A layer over a layout"
+            " (corrections) takes that of the layout if it has none.\n\n`usdrigui config-schema >"
+            " usdrigui.schema.json` writes a JSON Schema of all of this. An editor with a"
+            " TOML\nlanguage server (Even Better TOML, taplo) completes and checks a configuration"
+            " whose first line is\n`#:schema ./usdrigui.schema.json`.\n"
+        ),
     ]
     rows = dict(_settings_rows())
     parts += [
@@ -80,11 +93,18 @@ def settings_page() -> str:
         *(rows.pop(key) for key in TEN),
     ]
     parts += ["\n## The rest\n\n"]
-    parts += [f"- `[{name}]` {inspect.cleandoc(part.__doc__).splitlines()[0]}\n" for name, part in _parts()]
+    parts += [
+        f"- `[{name}]` {inspect.cleandoc(part.__doc__).splitlines()[0]}\n"
+        for name, part in _parts()
+    ]
     parts += [f"\n{_HEAD}", *rows.values()]
     parts.append("\n## Presets\n\n")
     for name, values in PRESETS.items():
-        changed = [f"`{part}.{key}` = `{value}`" for part, keys in values.items() for key, value in keys.items()]
+        changed = [
+            f"`{part}.{key}` = `{value}`"
+            for part, keys in values.items()
+            for key, value in keys.items()
+        ]
         parts.append(f"- `{name}`: {', '.join(changed) or 'the defaults above'}\n")
     return "".join(parts)
 
@@ -97,7 +117,10 @@ def codes_page() -> str:
         for name, code in sorted(CODES.items())
     ]
     head = "| code | severity | exit | meaning | how to repair |\n|---|---|---|---|---|\n"
-    intro = "Codes are stable: never renamed, never reused. An error ends the run; the exit code is the one given.\n\n"
+    intro = (
+        "Codes are stable: never renamed, never reused. An error ends the run; the exit code is the"
+        " one given.\n\n"
+    )
     return "# Issue codes\n\n" + NOTE + intro + head + "".join(rows)
 
 
@@ -105,9 +128,10 @@ def schema_page() -> str:
     """Every applied schema of a layout layer with its properties."""
     layer = Sdf.Layer.FindOrOpen(str(ROOT / "schemas" / "generatedSchema.usda"))
     intro = (
-        "What the prims of a layout layer can say. [The contract](../schemas/CONTRACT.md) tells how they stand\n"
-        "together and what may change. With the folder that `usdrigui schema-path` prints in `PXR_PLUGINPATH_NAME`,\n"
-        "USD itself knows these schemas; without it every value still reads, but for fallbacks.\n"
+        "What the prims of a layout layer can say. [The contract](../schemas/CONTRACT.md) tells how"
+        " they stand\ntogether and what may change. With the folder that `usdrigui schema-path`"
+        " prints in `PXR_PLUGINPATH_NAME`,\nUSD itself knows these schemas; without it every value"
+        " still reads, but for fallbacks.\n"
     )
     return "# Schema\n\n" + NOTE + intro + "".join(_schema(prim) for prim in layer.rootPrims)
 
@@ -136,7 +160,9 @@ def _flat(text: str) -> str:
     return " ".join(text.split()).replace("|", "or")
 
 
-_HEAD = "| key | type | default | unit | from, to | for | meaning |\n|---|---|---|---|---|---|---|\n"
+_HEAD = (
+    "| key | type | default | unit | from, to | for | meaning |\n|---|---|---|---|---|---|---|\n"
+)
 
 
 def _parts() -> Iterator[tuple[str, Any]]:
@@ -158,7 +184,10 @@ def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
     bounds = f"{about.bounds[0]:g}, {about.bounds[1]:g}" if about.bounds else ""
     kind, doc = (_flat(str(text)) for text in (each.type, about.doc))
     doc += f" Formerly `{about.was}`." if about.was else ""
-    return f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {_FOR[about.level]} | {doc} |\n"
+    return (
+        f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {_FOR[about.level]} |"
+        f" {doc} |\n"
+    )
 
 
 def _differs(path: Path, text: str) -> bool:

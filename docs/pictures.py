@@ -2,10 +2,11 @@
 
     python docs/pictures.py [WORD ...] [--check]
 
-Everything is made by the package itself from the sample character and from the blossom below: each panel is a
-run of ``usdrigui process`` with the configuration that the page shows.  With words only the scenes whose names
-hold one of them are drawn; with ``--check`` nothing is written and the exit code says whether page and pictures
-are there and of an age.  The same installation gives the same bytes.
+Everything is made by the package itself from the sample character and from the blossom below: each
+panel is a run of ``usdrigui process`` with the configuration that the page shows.  With words only
+the scenes whose names hold one of them are drawn; with ``--check`` nothing is written and the exit
+code says whether page and pictures are there and of an age.  The same installation gives the same
+bytes.
 """
 
 from __future__ import annotations
@@ -57,7 +58,8 @@ class Scene:
     text: str
     panels: tuple[Panel, ...]
     controls: tuple[str, ...] = ()
-    """Parts of the names of the controls that are laid out; all others are excluded.  Empty keeps all."""
+    """Parts of the names of the controls that are laid out; all others are excluded.  Empty keeps
+    all."""
     asset: str = "char.usda"
     joints: bool = False
     """Whether joints are controls."""
@@ -66,7 +68,9 @@ class Scene:
 
 def main() -> int:
     """Draw and write; returns 1 when ``--check`` finds something amiss."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("words", nargs="*")
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
@@ -79,7 +83,9 @@ def main() -> int:
         place = prepared(Path(folder))
         for scene in SCENES:
             if not arguments.words or any(word in scene.name for word in arguments.words):
-                drawn(scene, place).save(FOLDER / f"{scene.name}.jpg", quality=QUALITY, subsampling=0)
+                drawn(scene, place).save(
+                    FOLDER / f"{scene.name}.jpg", quality=QUALITY, subsampling=0
+                )
                 print(FOLDER / f"{scene.name}.jpg", flush=True)
     PAGE.write_text(page(), encoding="utf-8")
     return 0
@@ -87,10 +93,16 @@ def main() -> int:
 
 def amiss() -> list[str]:
     """What `main` would have to write anew, as far as one can tell without drawing."""
-    found = [] if PAGE.is_file() and PAGE.read_text(encoding="utf-8") == page() else [f"{PAGE} is out of date"]
+    found = (
+        []
+        if PAGE.is_file() and PAGE.read_text(encoding="utf-8") == page()
+        else [f"{PAGE} is out of date"]
+    )
     names = {scene.name for scene in SCENES}
     there = {each.stem for each in FOLDER.glob("*.jpg")}
-    return found + [f"{FOLDER / name}.jpg is missing or left over" for name in sorted(names ^ there)]
+    return found + [
+        f"{FOLDER / name}.jpg is missing or left over" for name in sorted(names ^ there)
+    ]
 
 
 def drawn(scene: Scene, folder: Path) -> Image.Image:
@@ -114,17 +126,28 @@ def _panel(scene: Scene, panel: Panel, folder: Path) -> Image.Image:
     made = laid_out(scene, panel, folder)
     values = np.array([dict(panel.pose).get(each.name, each.default) for each in made.rig.controls])
     given = values if panel.pose else None
-    return render(made.rig, made.layout, given, views=(panel.view,), size=PANEL, labels=scene.labels, title=panel.title)
+    return render(
+        made.rig,
+        made.layout,
+        given,
+        views=(panel.view,),
+        size=PANEL,
+        labels=scene.labels,
+        title=panel.title,
+    )
 
 
 def _whole_config(scene: Scene, panel: Panel, asset: Path) -> str:
-    """The panel's own configuration, and the exclusion of every control that the scene does not show."""
+    """The panel's own configuration, and the exclusion of every control that the scene does not
+    show."""
     said = tomllib.loads(panel.config)
     lines = [panel.config]
     if scene.asset == SAMPLE.name and not scene.joints and "read" not in said:
         lines += ["[read]", 'joints = "none"']
     for name in _names(asset, scene.joints) if scene.controls else ():
-        if not any(part in name for part in scene.controls) and name not in said.get("controls", {}):
+        if not any(part in name for part in scene.controls) and name not in said.get(
+            "controls", {}
+        ):
             lines += [f'[controls."{name}"]', "exclude = true"]
     return "\n".join(lines)
 
@@ -137,7 +160,7 @@ def _names(asset: Path, joints: bool) -> Iterable[str]:
     return [each.name for each in read_rigs_isolated(asset, settings).rigs[0].controls]
 
 
-# --- characters --------------------------------------------------------------------------------------
+# --- characters -----------------------------------------------------------------------------------
 
 
 def prepared(folder: Path) -> Path:
@@ -148,8 +171,12 @@ def prepared(folder: Path) -> Path:
     (folder / "my_terms.py").write_text(TERM, encoding="utf-8")
     about = folder / "my_terms-1.0.dist-info"
     about.mkdir()
-    (about / "METADATA").write_text("Metadata-Version: 2.1\nName: my_terms\nVersion: 1.0\n", encoding="utf-8")
-    (about / "entry_points.txt").write_text("[usdrigui.terms]\nkeep_low = my_terms:KeepLow\n", encoding="utf-8")
+    (about / "METADATA").write_text(
+        "Metadata-Version: 2.1\nName: my_terms\nVersion: 1.0\n", encoding="utf-8"
+    )
+    (about / "entry_points.txt").write_text(
+        "[usdrigui.terms]\nkeep_low = my_terms:KeepLow\n", encoding="utf-8"
+    )
     if str(folder) not in sys.path:
         sys.path.insert(0, str(folder))
     return folder
@@ -170,13 +197,19 @@ PETALS = 5
 def blossom(target: Path) -> None:
     """A disc with five petals that can be raised, and a middle: five-fold symmetry, no face."""
     rings, sectors = 24, 80
-    turn, out = np.meshgrid(np.linspace(0, 2 * np.pi, sectors, endpoint=False), np.linspace(0.05, 1.0, rings))
+    turn, out = np.meshgrid(
+        np.linspace(0, 2 * np.pi, sectors, endpoint=False), np.linspace(0.05, 1.0, rings)
+    )
     petal = 0.65 + 0.35 * np.cos(PETALS * turn)
-    points = np.stack([out * petal * np.sin(turn), out * petal * np.cos(turn), 0.3 * (1.0 - out**2)], axis=-1)
+    points = np.stack(
+        [out * petal * np.sin(turn), out * petal * np.cos(turn), 0.3 * (1.0 - out**2)], axis=-1
+    )
     points = points.reshape(-1, 3)
     index = np.arange(rings * sectors).reshape(rings, sectors)
     after = np.roll(index, -1, axis=1)
-    quads = np.stack([index[:-1], after[:-1], after[1:], index[1:]], axis=-1)[..., ::-1].reshape(-1, 4)
+    quads = np.stack([index[:-1], after[:-1], after[1:], index[1:]], axis=-1)[..., ::-1].reshape(
+        -1, 4
+    )
     shapes = {f"petal{k + 1}": _raised(points, 2 * np.pi * k / PETALS) for k in range(PETALS)}
     _write_character(target, points, quads, shapes)
 
@@ -188,7 +221,9 @@ def _raised(points: np.ndarray, angle: float) -> np.ndarray:
     return 0.35 * fall[:, None] * outward
 
 
-def _write_character(target: Path, points: np.ndarray, quads: np.ndarray, shapes: dict[str, np.ndarray]) -> None:
+def _write_character(
+    target: Path, points: np.ndarray, quads: np.ndarray, shapes: dict[str, np.ndarray]
+) -> None:
     stage = Usd.Stage.CreateNew(str(target))
     UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
     root = UsdSkel.Root.Define(stage, "/Blossom")
@@ -209,7 +244,7 @@ def _write_character(target: Path, points: np.ndarray, quads: np.ndarray, shapes
     stage.Save()
 
 
-# --- the page ----------------------------------------------------------------------------------------
+# --- the page -------------------------------------------------------------------------------------
 
 
 def page() -> str:
@@ -217,15 +252,22 @@ def page() -> str:
     parts = [
         "<!-- Made by docs/pictures.py; do not edit. -->\n",
         "# What a layout is made of, in pictures\n",
-        "Every picture below is drawn by `python docs/pictures.py` from the sample character"
-        " (`sample_assets/char.usda`) with the configuration that stands below it, as"
-        " `usdrigui process char.usda --preview picture.png --labels` would. To show one thing at a time, the controls"
-        ' that a picture is not about are excluded (`[controls."x"] exclude = true`), and joints are left out'
-        ' (`read.joints = "none"`) unless it is about them.'
-        " Blue is the character's left, red its right, yellow its middle, violet stands on the board.\n",
+        (
+            "Every picture below is drawn by `python docs/pictures.py` from the sample character"
+            " (`sample_assets/char.usda`) with the configuration that stands below it, as `usdrigui"
+            " process char.usda --preview picture.png --labels` would. To show one thing at a time,"
+            ' the controls that a picture is not about are excluded (`[controls."x"] exclude ='
+            ' true`), and joints are left out (`read.joints = "none"`) unless it is about them.'
+            " Blue is the character's left, red its right, yellow its middle, violet stands on the"
+            " board.\n"
+        ),
     ]
     for scene in SCENES:
-        parts += [f"## {scene.heading}\n", f"{scene.text}\n", f"![{scene.heading}](images/elements/{scene.name}.jpg)\n"]
+        parts += [
+            f"## {scene.heading}\n",
+            f"{scene.text}\n",
+            f"![{scene.heading}](images/elements/{scene.name}.jpg)\n",
+        ]
         parts += [_said(panel) for panel in scene.panels]
     return "\n".join(parts)
 
@@ -241,27 +283,40 @@ def _said(panel: Panel) -> str:
 
 MOUTH = ("mouth",)
 OPEN = (("jawOpen", 1.0), ("mouthSmileLeft", 0.6), ("mouthSmileRight", 0.6))
-TINY = tuple(f"{name}{side}" for name in ("browOuterUp", "mouthUpperUp", "mouthSmile") for side in ("Left", "Right"))
+TINY = tuple(
+    f"{name}{side}"
+    for name in ("browOuterUp", "mouthUpperUp", "mouthSmile")
+    for side in ("Left", "Right")
+)
 SCENES: tuple[Scene, ...] = (
     Scene(
         "view",
         "1 · Only what can be seen",
-        "Anchors are points that the front or a three-quarter view sees, with trajectories that do not run inside or"
-        " behind the model. `--view` names one view instead: seen from the character's left side, the elements of the"
-        " right side of the face have no place there and go beside it."
-        " A layout is drawn from the view it was made for.",
+        "Anchors are points that the front or a three-quarter view sees, with trajectories that do"
+        " not run inside or behind the model. `--view` names one view instead: seen from the"
+        " character's left side, the elements of the right side of the face have no place there and"
+        " go beside it. A layout is drawn from the view it was made for.",
         (
             Panel("front and three-quarter views", view="left"),
             Panel("side view only", '[candidates]\nview = "side"'),
         ),
-        ("mouthSmile", "mouthStretch", "browOuterUp", "cheekSquint", "noseSneer", "eyeBlink", "jawOpen"),
+        (
+            "mouthSmile",
+            "mouthStretch",
+            "browOuterUp",
+            "cheekSquint",
+            "noseSneer",
+            "eyeBlink",
+            "jawOpen",
+        ),
         labels=False,
     ),
     Scene(
         "flat",
         "2 · Flat layouts",
-        "`--space view` spaces elements as the viewer sees them and measures their tracks in the picture plane: what"
-        " runs toward the viewer is anchored where it can still be seen to move.",
+        "`--space view` spaces elements as the viewer sees them and measures their tracks in the"
+        " picture plane: what runs toward the viewer is anchored where it can still be seen to"
+        " move.",
         (
             Panel("in space"),
             Panel("as seen from the front", '[candidates]\nspace = "view"\nview = "front"'),
@@ -271,8 +326,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "mirror",
         "3 · Symmetry",
-        "Pairs are found from the geometry and laid out once, so that both halves are exact mirror images. With"
-        ' `twin = "none"` the two are laid out by themselves.',
+        "Pairs are found from the geometry and laid out once, so that both halves are exact mirror"
+        ' images. With `twin = "none"` the two are laid out by themselves.',
         (
             Panel("pairs"),
             Panel(
@@ -289,11 +344,13 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "orbit",
         "3 · Symmetry about an axis",
-        "An orbit is laid out once: one petal is placed, all five copies count. The blossom is made by the script.",
+        "An orbit is laid out once: one petal is placed, all five copies count. The blossom is made"
+        " by the script.",
         (
             Panel(
                 "five-fold, by annotation",
-                "[controls.petal1]\norbit = " + str([f"petal{k + 1}" for k in range(PETALS)]).replace("'", '"'),
+                "[controls.petal1]\norbit = "
+                + str([f"petal{k + 1}" for k in range(PETALS)]).replace("'", '"'),
             ),
         ),
         asset="blossom.usda",
@@ -301,8 +358,9 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "board",
         "4 · Global and hidden controls on the board",
-        "What moves the whole head and what is hidden in all views stands on a board beside the face, under a heading."
-        " On request a hidden control stands at the nearest visible place instead.",
+        "What moves the whole head and what is hidden in all views stands on a board beside the"
+        " face, under a heading. On request a hidden control stands at the nearest visible place"
+        " instead.",
         (
             Panel("by default"),
             Panel("the tongue at its proxy", '[controls.tongueOut]\nplace = "proxy"'),
@@ -320,7 +378,11 @@ SCENES: tuple[Scene, ...] = (
                 "near the eyes",
                 "\n".join(
                     f'[controls.{name}]\nnear = "joint:Eye{side}"\nwithin = 0.22'
-                    for name, side in (("noseSneerLeft", "Left"), ("noseSneerRight", "Right"), ("cheekPuff", "Left"))
+                    for name, side in (
+                        ("noseSneerLeft", "Left"),
+                        ("noseSneerRight", "Right"),
+                        ("cheekPuff", "Left"),
+                    )
                 ),
             ),
         ),
@@ -329,8 +391,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "pose",
         "6 · Any base pose",
-        "A layout is made once and follows the face. It can be made for any pose: solved with the jaw open, anchors"
-        " are those that serve there.",
+        "A layout is made once and follows the face. It can be made for any pose: solved with the"
+        " jaw open, anchors are those that serve there.",
         (
             Panel("made and drawn at rest"),
             Panel("made at rest, drawn with the jaw open", pose=OPEN),
@@ -346,8 +408,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "term",
         "7 · A term of your own",
-        "A package can add costs to the objective ([terms.md](terms.md)). Here it prefers low places, at 4 for a"
-        " whole face's height.",
+        "A package can add costs to the objective ([terms.md](terms.md)). Here it prefers low"
+        " places, at 4 for a whole face's height.",
         (Panel("without"), Panel("with keep_low", '[objective]\nterms = ["keep_low"]')),
         ("browOuterUp", "cheekSquint", "mouthSmile", "jawOpen", "noseSneer"),
         labels=False,
@@ -355,8 +417,9 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "shared",
         "8 · Patches and fans",
-        "Several controls of one region can share a handle: two make a patch, more a fan, in the order of their"
-        " directions. Groups come from the configuration or from overlapping candidates (`groups.patches`).",
+        "Several controls of one region can share a handle: two make a patch, more a fan, in the"
+        " order of their directions. Groups come from the configuration or from overlapping"
+        " candidates (`groups.patches`).",
         (
             Panel("sliders", "[groups]\nopposed = false"),
             Panel(
@@ -366,8 +429,9 @@ SCENES: tuple[Scene, ...] = (
             ),
             Panel(
                 "a fan a side",
-                '[groups.groups]\ncornerLeft = ["mouthSmileLeft", "mouthStretchLeft", "mouthFrownLeft"]\n'
-                'cornerRight = ["mouthSmileRight", "mouthStretchRight", "mouthFrownRight"]',
+                '[groups.groups]\ncornerLeft = ["mouthSmileLeft", "mouthStretchLeft",'
+                ' "mouthFrownLeft"]\ncornerRight = ["mouthSmileRight", "mouthStretchRight",'
+                ' "mouthFrownRight"]',
             ),
         ),
         ("mouthSmile", "mouthStretch", "mouthFrown"),
@@ -376,14 +440,18 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "curves",
         "9 · Curved sliders and pose controls",
-        "Tracks are the trajectories themselves: in-betweens and joints bend them. A frame of a clip, or weights, can"
-        " be a control: its slider leads from pose to pose.",
+        "Tracks are the trajectories themselves: in-betweens and joints bend them. A frame of a"
+        " clip, or weights, can be a control: its slider leads from pose to pose.",
         (
-            Panel("in-betweens and a joint", '[controls."Jaw:rx"]\nplace = "face"\nmaximum = 25', view="left"),
+            Panel(
+                "in-betweens and a joint",
+                '[controls."Jaw:rx"]\nplace = "face"\nmaximum = 25',
+                view="left",
+            ),
             Panel(
                 "a pose control",
-                "[poses.grin]\nweights = { mouthSmileLeft = 1.0, mouthSmileRight = 1.0, jawOpen = 0.3 }\n"
-                '[controls.grin]\nplace = "face"',
+                "[poses.grin]\nweights = { mouthSmileLeft = 1.0, mouthSmileRight = 1.0, jawOpen ="
+                ' 0.3 }\n[controls.grin]\nplace = "face"',
             ),
         ),
         ("eyeBlink", "Jaw:rx"),
@@ -392,21 +460,33 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "opposed",
         "10 · Opposed controls share an element",
-        "Two controls that go opposite ways become one two-way slider, two such axes of one region a joystick.",
+        "Two controls that go opposite ways become one two-way slider, two such axes of one region"
+        " a joystick.",
         (Panel("one slider each", "[groups]\nopposed = false"), Panel("by default")),
-        ("jawLeft", "jawRight", "jawOpen", "eyeBlink", "eyeWide", "mouthLeft", "mouthRight", "mouthRoll"),
+        (
+            "jawLeft",
+            "jawRight",
+            "jawOpen",
+            "eyeBlink",
+            "eyeWide",
+            "mouthLeft",
+            "mouthRight",
+            "mouthRoll",
+        ),
         labels=False,
     ),
     Scene(
         "crowd",
         "11 · Every handle can be grabbed",
-        "No two handles are nearer than a handle's width. Where the face is too crowded for that, the elements that"
-        " lose least stand beside it, under their own heading. Handles are four and eight times as wide here as usual,"
-        " and may not shrink as they otherwise do on a crowded face.",
+        "No two handles are nearer than a handle's width. Where the face is too crowded for that,"
+        " the elements that lose least stand beside it, under their own heading. Handles are four"
+        " and eight times as wide here as usual, and may not shrink as they otherwise do on a"
+        " crowded face.",
         (
             Panel(
                 "nothing keeps handles apart",
-                "[objective]\nhandle_size = 0.08\nhandle_crowd = 0\nseparation = false\ndisplacement_weight = 1.0",
+                "[objective]\nhandle_size = 0.08\nhandle_crowd = 0\nseparation ="
+                " false\ndisplacement_weight = 1.0",
             ),
             Panel("kept apart", "[objective]\nhandle_size = 0.08\nhandle_crowd = 0"),
             Panel("too large for all", "[objective]\nhandle_size = 0.16\nhandle_crowd = 0"),
@@ -417,7 +497,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "double",
         "11 · Middle or double",
-        "Elements that are their own mirror image prefer the mid-plane, at a price; on request they are doubled.",
+        "Elements that are their own mirror image prefer the mid-plane, at a price; on request they"
+        " are doubled.",
         (
             Panel("on the plane", '[symmetry]\ndouble_middle = "never"'),
             Panel("doubled", '[symmetry]\ndouble_middle = "always"'),
@@ -428,8 +509,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "tiny",
         "12 · Tiny trajectories",
-        "A trajectory too short to be used is drawn longer, with the gain recorded in the layer. These controls move"
-        " a fifteenth of what they usually do.",
+        "A trajectory too short to be used is drawn longer, with the gain recorded in the layer."
+        " These controls move a fifteenth of what they usually do.",
         tuple(
             Panel(
                 title,
@@ -443,7 +524,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "adapt",
         "12 · Elements that follow, elements that stay",
-        'Elements are on the skin and go where it goes. With `adapt = "static"` they stay where they were made.',
+        'Elements are on the skin and go where it goes. With `adapt = "static"` they stay where'
+        " they were made.",
         (
             Panel("deform", pose=(("jawOpen", 1.0),)),
             Panel("static", '[output]\nadapt = "static"', pose=(("jawOpen", 1.0),)),

@@ -1,8 +1,9 @@
-"""Make generatedSchema.usda and plugInfo.json from schema.usda: ``python schemas/generate.py [FOLDER]``.
+"""Make generatedSchema.usda and plugInfo.json from schema.usda: ``python schemas/generate.py
+[FOLDER]``.
 
-Runs the `usdGenSchema` that comes with usd-core (needs jinja2), names the resource plug-in, puts the full
-documentation back, of which usdGenSchema keeps the first sentences only, and says the ranges of the
-documentation as `limits`.  FOLDER is where to write; without it, beside schema.usda.
+Runs the `usdGenSchema` that comes with usd-core (needs jinja2), names the resource plug-in, puts
+the full documentation back, of which usdGenSchema keeps the first sentences only, and says the
+ranges of the documentation as `limits`.  FOLDER is where to write; without it, beside schema.usda.
 """
 
 from __future__ import annotations
@@ -27,7 +28,9 @@ def generate(folder: Path) -> None:
     """Write both files to `folder`; raises CalledProcessError when usdGenSchema fails."""
     with tempfile.TemporaryDirectory() as scratch:
         _run_generator(Path(scratch))
-        plug_info = json.loads(_without_comments((Path(scratch) / "plugInfo.json").read_text("utf-8")))
+        plug_info = json.loads(
+            _without_comments((Path(scratch) / "plugInfo.json").read_text("utf-8"))
+        )
         schema = Sdf.Layer.OpenAsAnonymous(str(Path(scratch) / "generatedSchema.usda"))
         _restore_documentation(schema, Sdf.Layer.FindOrOpen(str(HERE / "schema.usda")))
         _author_limits(schema)
@@ -35,7 +38,9 @@ def generate(folder: Path) -> None:
         schema.documentation = "Generated from schema.usda by generate.py. Do not edit."
         (folder / "generatedSchema.usda").write_text(schema.ExportToString(), "utf-8", newline="\n")
         _name_plugin(plug_info["Plugins"][0])
-        (folder / "plugInfo.json").write_text(json.dumps(plug_info, indent=4, sort_keys=True) + "\n", "utf-8")
+        (folder / "plugInfo.json").write_text(
+            json.dumps(plug_info, indent=4, sort_keys=True) + "\n", "utf-8"
+        )
 
 
 def _run_generator(folder: Path) -> None:
@@ -54,7 +59,8 @@ def _without_comments(text: str) -> str:
 
 
 def _name_plugin(plugin: dict[str, object]) -> None:
-    """Fill in what the build of USD itself would: the schema is a resource, beside its plugInfo.json."""
+    """Fill in what the build of USD itself would: the schema is a resource, beside its
+    plugInfo.json."""
     plugin.update(Name="usdRigUI", Type="resource", Root=".", ResourcePath=".", LibraryPath="")
 
 
@@ -63,7 +69,10 @@ def _restore_documentation(schema: Sdf.Layer, source: Sdf.Layer) -> None:
         prefix = _property_prefix(source, prim)
         for spec, original in [
             (prim, source.GetObjectAtPath(prim.path)),
-            *((each, _source_property(source, prim, each.name.removeprefix(prefix))) for each in prim.properties),
+            *(
+                (each, _source_property(source, prim, each.name.removeprefix(prefix)))
+                for each in prim.properties
+            ),
         ]:
             spec.SetInfo("documentation", _reflowed(original.documentation))
             if "userDocBrief" in spec.customData:
@@ -71,9 +80,14 @@ def _restore_documentation(schema: Sdf.Layer, source: Sdf.Layer) -> None:
 
 
 def _property_prefix(source: Sdf.Layer, prim: Sdf.PrimSpec) -> str:
-    """What a multiple-apply schema's properties are called in the registry before their own names."""
+    """What a multiple-apply schema's properties are called in the registry before their own
+    names."""
     custom = source.GetPrimAtPath(prim.path).customData
-    return f"{custom['propertyNamespacePrefix']}:__INSTANCE_NAME__:" if "propertyNamespacePrefix" in custom else ""
+    return (
+        f"{custom['propertyNamespacePrefix']}:__INSTANCE_NAME__:"
+        if "propertyNamespacePrefix" in custom
+        else ""
+    )
 
 
 def _source_property(source: Sdf.Layer, prim: Sdf.PrimSpec, name: str) -> Sdf.PropertySpec:
@@ -81,18 +95,24 @@ def _source_property(source: Sdf.Layer, prim: Sdf.PrimSpec, name: str) -> Sdf.Pr
 
 
 def _author_limits(schema: Sdf.Layer) -> None:
-    """Say each range once more for machines, as hard `limits`; an end without a number has no limit."""
+    """Say each range once more for machines, as hard `limits`; an end without a number has no
+    limit."""
     for prim in schema.rootPrims:
         for spec in prim.attributes:
             for ends in _RANGE.findall(spec.documentation):
                 bounds = dict(zip(("minimum", "maximum"), ends, strict=True))
-                hard = {key: _bound(spec.typeName, end) for key, end in bounds.items() if _NUMBER.fullmatch(end)}
+                hard = {
+                    key: _bound(spec.typeName, end)
+                    for key, end in bounds.items()
+                    if _NUMBER.fullmatch(end)
+                }
                 if hard:
                     spec.SetInfo("limits", {"hard": hard})
 
 
 def _bound(kind: Sdf.ValueTypeName, end: str) -> object:
-    """A limit has the type of its attribute: a vector for its components, an array with one entry for all of its."""
+    """A limit has the type of its attribute: a vector for its components, an array with one entry
+    for all of its."""
     scalar = type(kind.scalarType.defaultValue)(float(end))
     return type(kind.defaultValue)([scalar]) if kind.isArray else scalar
 

@@ -1,4 +1,5 @@
-"""``python -m usdrigui`` and the command `usdrigui`: signals are heeded before anything else is loaded."""
+"""``python -m usdrigui`` and the command `usdrigui`: signals are heeded before anything else is
+loaded."""
 
 from __future__ import annotations
 
@@ -16,7 +17,9 @@ def main() -> int:
     early: list[Any] = []
     tell = early.append
     named = (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP"))
-    heeded = [each for each in named if each is not None and signal.getsignal(each) is not signal.SIG_IGN]  # nohup
+    heeded = [
+        each for each in named if each is not None and signal.getsignal(each) is not signal.SIG_IGN
+    ]  # nohup
     for number in heeded:
         signal.signal(number, lambda *_: tell("stop"))
     _keep_standard_streams()
@@ -29,14 +32,16 @@ def main() -> int:
     from usdrigui.cli.supervised import run
 
     code = run(sys.argv[1:], events)
-    # The verdict is out: Python puts the default actions back before it has ended, and must not die of a signal then.
+    # The verdict is out: Python puts the default actions back before it has ended, and must not die
+    # of a signal then.
     for number in heeded:
         signal.signal(number, signal.SIG_IGN)
     return code
 
 
 def _keep_standard_streams() -> None:
-    """A stream that the shell has closed leaves its number to the next file that is opened: take it first."""
+    """A stream that the shell has closed leaves its number to the next file that is opened: take it
+    first."""
     for descriptor in range(3):
         try:
             os.fstat(descriptor)

@@ -1,7 +1,7 @@
 """What animations say of a character: which controls they use, how often, and which together.
 
-`weighted` turns that into importances for the objective, `animation_facts` into what `usdrigui inspect` prints,
-configuration lines included.
+`weighted` turns that into importances for the objective, `animation_facts` into what `usdrigui
+inspect` prints, configuration lines included.
 """
 
 from __future__ import annotations
@@ -14,7 +14,13 @@ from usdrigui.errors import Issue
 from usdrigui.inspection import AnimationFacts, TogetherFacts, UseFacts
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.grouping import share_a_place
-from usdrigui.layout.motion.activity import Activity, activity, importances, together, with_importances
+from usdrigui.layout.motion.activity import (
+    Activity,
+    activity,
+    importances,
+    together,
+    with_importances,
+)
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Performance, Rig, Symmetry
@@ -28,7 +34,8 @@ _NAMED = 3
 
 
 def performances(paths: Sequence[Path], settings: Settings) -> tuple[Performance, ...]:
-    """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset can raise."""
+    """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset
+    can raise."""
     return tuple(each for path in paths for each in read_performances_isolated(path, settings))
 
 
@@ -39,10 +46,11 @@ def weighted(
     clips: tuple[Performance, ...],
     weight: float,
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) the overrides with the importance that its use in the animations gives to every control.
+    """(controls,) the overrides with the importance that its use in the animations gives to every
+    control.
 
-    A configured importance is stronger; `weight` is that of use.  Raises CLIP_FOREIGN where no clip is of
-    this character.
+    A configured importance is stronger; `weight` is that of use.  Raises CLIP_FOREIGN where no clip
+    is of this character.
     """
     if not clips:
         return overrides
@@ -77,7 +85,9 @@ def animation_facts(
         _suggestion(rig, controls, agreement, twins, one_place)
         for controls, agreement in together(done, twins, settings.animation.together)
     ]
-    text = "\n".join([*_group_lines(sets, twins), *_pose_lines(sets, done, rig), *_importance_lines(uses)])
+    text = "\n".join(
+        [*_group_lines(sets, twins), *_pose_lines(sets, done, rig), *_importance_lines(uses)]
+    )
     return AnimationFacts(done.clips, len(done.values), tuple(uses), tuple(sets), text), done.issues
 
 
@@ -111,7 +121,7 @@ def _suggestion(
     return TogetherFacts(controls, agreement, "pose" if len(shapes) > 1 else "")
 
 
-# --- configuration lines -----------------------------------------------------------------------------
+# --- configuration lines --------------------------------------------------------------------------
 
 
 def _group_lines(sets: Sequence[TogetherFacts], twins: Mapping[str, str]) -> Iterator[str]:
@@ -120,19 +130,27 @@ def _group_lines(sets: Sequence[TogetherFacts], twins: Mapping[str, str]) -> Ite
         yield "[groups.groups]"
     for each in groups:
         for side in _sides(each.controls, twins):
-            yield f"{_quoted(_name(side))} = [{', '.join(map(_quoted, side))}]  # together {each.agreement:.2f}"
+            yield (
+                f"{_quoted(_name(side))} = [{', '.join(map(_quoted, side))}]  # together"
+                f" {each.agreement:.2f}"
+            )
     if groups:
         yield ""
 
 
 def _pose_lines(sets: Sequence[TogetherFacts], done: Activity, rig: Rig) -> Iterator[str]:
-    """A pose for each set, as in the frame in which it moves most, and its controls as the members."""
+    """A pose for each set, as in the frame in which it moves most, and its controls as the
+    members."""
     poses = [each for each in sets if each.suggestion == "pose"]
-    shapes = {control.name: control.source for control in rig.controls if control.kind == "blendShape"}
+    shapes = {
+        control.name: control.source for control in rig.controls if control.kind == "blendShape"
+    }
     for each in poses:
         columns = {name: done.controls.index(name) for name in each.controls if name in shapes}
         frame = int(done.amounts[:, list(columns.values())].sum(axis=1).argmax())
-        weights = ", ".join(f"{_quoted(shapes[n])} = {done.values[frame, i]:.3g}" for n, i in columns.items())
+        weights = ", ".join(
+            f"{_quoted(shapes[n])} = {done.values[frame, i]:.3g}" for n, i in columns.items()
+        )
         yield f"[poses.{_quoted(_name(each.controls))}]  # together {each.agreement:.2f}"
         yield f"weights = {{ {weights} }}"
         yield ""

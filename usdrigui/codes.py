@@ -47,13 +47,20 @@ class Code:
 _CODES: dict[str, Code] = {
     # --- files -----------------------------------------------------------------------------------
     "FILE_NOT_FOUND": Code(
-        "error", "The file does not exist or cannot be read.", "Check the path and the permissions.", Exit.FILE
+        "error",
+        "The file does not exist or cannot be read.",
+        "Check the path and the permissions.",
+        Exit.FILE,
     ),
     "FILE_NOT_USD": Code(
-        "error", "USD cannot read the file as a layer.", "Re-export the asset as .usd, .usda, .usdc or .usdz."
+        "error",
+        "USD cannot read the file as a layer.",
+        "Re-export the asset as .usd, .usda, .usdc or .usdz.",
     ),
     # --- the process that reads the asset --------------------------------------------------------
-    "SOURCE_NOT_A_FILE": Code("error", "The asset is not a regular file.", "Name the asset's root layer.", Exit.FILE),
+    "SOURCE_NOT_A_FILE": Code(
+        "error", "The asset is not a regular file.", "Name the asset's root layer.", Exit.FILE
+    ),
     "SOURCE_IS_LAYOUT": Code(
         "error",
         "What is to be laid out is a layout layer itself, not a character.",
@@ -61,9 +68,10 @@ _CODES: dict[str, Code] = {
     ),
     "SOURCE_HAS_LAYOUT": Code(
         "error",
-        "The asset brings a layout of the character in already; a second one over it would mix with it.",
-        "Keep it and place what it lacks: --base with the file named; replace an attached one: --bare -o with that "
-        "file; or take it out of the asset first (`usdrigui detach`).",
+        "The asset brings a layout of the character in already; a second one over it would mix"
+        " with it.",
+        "Keep it and place what it lacks: --base with the file named; replace an attached one:"
+        " --bare -o with that file; or take it out of the asset first (`usdrigui detach`).",
     ),
     "SOURCE_LFS_POINTER": Code(
         "error",
@@ -106,9 +114,13 @@ _CODES: dict[str, Code] = {
     # --- reading the asset -----------------------------------------------------------------------
     "FILE_NAME": Code("error", "No layer could refer to a file of this name.", "Rename the file."),
     "USD_ERROR": Code(
-        "error", "USD failed while the asset was read.", "Check the asset with `usdchecker`, or export it again."
+        "error",
+        "USD failed while the asset was read.",
+        "Check the asset with `usdchecker`, or export it again.",
     ),
-    "ARRAY_TYPE": Code("error", "An attribute holds values of another type.", "Author it with its schema's type."),
+    "ARRAY_TYPE": Code(
+        "error", "An attribute holds values of another type.", "Author it with its schema's type."
+    ),
     "FILE_CORRUPT": Code("error", "The archive is damaged.", "Copy or export the asset again."),
     "LAYER_MISSING": Code(
         "error",
@@ -117,21 +129,26 @@ _CODES: dict[str, Code] = {
     ),
     "LAYER_UNREADABLE": Code(
         "error",
-        "The asset refers to a layer that is there but that USD cannot read: damaged, of an obsolete or later crate "
-        "version, or of a format without a plug-in.",
-        "Export that layer again with a USD of today, restore a sound copy, or install its file-format plug-in; the "
-        "message says what USD found.",
+        "The asset refers to a layer that is there but that USD cannot read: damaged, of an"
+        " obsolete or later crate version, or of a format without a plug-in.",
+        "Export that layer again with a USD of today, restore a sound copy, or install its"
+        " file-format plug-in; the message says what USD found.",
     ),
     "COMPOSITION_ERROR": Code(
-        "warning", "USD could not compose a part of the stage.", "Correct the composition arc at the prim named."
+        "warning",
+        "USD could not compose a part of the stage.",
+        "Correct the composition arc at the prim named.",
     ),
     "USD_DIAGNOSTIC": Code(
-        "info", "USD complained while the asset was read.", "See the message; often another issue tells more."
+        "info",
+        "USD complained while the asset was read.",
+        "See the message; often another issue tells more.",
     ),
     "SKELROOT_MISSING": Code(
         "error",
         "The stage has no SkelRoot.",
-        "Put the character's meshes and Skeleton under a SkelRoot prim, or select the variant that has one.",
+        "Put the character's meshes and Skeleton under a SkelRoot prim, or select the variant that"
+        " has one.",
     ),
     "SKELROOT_UNKNOWN": Code(
         "error",
@@ -142,15 +159,16 @@ _CODES: dict[str, Code] = {
     "CONTROLS_MISSING": Code(
         "error",
         "No SkelRoot has anything to control.",
-        "Mend what the message names; else add blend shapes or an animated skeleton, bind a Skeleton (skel:skeleton) "
-        "to meshes that have blend shapes but none, make joints controls (`--set read.joints=all`, or `[joints.NAME]` "
-        "in a configuration), or name poses in the configuration.",
+        "Mend what the message names; else add blend shapes or an animated skeleton, bind a"
+        " Skeleton (skel:skeleton) to meshes that have blend shapes but none, make joints controls"
+        " (`--set read.joints=all`, or `[joints.NAME]` in a configuration), or name poses in the"
+        " configuration.",
     ),
     "INSTANCE": Code(
         "error",
         "The character is inside an instance, where no layer can add or edit prims.",
-        "Set `instanceable = false` on the prim named, process the referenced asset itself, or lay out a character "
-        "that is in no instance alone (`--set read.skel_root=PATH`).",
+        "Set `instanceable = false` on the prim named, process the referenced asset itself, or lay"
+        " out a character that is in no instance alone (`--set read.skel_root=PATH`).",
     ),
     "VARIANT_UNKNOWN": Code(
         "error",
@@ -161,7 +179,8 @@ _CODES: dict[str, Code] = {
     "VARIANT_BELOW": Code(
         "error",
         "A layout cannot stand in the variant: its set is not on a SkelRoot or a prim above one.",
-        "Move the variant set to the SkelRoot or above, or lay the character out without naming this set.",
+        "Move the variant set to the SkelRoot or above, or lay the character out without naming"
+        " this set.",
     ),
     "VARIANT_LEFT_OFF": Code(
         "info",
@@ -183,21 +202,29 @@ _CODES: dict[str, Code] = {
         "A blend shape's offsets do not match its pointIndices or the mesh's points.",
         "Author one offset per point index, or per point when there are no indices.",
     ),
-    "INDEX_RANGE": Code("error", "An index is out of range.", "Correct the array named, or export the asset again."),
-    "NOT_FINITE": Code("error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."),
+    "INDEX_RANGE": Code(
+        "error", "An index is out of range.", "Correct the array named, or export the asset again."
+    ),
+    "NOT_FINITE": Code(
+        "error", "An array holds NaN or infinity.", "Correct the values, or export the asset again."
+    ),
     "INFLUENCES_LENGTH": Code(
         "error",
         "The joint influences do not match each other or the mesh's points.",
-        "Author jointIndices and jointWeights of equal size: points times elementSize, or elementSize if constant.",
+        "Author jointIndices and jointWeights of equal size: points times elementSize, or"
+        " elementSize if constant.",
     ),
     "JOINT_UNKNOWN": Code(
-        "error", "A mesh names a joint that its Skeleton does not have.", "Correct skel:joints of the prim named."
+        "error",
+        "A mesh names a joint that its Skeleton does not have.",
+        "Correct skel:joints of the prim named.",
     ),
     "SKELETON_INVALID": Code(
         "error",
-        "The Skeleton's joints, bind transforms or rest transforms are unusable, or its place cannot be inverted.",
-        "Author one valid bind and rest transform per joint, parents before children; where the message is about the "
-        "transform of the prim named, one without a scale of 0.",
+        "The Skeleton's joints, bind transforms or rest transforms are unusable, or its place"
+        " cannot be inverted.",
+        "Author one valid bind and rest transform per joint, parents before children; where the"
+        " message is about the transform of the prim named, one without a scale of 0.",
     ),
     "ANIMATION_LENGTH": Code(
         "error",
@@ -211,28 +238,33 @@ _CODES: dict[str, Code] = {
     ),
     "PART_LEFT_OFF": Code(
         "warning",
-        "A mesh, a blend shape or a subset of faces that cannot be right is left off; the rest of the character is "
-        "laid out without it.",
+        "A mesh, a blend shape or a subset of faces that cannot be right is left off; the rest of"
+        " the character is laid out without it.",
         "Mend what the message names, by its code.",
     ),
     "MESH_UNBOUND": Code(
         "warning",
-        "A mesh has blend shapes or joint influences but no Skeleton is bound to it, so that nothing can move it.",
-        "Mend what the message names; if it names nothing, bind the mesh by skel:skeleton (a Skeleton without joints "
-        "will do for blend shapes).",
+        "A mesh has blend shapes or joint influences but no Skeleton is bound to it, so that"
+        " nothing can move it.",
+        "Mend what the message names; if it names nothing, bind the mesh by skel:skeleton (a"
+        " Skeleton without joints will do for blend shapes).",
     ),
     "MESH_HIDDEN": Code(
         "warning",
-        "A mesh is invisible or of a purpose that is not drawn, so that controls which move nothing else are laid out "
-        "on the board.",
-        "Make it visible, and of purpose default or render, if it is a part of the face; else exclude the controls.",
+        "A mesh is invisible or of a purpose that is not drawn, so that controls which move nothing"
+        " else are laid out on the board.",
+        "Make it visible, and of purpose default or render, if it is a part of the face; else"
+        " exclude the controls.",
     ),
     "MESH_OUTSIDE": Code(
         "warning",
-        "A mesh with blend shapes or joint influences lies outside every SkelRoot, where USD deforms nothing.",
+        "A mesh with blend shapes or joint influences lies outside every SkelRoot, where USD"
+        " deforms nothing.",
         "Move it below the SkelRoot, or make a prim above both the SkelRoot.",
     ),
-    "MESH_EMPTY": Code("warning", "A mesh has no points and is ignored.", "Remove it or restore its points."),
+    "MESH_EMPTY": Code(
+        "warning", "A mesh has no points and is ignored.", "Remove it or restore its points."
+    ),
     "POINTS_ANIMATED": Code(
         "info",
         "A mesh has time samples on its points or topology; only those of the base pose are used.",
@@ -249,11 +281,14 @@ _CODES: dict[str, Code] = {
         "Normalise the weights.",
     ),
     "SKINNING_METHOD": Code(
-        "warning", "The skinning method is unknown; classicLinear is taken.", "Author classicLinear or dualQuaternion."
+        "warning",
+        "The skinning method is unknown; classicLinear is taken.",
+        "Author classicLinear or dualQuaternion.",
     ),
     "TOKEN_NOT_ANIMATED": Code(
         "info",
-        "No SkelAnimation lists some blend shapes; they are laid out, but move only once one is authored.",
+        "No SkelAnimation lists some blend shapes; they are laid out, but move only once one is"
+        " authored.",
         "Add the names to the blendShapes of the SkelAnimation.",
     ),
     "TOKEN_REPEATED": Code(
@@ -277,7 +312,9 @@ _CODES: dict[str, Code] = {
         "Widen the limits, or correct the animation.",
     ),
     "RANGE_INVALID": Code(
-        "warning", "An authored range is not a pair of ascending numbers; it is ignored.", "Correct it."
+        "warning",
+        "An authored range is not a pair of ascending numbers; it is ignored.",
+        "Correct it.",
     ),
     "POSES_MISMATCH": Code(
         "warning",
@@ -291,20 +328,26 @@ _CODES: dict[str, Code] = {
     ),
     "JOINT_MOTION_IGNORED": Code(
         "info",
-        "The animation moves or scales joints besides turning them; only rotations become joint controls.",
+        "The animation moves or scales joints besides turning them; only rotations become joint"
+        " controls.",
         "Name its frames or clips as poses in the configuration to lay out the rest.",
     ),
     "CLIP_THINNED": Code(
-        "info", "The animation is too long to keep whole; evenly spaced frames of it are kept.", "Nothing."
+        "info",
+        "The animation is too long to keep whole; evenly spaced frames of it are kept.",
+        "Nothing.",
     ),
     "UNITS_TYPE": Code(
-        "warning", "metersPerUnit is not a double or not above zero.", "Author metersPerUnit as a positive double."
+        "warning",
+        "metersPerUnit is not a double or not above zero.",
+        "Author metersPerUnit as a positive double.",
     ),
     # --- glyphs ----------------------------------------------------------------------------------
     "GLYPH_MISSING": Code(
         "error",
         "A glyph that the configuration names does not exist.",
-        "Correct the name: /PRIM for a prim of the asset, FILE</PRIM> for one of a file named from the asset's folder.",
+        "Correct the name: /PRIM for a prim of the asset, FILE</PRIM> for one of a file named from"
+        " the asset's folder.",
         Exit.USAGE,
     ),
     "GLYPH_TYPE": Code(
@@ -320,7 +363,9 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     # --- settings --------------------------------------------------------------------------------
-    "CONFIG_SYNTAX": Code("error", "The configuration is not valid TOML.", "Correct the line named.", Exit.USAGE),
+    "CONFIG_SYNTAX": Code(
+        "error", "The configuration is not valid TOML.", "Correct the line named.", Exit.USAGE
+    ),
     "CONFIG_UNKNOWN_KEY": Code(
         "error",
         "The configuration has a key that usdrigui does not know.",
@@ -328,7 +373,10 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     "CONFIG_VALUE": Code(
-        "error", "A setting has a value outside its range or of the wrong type.", "Correct the value.", Exit.USAGE
+        "error",
+        "A setting has a value outside its range or of the wrong type.",
+        "Correct the value.",
+        Exit.USAGE,
     ),
     "CONFIG_UNKNOWN_CONTROL": Code(
         "error",
@@ -339,18 +387,22 @@ _CODES: dict[str, Code] = {
     "FIXED_IMPOSSIBLE": Code(
         "error",
         "The fixed anchors are infeasible.",
-        "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept instead.",
+        "Free one of the controls named, or fix it elsewhere; --previous keeps what can be kept"
+        " instead.",
         Exit.USAGE,
     ),
     "PREVIOUS_MISMATCH": Code(
         "error",
         "The layout given as --previous is of another character.",
-        "Name the layer that was written for this asset; --like imitates another character's layout.",
+        "Name the layer that was written for this asset; --like imitates another character's"
+        " layout.",
     ),
     "PREVIOUS_RENAMED": Code(
         "info",
-        "The character stands at another path than in the layout given as --previous, which is heeded all the same.",
-        "Nothing, if it was renamed or moved; for the layout of another character use --like instead.",
+        "The character stands at another path than in the layout given as --previous, which is"
+        " heeded all the same.",
+        "Nothing, if it was renamed or moved; for the layout of another character use --like"
+        " instead.",
     ),
     "BASE_MISMATCH": Code(
         "error",
@@ -359,15 +411,19 @@ _CODES: dict[str, Code] = {
     ),
     "BASE_APART": Code(
         "error",
-        "The shot has the character at another path than its layout, and does not bring the layout in.",
-        "Let the shot reference the layout layer instead of the asset, or write that layer with --bare.",
+        "The shot has the character at another path than its layout, and does not bring the"
+        " layout in.",
+        "Let the shot reference the layout layer instead of the asset, or write that layer with"
+        " --bare.",
     ),
     "BASE_COMPLETE": Code(
         "info",
         "The layout given as --base has every control of the shot already; the layer adds none.",
         "Nothing; the layer can go.",
     ),
-    "INTERRUPTED": Code("error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT),
+    "INTERRUPTED": Code(
+        "error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT
+    ),
     "RUN_TIME_LIMIT": Code(
         "error",
         "The run took longer than the limit and has no result.",
@@ -399,19 +455,25 @@ _CODES: dict[str, Code] = {
         Exit.FILE,
     ),
     "WORKING_DIRECTORY": Code(
-        "error", "The working directory has been deleted.", "Change to a folder that exists.", Exit.FILE
+        "error",
+        "The working directory has been deleted.",
+        "Change to a folder that exists.",
+        Exit.FILE,
     ),
     # --- installation ----------------------------------------------------------------------------
     "USD_MISSING": Code(
         "error",
         "This Python has no USD (`pxr`).",
-        "Install one: `pip install usd-core`; or run usdrigui with the Python of an application that brings USD.",
+        "Install one: `pip install usd-core`; or run usdrigui with the Python of an application"
+        " that brings USD.",
         Exit.USAGE,
     ),
     "USD_TWICE": Code(
         "warning",
-        "Several installed packages hold the same files of `pxr`; the last one installed overwrote the others' files.",
-        "Uninstall all of them but one, then install that one anew: `pip install --force-reinstall NAME`.",
+        "Several installed packages hold the same files of `pxr`; the last one installed overwrote"
+        " the others' files.",
+        "Uninstall all of them but one, then install that one anew: `pip install --force-reinstall"
+        " NAME`.",
     ),
     "EXTRA_MISSING": Code(
         "error",
@@ -456,7 +518,9 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     "LAYOUT_MISSING": Code(
-        "error", "The layer holds no layout.", "Make one with `usdrigui process`, and name the layer that it wrote."
+        "error",
+        "The layer holds no layout.",
+        "Make one with `usdrigui process`, and name the layer that it wrote.",
     ),
     "LAYOUT_INVALID": Code(
         "error",
@@ -464,13 +528,20 @@ _CODES: dict[str, Code] = {
         "Correct the property named (schemas/CONTRACT.md), or process the asset again.",
     ),
     "LAYOUT_VERSION": Code(
-        "error", "The layout was written by a later usdrigui, in a way this one does not know.", "Update usdrigui."
+        "error",
+        "The layout was written by a later usdrigui, in a way this one does not know.",
+        "Update usdrigui.",
     ),
     "SOURCE_UNREFERABLE": Code(
-        "error", "No USD layer can refer to a file of this name.", "Rename the file, or write with --bare.", Exit.FILE
+        "error",
+        "No USD layer can refer to a file of this name.",
+        "Rename the file, or write with --bare.",
+        Exit.FILE,
     ),
     # --- writing ---------------------------------------------------------------------------------
-    "FILE_FULL": Code("error", "There is no room for the file.", "Free some space and run again.", Exit.FILE),
+    "FILE_FULL": Code(
+        "error", "There is no room for the file.", "Free some space and run again.", Exit.FILE
+    ),
     "FILE_READ_ONLY": Code(
         "error",
         "The folder or file is read-only.",
@@ -478,9 +549,14 @@ _CODES: dict[str, Code] = {
         Exit.FILE,
     ),
     "FILE_PERMISSION": Code(
-        "error", "The file may not be written.", "Correct the permissions, or choose another place for it.", Exit.FILE
+        "error",
+        "The file may not be written.",
+        "Correct the permissions, or choose another place for it.",
+        Exit.FILE,
     ),
-    "FILE_TARGET": Code("error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE),
+    "FILE_TARGET": Code(
+        "error", "The output cannot be a file of this name.", "Choose another name.", Exit.FILE
+    ),
     "STUDY_RESULTS": Code(
         "error",
         "The file holds no results of the study that can be summed.",
@@ -488,7 +564,10 @@ _CODES: dict[str, Code] = {
         Exit.FILE,
     ),
     "FILE_WRITE": Code(
-        "error", "The file could not be written; what was there before is untouched.", "See the message.", Exit.FILE
+        "error",
+        "The file could not be written; what was there before is untouched.",
+        "See the message.",
+        Exit.FILE,
     ),
     "FILE_ACCESS": Code(
         "error",
@@ -502,7 +581,7 @@ _CODES: dict[str, Code] = {
         "Check the disk and run again.",
         Exit.FILE,
     ),
-    # --- layouts inside the asset ------------------------------------------------------------------
+    # --- layouts inside the asset -----------------------------------------------------------------
     "ATTACH_PACKAGE": Code(
         "error",
         "A usdz is read-only for USD; no layer can be added to it.",
@@ -510,13 +589,15 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_LINK": Code(
         "error",
-        "The asset is a symbolic link, from which the layout's path would lead elsewhere than from the file.",
+        "The asset is a symbolic link, from which the layout's path would lead elsewhere than from"
+        " the file.",
         "Name the file itself.",
         Exit.FILE,
     ),
     "ATTACH_BUSY": Code(
         "error",
-        "Another program is writing the asset, or another attach or detach is editing it; nothing was written.",
+        "Another program is writing the asset, or another attach or detach is editing it; nothing"
+        " was written.",
         "Wait until it is done and run again.",
         Exit.FILE,
     ),
@@ -528,19 +609,22 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_ATTRIBUTES": Code(
         "error",
-        "The edited asset could not be given the owner, group, access list or attributes that the asset has.",
+        "The edited asset could not be given the owner, group, access list or attributes that the"
+        " asset has.",
         "Run as the owner of the file, or have the owner run it.",
         Exit.FILE,
     ),
     "ATTACH_NOT_BARE": Code(
-        "error", "The layout brings sublayers of its own into the asset.", "Write it with `usdrigui process --bare`."
+        "error",
+        "The layout brings sublayers of its own into the asset.",
+        "Write it with `usdrigui process --bare`.",
     ),
     "ATTACH_CYCLE": Code(
         "error",
         "The layout already stands over the asset, so that each would contain the other.",
         "Write it with `usdrigui process --bare`, or detach it from the asset first.",
     ),
-    # --- many assets -------------------------------------------------------------------------------
+    # --- many assets ------------------------------------------------------------------------------
     "BATCH_NO_MATCH": Code(
         "error",
         "A pattern matches no asset.",
@@ -548,7 +632,10 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     "BATCH_TIME_LIMIT": Code(
-        "error", "An asset took longer than the batch allows.", "Raise --timeout, or process it alone.", Exit.LIMIT
+        "error",
+        "An asset took longer than the batch allows.",
+        "Raise --timeout, or process it alone.",
+        Exit.LIMIT,
     ),
     "BATCH_KILLED": Code(
         "error",
@@ -563,14 +650,20 @@ _CODES: dict[str, Code] = {
         Exit.BUG,
     ),
     "BATCH_SCHEDULER": Code(
-        "error", "No dask scheduler answers.", "Check the address and that the scheduler runs.", Exit.FILE
+        "error",
+        "No dask scheduler answers.",
+        "Check the address and that the scheduler runs.",
+        Exit.FILE,
     ),
-    "BATCH_TOO_MANY": Code("error", "There are more assets than one job can hold.", "Make several jobs.", Exit.USAGE),
+    "BATCH_TOO_MANY": Code(
+        "error", "There are more assets than one job can hold.", "Make several jobs.", Exit.USAGE
+    ),
     # --- posing ----------------------------------------------------------------------------------
     "SOURCE_MISSING": Code(
         "error",
         "The layout layer does not say which asset it stands over.",
-        "Name the asset as its first sublayer, write the layer without --bare, or give a stage that composes both.",
+        "Name the asset as its first sublayer, write the layer without --bare, or give a stage that"
+        " composes both.",
     ),
     "LAYOUT_STALE": Code(
         "error",
@@ -589,7 +682,10 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     "POSE_VALUE": Code(
-        "error", "A pose has a wrong number of values, or one that is not finite.", "Correct it.", Exit.USAGE
+        "error",
+        "A pose has a wrong number of values, or one that is not finite.",
+        "Correct it.",
+        Exit.USAGE,
     ),
     "NORMALS_INWARD": Code(
         "warning",
@@ -602,9 +698,11 @@ _CODES: dict[str, Code] = {
         "Correct the term, or leave it out of objective.terms.",
         Exit.USAGE,
     ),
-    # --- layouts that exist ------------------------------------------------------------------------
+    # --- layouts that exist -----------------------------------------------------------------------
     "ANIMATION_MISSING": Code(
-        "error", "The character has no animation that could be shown.", "Bind a SkelAnimation with time samples to it."
+        "error",
+        "The character has no animation that could be shown.",
+        "Bind a SkelAnimation with time samples to it.",
     ),
     "CLIP_UNKNOWN_CONTROL": Code(
         "warning",
@@ -623,12 +721,14 @@ _CODES: dict[str, Code] = {
     ),
     "CONTROL_UNSURE": Code(
         "warning",
-        "A control of the earlier layout may have another name now, but that is not sure: it counts as gone.",
+        "A control of the earlier layout may have another name now, but that is not sure: it counts"
+        " as gone.",
         "If it is the same control, call it as before, or give the earlier layout the new name.",
     ),
     "PIN_CARRIED": Code(
         "warning",
-        "An element that a person pinned stands on other points now, at a place that is not quite the same.",
+        "An element that a person pinned stands on other points now, at a place that is not quite"
+        " the same.",
         "Look whether it stands where it should; else give the control an `anchor`.",
     ),
     "PIN_LOST": Code(
@@ -637,13 +737,16 @@ _CODES: dict[str, Code] = {
         "Decide again, with an `anchor` or `place` of the control.",
     ),
     "LAYOUT_MESH_GONE": Code(
-        "error", "An element is anchored to a mesh that the character does not have.", "Run `usdrigui process` again."
+        "error",
+        "An element is anchored to a mesh that the character does not have.",
+        "Run `usdrigui process` again.",
     ),
     "LAYOUT_TOPOLOGY": Code(
         "error",
         "The mesh under an element has other points or faces than when it was laid out.",
-        "Run `usdrigui process` again, with --previous to keep what can be kept; in a shot of several characters, lay "
-        "out one that still fits its layout alone (`--set read.skel_root=PATH`).",
+        "Run `usdrigui process` again, with --previous to keep what can be kept; in a shot of"
+        " several characters, lay out one that still fits its layout alone (`--set"
+        " read.skel_root=PATH`).",
     ),
     "LAYOUT_ANCHOR_MOVED": Code(
         "warning",
@@ -651,10 +754,14 @@ _CODES: dict[str, Code] = {
         "Run `usdrigui process` again if the shape of the face has changed.",
     ),
     "LAYOUT_CONTROL_GONE": Code(
-        "error", "An element drives a control that the rig does not have.", "Run `usdrigui process` again."
+        "error",
+        "An element drives a control that the rig does not have.",
+        "Run `usdrigui process` again.",
     ),
     "LAYOUT_CONTROL_NEW": Code(
-        "warning", "The rig has a control that the layout does not know.", "Run `usdrigui process` again."
+        "warning",
+        "The rig has a control that the layout does not know.",
+        "Run `usdrigui process` again.",
     ),
     "LAYOUT_HANDLES_COLLIDE": Code(
         "warning",
@@ -667,15 +774,20 @@ _CODES: dict[str, Code] = {
         "Move the element to where it can be seen.",
     ),
     "LAYOUT_BETTER_PLACE": Code(
-        "info", "An element would do better elsewhere.", "Set the control's `anchor` to the place named, if you agree."
+        "info",
+        "An element would do better elsewhere.",
+        "Set the control's `anchor` to the place named, if you agree.",
     ),
     # --- solving ---------------------------------------------------------------------------------
     "SOLVE_INFEASIBLE": Code(
         "error",
         "No layout keeps all handles apart.",
-        "Allow places on the board (objective.off_face_allowed), make handles smaller or prune fewer candidates.",
+        "Allow places on the board (objective.off_face_allowed), make handles smaller or prune"
+        " fewer candidates.",
     ),
-    "SOLVE_TOO_LARGE": Code("error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT),
+    "SOLVE_TOO_LARGE": Code(
+        "error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT
+    ),
     "SOLVE_EXTRA": Code(
         "error",
         "The method needs a package that is not installed.",
@@ -683,14 +795,23 @@ _CODES: dict[str, Code] = {
         Exit.USAGE,
     ),
     "PROBLEM_FILE": Code(
-        "error", "The file is no layout problem of this version.", "Save it again with this version.", Exit.FILE
+        "error",
+        "The file is no layout problem of this version.",
+        "Save it again with this version.",
+        Exit.FILE,
     ),
     "EXPLANATION_FAILED": Code(
         "warning",
-        "usdrigui made a mistake while it put into words why a layout is as it is; the layout itself is sound.",
+        "usdrigui made a mistake while it put into words why a layout is as it is; the layout"
+        " itself is sound.",
         "Please report it with the asset and the command.",
     ),
     # --- ours ------------------------------------------------------------------------------------
-    "BUG": Code("error", "usdrigui made a mistake.", "Please report it with the asset and the command.", Exit.BUG),
+    "BUG": Code(
+        "error",
+        "usdrigui made a mistake.",
+        "Please report it with the asset and the command.",
+        Exit.BUG,
+    ),
 }
 CODES: Mapping[str, Code] = MappingProxyType(_CODES)

@@ -1,9 +1,9 @@
 """Evaluation of a rig at a pose, without USD: the same points as UsdSkel computes.
 
 `deform` answers for one pose, `channel_state` for what a pose sets, `posed` and `sweep` make the
-trajectories of many controls around one pose cheap, and `knots` lists where a control bends.  The rules
-are those of the UsdSkel specification: blend shapes first, in mesh space, then geomBindTransform, then
-linear or dual-quaternion skinning in skeleton space.  numpy only.
+trajectories of many controls around one pose cheap, and `knots` lists where a control bends.  The
+rules are those of the UsdSkel specification: blend shapes first, in mesh space, then
+geomBindTransform, then linear or dual-quaternion skinning in skeleton space.  numpy only.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ class Posed(Record):
     weights: Floats
     """(channels,) blend-shape weights."""
     moves: Floats
-    """(3, joints, 3) rotation vectors, translations and logarithms of scales on top of `Joint.base`."""
+    """(3, joints, 3) rotation vectors, translations and logarithms of scales on top of
+    `Joint.base`."""
     maps: tuple[Floats, ...]
     """Per mesh, (1 or n, 4, 3): affine map of each blended point from mesh space to root space,
     ``p @ map[:3] + map[3]``; a single map where all points share it."""
@@ -43,7 +44,8 @@ class Posed(Record):
 
 
 def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
-    """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the defaults."""
+    """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
+    defaults."""
     weights, moves = _driven(rig, values)
     skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
     points = [skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
@@ -51,7 +53,8 @@ def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
 
 
 def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
-    """The rig held at control `values` (controls,), or at the defaults: the starting point of `sweep`."""
+    """The rig held at control `values` (controls,), or at the defaults: the starting point of
+    `sweep`."""
     weights, moves = _driven(rig, values)
     skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
     blended = [_blended(mesh, weights) for mesh in rig.meshes]
@@ -61,7 +64,8 @@ def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
 
 
 def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Floats]:
-    """What control `values` (controls,) set: weights (channels,) and local joint transforms (joints, 4, 4).
+    """What control `values` (controls,) set: weights (channels,) and local joint transforms
+    (joints, 4, 4).
 
     Where several controls drive one joint, their rotation vectors, translations and logarithms of
     scales are added before they are applied, so that the order of the controls does not matter.
@@ -74,8 +78,8 @@ def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indic
     """Motion of the points as one control takes `values` (k,) and all others stay as in `base`.
 
     Returns the points that the control can move (p,), ascending, and their offsets (k, p, 3) from
-    `base.points` in root space.  Under blend shapes alone the offset is the blended offset times the
-    point's own 3x3 map, whatever the skinning, because the skin does not change.
+    `base.points` in root space.  Under blend shapes alone the offset is the blended offset times
+    the point's own 3x3 map, whatever the skinning, because the skin does not change.
     """
     drive = rig.controls[control].drive
     at = np.atleast_1d(np.asarray(values, dtype=np.float64))
@@ -86,8 +90,8 @@ def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indic
 
 
 def knots(rig: Rig, control: int) -> Floats:
-    """Values of a control, ascending, at which the path of some point may bend, with minimum, default
-    and maximum.
+    """Values of a control, ascending, at which the path of some point may bend, with minimum,
+    default and maximum.
 
     Under blend shapes alone the path is exactly the polyline through these; where joints move it is
     curved in between and must be sampled.
@@ -102,7 +106,7 @@ def knots(rig: Rig, control: int) -> Floats:
     return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
 
 
-# --- drives ------------------------------------------------------------------------------------------
+# --- drives ---------------------------------------------------------------------------------------
 
 
 def _driven(rig: Rig, values: ArrayLike | None) -> tuple[Floats, Floats]:
@@ -129,7 +133,8 @@ def _add_drive(drive: Drive, value: float, weights: Floats, moves: Floats) -> No
 
 
 def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:
-    """Rows of `table` (k, ...) at `at` (m,), linear between `keys` (k,) and extrapolated beyond them."""
+    """Rows of `table` (k, ...) at `at` (m,), linear between `keys` (k,) and extrapolated beyond
+    them."""
     i = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, len(keys) - 2)
     share = (at - keys[i]) / (keys[i + 1] - keys[i])
     share = share.reshape(-1, *(1,) * (table.ndim - 1))
@@ -143,8 +148,8 @@ def _base_locals(rig: Rig) -> Floats:
 def _moved_joints(base: Floats, moves: Floats) -> Floats:
     """Local transforms (m, joints, 4, 4) of `base` (joints, 4, 4) after `moves` (m, 3, joints, 3).
 
-    With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t plus
-    the translations: exactly the components that a SkelAnimation holds.
+    With ``base = S R`` and translation t, the result is ``exp(scales) S exp(rotations) R`` and t
+    plus the translations: exactly the components that a SkelAnimation holds.
     """
     local: Floats = np.broadcast_to(base, (len(moves), *base.shape)).copy()
     moved = np.flatnonzero(moves.any(axis=(0, 1, 3)))
@@ -160,12 +165,18 @@ def _moved_joints(base: Floats, moves: Floats) -> Floats:
 def _bends(rig: Rig, channel: int) -> list[float]:
     """Weights, ascending, at which some shape's offset bends: all its nodes but the outermost."""
     shapes = rig.shapes_by_channel.get(channel, ())
-    nodes = {node for _, shape in shapes if len(shape.weights) > 1 for node in _nodes(shape)[1:-1].tolist()}
+    nodes = {
+        node
+        for _, shape in shapes
+        if len(shape.weights) > 1
+        for node in _nodes(shape)[1:-1].tolist()
+    }
     return sorted(nodes)
 
 
 def _crossings(keys: Floats, weights: Floats, targets: list[float]) -> list[float]:
-    """Control values at which the piecewise linear `weights` (k,) over `keys` (k,) meet one of `targets`."""
+    """Control values at which the piecewise linear `weights` (k,) over `keys` (k,) meet one of
+    `targets`."""
     found = []
     for i in range(len(keys) - 1):
         rise = weights[i + 1] - weights[i]
@@ -179,7 +190,7 @@ def _crossings(keys: Floats, weights: Floats, targets: list[float]) -> list[floa
     return found
 
 
-# --- blend shapes ------------------------------------------------------------------------------------
+# --- blend shapes ---------------------------------------------------------------------------------
 
 
 def _nodes(shape: Shape) -> Floats:
@@ -204,7 +215,9 @@ def _offsets(shape: Shape, shares: Floats) -> NDArray[np.floating]:
     """Blended offsets (m, p, 3) in mesh space for `shares` (m, k)."""
     singles = shares.astype(np.float32)[:, :, None, None]
     total: NDArray[np.floating] = singles[:, 0] * shape.offsets[0]
-    for row in range(1, len(shape.weights)):  # a matrix product would add in another order on each processor
+    for row in range(
+        1, len(shape.weights)
+    ):  # a matrix product would add in another order on each processor
         total += singles[:, row] * shape.offsets[row]
     return total
 
@@ -220,7 +233,9 @@ def _blended(mesh: RigMesh, weights: Floats) -> Floats:
     return points
 
 
-def _sweep_shapes(rig: Rig, base: Posed, channels: Indices, weights: Floats) -> tuple[Indices, Singles]:
+def _sweep_shapes(
+    rig: Rig, base: Posed, channels: Indices, weights: Floats
+) -> tuple[Indices, Singles]:
     """`sweep` for a control that drives `channels` (t,) with `weights` (k, t)."""
     column = {int(channel): i for i, channel in enumerate(channels)}
     driven: dict[int, list[Shape]] = {}
@@ -243,7 +258,8 @@ def _sweep_shapes(rig: Rig, base: Posed, channels: Indices, weights: Floats) -> 
 def _mesh_offsets(
     shapes: list[Shape], column: dict[int, int], weights: Floats, base: Floats
 ) -> tuple[Indices, NDArray[np.floating]]:
-    """Local points (p,) of `shapes` and their blended offsets (k, p, 3) from the base weights, in mesh space."""
+    """Local points (p,) of `shapes` and their blended offsets (k, p, 3) from the base weights, in
+    mesh space."""
     parts = []
     for shape in shapes:
         now = _shares(shape, weights[:, column[shape.channel]])
@@ -272,10 +288,12 @@ def _turned(offsets: NDArray[np.floating], maps: Floats, local: Indices) -> Sing
     return turned
 
 
-# --- joints ----------------------------------------------------------------------------------------
+# --- joints ---------------------------------------------------------------------------------------
 
 
-def _sweep_joints(rig: Rig, base: Posed, drive: Drive, at: Floats, added: Floats) -> tuple[Indices, Singles]:
+def _sweep_joints(
+    rig: Rig, base: Posed, drive: Drive, at: Floats, added: Floats
+) -> tuple[Indices, Singles]:
     """`sweep` for a control that moves joints, and perhaps weights too."""
     moves = np.repeat(base.moves[None], len(at), axis=0)
     for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
@@ -305,9 +323,14 @@ def _mesh_sweep(
     skinning: Floats,
     turning: NDArray[np.bool_],
 ) -> Singles:
-    """Offsets (k, p, 3) of the `moved` local points of one mesh; `skinning` holds the base and then k poses."""
+    """Offsets (k, p, 3) of the `moved` local points of one mesh; `skinning` holds the base and then
+    k poses."""
     mesh = rig.meshes[index]
-    driven = [shape for shape in mesh.shapes if (weights[:, shape.channel] != base.weights[shape.channel]).any()]
+    driven = [
+        shape
+        for shape in mesh.shapes
+        if (weights[:, shape.channel] != base.weights[shape.channel]).any()
+    ]
     skin = mesh.skin
     if skin is not None and skin.method == "classicLinear" and not driven:
         # Only the turning joints contribute to the offset, linearly.

@@ -1,4 +1,5 @@
-"""Which installed packages this Python has USD from: none, one, or several that overwrite each other's files.
+"""Which installed packages this Python has USD from: none, one, or several that overwrite each
+other's files.
 
 Nothing here imports pxr.
 """
@@ -23,26 +24,33 @@ def require_usd() -> None:
 
 
 def colliding() -> tuple[Issue, ...]:
-    """USD_TWICE where several installed packages hold the same files of pxr; none where this user may not look."""
+    """USD_TWICE where several installed packages hold the same files of pxr; none where this user
+    may not look."""
     try:
         owners = _owners()
     except OSError:
         return ()
     if len(owners) < 2:
         return ()
-    return (issue("USD_TWICE", "", f"{' and '.join(owners)} own the same files of pxr in {_places()[0]}"),)
+    return (
+        issue(
+            "USD_TWICE", "", f"{' and '.join(owners)} own the same files of pxr in {_places()[0]}"
+        ),
+    )
 
 
 def _owners() -> tuple[str, ...]:
     records = [record for place in _places() for record in sorted(place.glob("*.dist-info/RECORD"))]
     owning = [record.parent for record in records if _OWNED in b"\n" + record.read_bytes()]
-    return tuple(f"{each.metadata['Name']} {each.version}" for each in map(PathDistribution, owning))
+    return tuple(
+        f"{each.metadata['Name']} {each.version}" for each in map(PathDistribution, owning)
+    )
 
 
 def _places() -> list[Path]:
     """The folders that pxr is found in."""
     spec = _spec()
-    return [Path(each).parent for each in (spec.submodule_search_locations or ())] if spec else []
+    return [Path(each).parent for each in spec.submodule_search_locations or ()] if spec else []
 
 
 def _spec() -> ModuleSpec | None:

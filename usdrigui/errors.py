@@ -2,7 +2,8 @@
 
 The code's entry in the catalogue (`usdrigui.codes`) says how severe it is and how to repair the
 cause.  Library code raises `RigUIError` (via `refuse`) for what stops the run and collects `Issue`
-records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into output or an exit code.
+records (via `issue`) for what does not.  Only `usdrigui.cli` turns either into output or an exit
+code.
 """
 
 from __future__ import annotations
@@ -56,7 +57,8 @@ class Issue:
 
 
 class RigUIError(Exception):
-    """The run cannot go on; carries one `Issue` and the exit code it calls for, and what else is wrong of the kind."""
+    """The run cannot go on; carries one `Issue` and the exit code it calls for, and what else is
+    wrong of the kind."""
 
     def __init__(self, found: Issue, exit_code: Exit, others: tuple[Issue, ...] = ()) -> None:
         super().__init__(f"{found.code} {found.path}: {found.message}")
@@ -120,8 +122,8 @@ def failure_json(asset: str, error: RigUIError) -> str:
 def explained(tell: Callable[[], T], instead: T, path: str) -> tuple[T, tuple[Issue, ...]]:
     """What `tell` says, or `instead` and the warning EXPLANATION_FAILED where it makes a mistake.
 
-    For words about a layout alone, which decide nothing in it: a mistake of ours there costs the words, not the layout.
-    Refusals, interruptions and want of memory pass.
+    For words about a layout alone, which decide nothing in it: a mistake of ours there costs the
+    words, not the layout. Refusals, interruptions and want of memory pass.
     """
     try:
         return tell(), ()
@@ -135,11 +137,14 @@ def sentences(found: Issue) -> str:
 
 
 def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
-    """One issue for each cause, in the order given: the paths of those of one code and message are told as one."""
+    """One issue for each cause, in the order given: the paths of those of one code and message are
+    told as one."""
     causes: dict[tuple[str, str], list[Issue]] = {}
     for each in found:
         causes.setdefault((each.code, each.message), []).append(each)
-    return tuple(replace(same[0], path=_listed([each.path for each in same])) for same in causes.values())
+    return tuple(
+        replace(same[0], path=_listed([each.path for each in same])) for same in causes.values()
+    )
 
 
 def _listed(paths: Sequence[str]) -> str:
@@ -149,10 +154,11 @@ def _listed(paths: Sequence[str]) -> str:
 
 
 def meant(name: str, known: Iterable[str]) -> str:
-    """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where nothing is like it.
+    """A clause for a message about an unknown name: ``; did you mean 'smile_L'?``, empty where
+    nothing is like it.
 
-    A slip of a letter comes first, then the same name in another spelling or one that means the same, then one with
-    nearly the same letters.  A slip does not turn left into right.
+    A slip of a letter comes first, then the same name in another spelling or one that means the
+    same, then one with nearly the same letters.  A slip does not turn left into right.
     """
     from usdrigui.conventions import same_name
     from usdrigui.conventions.sides import side_of
@@ -166,5 +172,8 @@ def meant(name: str, known: Iterable[str]) -> str:
 
 
 def visible(text: str) -> str:
-    """Text that comes from a file as a terminal may show it: what would steer the terminal is spelt out."""
-    return "".join(each if each.isprintable() else each.encode("unicode_escape").decode() for each in text)
+    """Text that comes from a file as a terminal may show it: what would steer the terminal is spelt
+    out."""
+    return "".join(
+        each if each.isprintable() else each.encode("unicode_escape").decode() for each in text
+    )

@@ -1,7 +1,8 @@
-"""Layouts that exist and that a run uses as references: fixed ones, the previous one, another character's, the base.
+"""Layouts that exist and that a run uses as references: fixed ones, the previous one, another
+character's, the base.
 
-Reads their layers and works out what they ask for one character: settings that fix anchors, and a prior layout
-that the stages weigh against every other cost.
+Reads their layers and works out what they ask for one character: settings that fix anchors, and a
+prior layout that the stages weigh against every other cost.
 """
 
 from __future__ import annotations
@@ -18,7 +19,13 @@ from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
 from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.pinned import Pins, pins_of
-from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
+from usdrigui.layout.reuse.prior_layout import (
+    NO_PRIOR,
+    PriorLayout,
+    joined,
+    kept_groups,
+    of_previous,
+)
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
@@ -35,13 +42,16 @@ class ExampleLayers:
     fixed: Path | None = None
     """Its anchors and groups are kept to the point."""
     previous: Path | None = None
-    """Its anchors and groups are kept unless leaving them saves more than ``objective.keep_penalty``."""
+    """Its anchors and groups are kept unless leaving them saves more than
+    ``objective.keep_penalty``."""
     like: Path | None = None
-    """The layout of another character, over that character, to be imitated; not together with `previous`."""
+    """The layout of another character, over that character, to be imitated; not together with
+    `previous`."""
     animations: tuple[Path, ...] = ()
     """Controls that these use often matter more."""
     base: Path | None = None
-    """The asset's own layout, which stays: only controls that it lacks are laid out; not together with the others."""
+    """The asset's own layout, which stays: only controls that it lacks are laid out; not together
+    with the others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,25 +77,36 @@ class Examples:
 def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
     """Read the layers, each in a process of its own.
 
-    Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and everything that
-    reading a layer or an asset can raise.
+    Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and
+    everything that reading a layer or an asset can raise.
     """
     if layers.previous and layers.like:
-        raise refuse("CONFIG_VALUE", "--like", "a layout is either this character's previous one or another's")
+        raise refuse(
+            "CONFIG_VALUE",
+            "--like",
+            "a layout is either this character's previous one or another's",
+        )
     if layers.base and (layers.fixed or layers.previous or layers.like):
-        raise refuse("CONFIG_VALUE", "--base", "keeps everything as it is, and goes with no other layout")
+        raise refuse(
+            "CONFIG_VALUE", "--base", "keeps everything as it is, and goes with no other layout"
+        )
     clips = performances(layers.animations, settings)
     base = read_layouts_isolated(layers.base, settings) if layers.base else None
     fixed = read_layouts_isolated(layers.fixed, settings) if layers.fixed else None
     previous = read_layouts_isolated(layers.previous, settings) if layers.previous else None
     like, theirs = _characters(layers.like, settings) if layers.like else ((), ())
-    sources = (*theirs, *(source for each in (base, fixed, previous) if each for source in each.sources))
+    sources = (
+        *theirs,
+        *(source for each in (base, fixed, previous) if each for source in each.sources),
+    )
     return Examples(_by_root(fixed), _by_root(previous), like, clips, base, sources)
 
 
 def as_sibling(examples: Examples, rig: Rig, first: Layout) -> Examples:
-    """The examples with the layout of another variant of the same character as its earlier one: what both have stands
-    at the same places.  As they are where a layout is given for it already, or the two have no control in common."""
+    """The examples with the layout of another variant of the same character as its earlier one:
+    what both have stands at the same places.  As they are where a layout is given for it already,
+    or the two have no control in common.
+    """
     given = bool(examples.like) or rig.root in examples.fixed or rig.root in examples.previous
     if given or not _shares_controls(first, rig):
         return examples
@@ -93,10 +114,11 @@ def as_sibling(examples: Examples, rig: Rig, first: Layout) -> Examples:
 
 
 def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
-    """The examples with the earlier layout of the one character where that stands at another path now.
+    """The examples with the earlier layout of the one character where that stands at another path
+    now.
 
-    Only where there is one character on either side, with a mesh of the same name below its SkelRoot and a control
-    in common; its rig then says so (PREVIOUS_RENAMED).
+    Only where there is one character on either side, with a mesh of the same name below its
+    SkelRoot and a control in common; its rig then says so (PREVIOUS_RENAMED).
     """
     if len(rigs) != 1 or len(examples.previous) != 1 or rigs[0].root in examples.previous:
         return examples, rigs
@@ -105,15 +127,20 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
     if layout is None:
         return examples, rigs
     renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
-    return replace(examples, previous={rig.root: layout}), (replace(rig, issues=(*rig.issues, renamed)),)
+    return replace(examples, previous={rig.root: layout}), (
+        replace(rig, issues=(*rig.issues, renamed)),
+    )
 
 
 def rigs_over(examples: Examples, rigs: tuple[Rig, ...], settings: Settings) -> tuple[Rig, ...]:
     """The characters to lay out: all, or those with an existing layout.
 
-    Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of them.
+    Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of
+    them.
     """
-    if examples.previous and not any(_can_be_of(examples.previous.get(rig.root), rig, settings) for rig in rigs):
+    if examples.previous and not any(
+        _can_be_of(examples.previous.get(rig.root), rig, settings) for rig in rigs
+    ):
         raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
     if examples.base is None:
         return rigs
@@ -129,15 +156,20 @@ def rigs_over(examples: Examples, rigs: tuple[Rig, ...], settings: Settings) -> 
 
 
 def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
-    """Why none of the earlier layouts can be this character's: it stands elsewhere, or has other controls."""
+    """Why none of the earlier layouts can be this character's: it stands elsewhere, or has other
+    controls."""
     alike = [root for root, layout in previous.items() if _shares_controls(layout, rig)]
     if alike:
-        return f"stands at another path than the character of the layer with its controls, {', '.join(alike)}"
+        return (
+            "stands at another path than the character of the layer with its controls,"
+            f" {', '.join(alike)}"
+        )
     return f"shares no control with a layout of the layer, of {', '.join(previous)}"
 
 
 def _can_be_of(layout: Layout | None, rig: Rig, settings: Settings) -> bool:
-    """Whether a layout can be an earlier one of this character, all of whose controls may have other names now."""
+    """Whether a layout can be an earlier one of this character, all of whose controls may have
+    other names now."""
     if layout is None or _shares_controls(layout, rig):
         return layout is not None
     return bool(match_layout(layout, rig, find_trajectories(rig, settings.trajectories)).names)
@@ -159,17 +191,31 @@ class OwnExamples:
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
 
 
-def own_examples(examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings) -> OwnExamples:
+def own_examples(
+    examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings
+) -> OwnExamples:
     """The examples of one character, their controls matched with those that it has now.
 
-    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed layer has no such
-    character, or none of several characters to imitate has the path of this one.
+    Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
+    layer has no such character, or none of several characters to imitate has the path of this one.
     """
     if examples.fixed and rig.root not in examples.fixed:
-        raise refuse("CONFIG_VALUE", "--fixed", f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}")
+        raise refuse(
+            "CONFIG_VALUE",
+            "--fixed",
+            f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}",
+        )
     earlier = {"fixed": examples.fixed.get(rig.root), "previous": examples.previous.get(rig.root)}
-    found = {which: match_layout(each, rig, trajectories) for which, each in earlier.items() if each is not None}
-    here = {which: with_names(each, found[which].renamed) for which, each in earlier.items() if each is not None}
+    found = {
+        which: match_layout(each, rig, trajectories)
+        for which, each in earlier.items()
+        if each is not None
+    }
+    here = {
+        which: with_names(each, found[which].renamed)
+        for which, each in earlier.items()
+        if each is not None
+    }
     like = _to_imitate(examples, rig, settings)
     if like is not None:
         found["like"] = match_rigs(like[:2], (rig, trajectories), settings.like.names)
@@ -184,21 +230,28 @@ def with_fixed(examples: OwnExamples, rig: Rig, settings: Settings) -> Settings:
     return fixed_by(examples.fixed, rig, settings) if examples.fixed is not None else settings
 
 
-def decisions(examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings) -> Pins:
-    """What a person has decided in the layouts that the new one succeeds; nothing at ``objective.keep_penalty = 0``."""
+def decisions(
+    examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings
+) -> Pins:
+    """What a person has decided in the layouts that the new one succeeds; nothing at
+    ``objective.keep_penalty = 0``."""
     before = examples.previous or examples.fixed
     if before is None or settings.objective.keep_penalty <= 0.0:
         return Pins()
     return pins_of(before, rig, posed(rig, None).points, trajectories)
 
 
-def prior_layout_of(examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings) -> PriorLayout:
+def prior_layout_of(
+    examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings
+) -> PriorLayout:
     """What the examples ask of one character besides fixed anchors."""
     prior = NO_PRIOR
     if examples.like is not None and settings.like.penalty > 0.0:
         other, found, layout = examples.like
         names = {**examples.matchings["like"].names, **settings.like.names}
-        prior = of_another(layout, (other, found), (rig, trajectories), names, settings.like.penalty)
+        prior = of_another(
+            layout, (other, found), (rig, trajectories), names, settings.like.penalty
+        )
     if examples.previous is not None:
         prior = of_previous(examples.previous, rig, settings.objective.keep_penalty)
     if examples.fixed is not None:
@@ -206,28 +259,42 @@ def prior_layout_of(examples: OwnExamples, rig: Rig, trajectories: Trajectories,
     return prior
 
 
-def _to_imitate(examples: Examples, rig: Rig, settings: Settings) -> tuple[Rig, Trajectories, Layout] | None:
+def _to_imitate(
+    examples: Examples, rig: Rig, settings: Settings
+) -> tuple[Rig, Trajectories, Layout] | None:
     if not examples.like:
         return None
     by_root = {other.root: (other, layout) for other, layout in examples.like}
     if rig.root not in by_root and len(by_root) > 1:
-        raise refuse("CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}")
+        raise refuse(
+            "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}"
+        )
     other, layout = by_root.get(rig.root) or examples.like[0]
     _check_names(settings.like.names, other, rig)
     return other, find_trajectories(other, settings.trajectories), layout
 
 
 def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
-    known = {control.name for control in other.controls}, {control.name for control in rig.controls} | {""}
+    known = (
+        {control.name for control in other.controls},
+        {control.name for control in rig.controls} | {""},
+    )
     for theirs, ours in names.items():
         if theirs not in known[0] or ours not in known[1]:
             whose, name = (other.root, theirs) if theirs not in known[0] else (rig.root, ours)
             hint = meant(name, known[0] if theirs not in known[0] else known[1])
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', f"{whose} has no control {name!r}{hint}")
+            raise refuse(
+                "CONFIG_UNKNOWN_CONTROL",
+                f'like.names."{theirs}"',
+                f"{whose} has no control {name!r}{hint}",
+            )
 
 
-def _characters(layer: Path, settings: Settings) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
-    """The characters of a layer to imitate, read without what the configuration says of ours, and their files."""
+def _characters(
+    layer: Path, settings: Settings
+) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
+    """The characters of a layer to imitate, read without what the configuration says of ours, and
+    their files."""
     limits = ReadSettings(
         time_limit=settings.read.time_limit,
         memory_limit=settings.read.memory_limit,

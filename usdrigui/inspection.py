@@ -1,4 +1,5 @@
-"""What `usdrigui inspect` tells: each control's kind, range, coverage, twin and flags, without solving."""
+"""What `usdrigui inspect` tells: each control's kind, range, coverage, twin and flags, without
+solving."""
 
 from __future__ import annotations
 
@@ -70,8 +71,8 @@ class TogetherFacts:
     agreement: float
     """Least weighted Jaccard index of any two of them (pairs of twins taken as one)."""
     suggestion: Literal["group", "pose", ""]
-    """``group``: they share a place, and could share an element. ``pose``: they do not; a coarse control could move
-    them all. Empty where neither can be."""
+    """``group``: they share a place, and could share an element. ``pose``: they do not; a coarse
+    control could move them all. Empty where neither can be."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,9 @@
-"""The Python interface for people: scripts, notebooks, and the Python of an application that has the stage open.
+"""The Python interface for people: scripts, notebooks, and the Python of an application that has
+the stage open.
 
-Everything takes a path, as text or not, a `Usd.Stage` or an `Sdf.Layer`.  Files are read in a process that may be lost;
-what is open already is read as it is, unsaved edits and all, and nothing of it is written or changed.
+Everything takes a path, as text or not, a `Usd.Stage` or an `Sdf.Layer`.  Files are read in a
+process that may be lost; what is open already is read as it is, unsaved edits and all, and nothing
+of it is written or changed.
 """
 
 from __future__ import annotations
@@ -47,18 +49,24 @@ def process(
 ) -> Report:
     """Lay out every character of an asset.
 
-    Of a file the layer is written to `output`, by default ``CHAR.rigui.usda`` beside it.  Of an open stage or layer
-    nothing is written: `Report.layer` is an anonymous `Sdf.Layer`, for its sublayers or its session layer.
+    Of a file the layer is written to `output`, by default ``CHAR.rigui.usda`` beside it.  Of an
+    open stage or layer nothing is written: `Report.layer` is an anonymous `Sdf.Layer`, for its
+    sublayers or its session layer.
 
-    `settings`: by default those of the environment and of ``CHAR.rigui.toml`` beside the file.  `previous`, `fixed`,
-    `like`, `base` and `animations` are the options of the command, for files.  `progress` is called with an `Event`
-    when a stage begins (``seconds`` is None), when it has ended (``seconds`` is what it took), and now and then while
-    it searches (``detail`` tells cost, bound and gap); `stop` is polled meanwhile, and once it is true the best layout
-    so far is taken.  Raises `RigUIError`; then nothing has been written.
+    `settings`: by default those of the environment and of ``CHAR.rigui.toml`` beside the file.
+    `previous`, `fixed`, `like`, `base` and `animations` are the options of the command, for files.
+    `progress` is called with an `Event` when a stage begins (``seconds`` is None), when it has
+    ended (``seconds`` is what it took), and now and then while it searches (``detail`` tells cost,
+    bound and gap); `stop` is polled meanwhile, and once it is true the best layout so far is taken.
+    Raises `RigUIError`; then nothing has been written.
     """
     if not isinstance(asset, (str, Path)):
         if output or previous or fixed or like or base or animations or dry_run:
-            raise refuse("CONFIG_VALUE", "process", "an open stage is laid out in memory: it takes settings alone")
+            raise refuse(
+                "CONFIG_VALUE",
+                "process",
+                "an open stage is laid out in memory: it takes settings alone",
+            )
         return pipeline.process_stage(asset, settings or Settings(), progress=progress, stop=stop)
     path = Path(asset)
     examples = ExampleLayers(
@@ -79,14 +87,22 @@ def process(
     )
 
 
-def inspect(asset: File, settings: Settings | None = None, *, animations: Sequence[File] = ()) -> Inspection:
-    """What the stages before the search find out about an asset; writes nothing.  Raises `RigUIError`."""
+def inspect(
+    asset: File, settings: Settings | None = None, *, animations: Sequence[File] = ()
+) -> Inspection:
+    """What the stages before the search find out about an asset; writes nothing.  Raises
+    `RigUIError`."""
     path = Path(asset)
-    return pipeline.inspect(path, settings or load_beside(path), animations=[Path(each) for each in animations])
+    return pipeline.inspect(
+        path, settings or load_beside(path), animations=[Path(each) for each in animations]
+    )
 
 
-def check(layout: Source, settings: Settings | None = None, *, progress: Watch | None = None) -> LayerReview:
-    """Whether the layouts of a stage still fit their characters, and how good they are.  Raises `RigUIError`."""
+def check(
+    layout: Source, settings: Settings | None = None, *, progress: Watch | None = None
+) -> LayerReview:
+    """Whether the layouts of a stage still fit their characters, and how good they are.  Raises
+    `RigUIError`."""
     if isinstance(layout, (str, Path)):
         path = Path(layout)
         return pipeline.check(path, settings or load_beside(path), progress=progress)
@@ -98,10 +114,12 @@ def diff(before: File, after: File, settings: Settings | None = None) -> LayerDi
     return pipeline.diff(Path(before), Path(after), settings or Settings())
 
 
-def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noqa: A001 (as people expect it: usdrigui.open)
+# The name is what people expect: usdrigui.open().
+def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noqa: A001
     """The layouts of a file, an open stage or a layer, with their characters as it composes them.
 
-    `settings`: by default those of the environment and of the configuration beside the file.  Raises `RigUIError`.
+    `settings`: by default those of the environment and of the configuration beside the file.
+    Raises `RigUIError`.
     """
     if isinstance(layout, (str, Path)):
         path = Path(layout)
@@ -181,10 +199,11 @@ class OpenLayout:
         return tuple(element for _, layout in self.characters for element in layout.elements)
 
     def pose(self, values: Mapping[str, float], root: str = "") -> PosedLayout:
-        """One character at a pose: points (n, 3) of its meshes and its elements there, in the space of its SkelRoot.
+        """One character at a pose: points (n, 3) of its meshes and its elements there, in the space
+        of its SkelRoot.
 
-        `values` by control name, the others at the base pose; `root` names the SkelRoot where there are several.
-        Raises `RigUIError` POSE_CONTROL, POSE_VALUE, SKELROOT_UNKNOWN.
+        `values` by control name, the others at the base pose; `root` names the SkelRoot where there
+        are several. Raises `RigUIError` POSE_CONTROL, POSE_VALUE, SKELROOT_UNKNOWN.
         """
         rig, layout = self._character(root)
         return evaluate(prepare(rig, layout), values_of(rig, values, layout.base_values))
@@ -194,7 +213,9 @@ class OpenLayout:
         from usdrigui.levels import shown
         from usdrigui.view.sheet import sheet_png
 
-        return Image(sheet_png([(rig, shown(layout)) for rig, layout in self.characters], labels=labels))
+        return Image(
+            sheet_png([(rig, shown(layout)) for rig, layout in self.characters], labels=labels)
+        )
 
     def view(self) -> Page:
         """The page that `usdrigui view` shows."""

@@ -1,4 +1,5 @@
-"""The joints of a character as one tree: what hangs on what, what skin each owns, and which chains run side by side.
+"""The joints of a character as one tree: what hangs on what, what skin each owns, and which chains
+run side by side.
 
 What a tree tells is read from where the joints are and what skin hangs on them, never from names.
 """
@@ -28,7 +29,8 @@ _AIM = 0.95
 _AHEAD = 0.5
 """The same for a joint that no other looks at so closely."""
 _STRAIGHT = 8
-"""Power of that cosine by which a distance is divided: the next joint lies straight ahead rather than near."""
+"""Power of that cosine by which a distance is divided: the next joint lies straight ahead rather
+than near."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +65,8 @@ class Tree:
 
     @cached_property
     def parents(self) -> tuple[int, ...]:
-        """As authored; where all joints of a flat skeleton are roots, as they look at each other."""
+        """As authored; where all joints of a flat skeleton are roots, as they look at each
+        other."""
         authored = tuple(joint.parent for joint in self.joints)
         return authored if not self.flat else _looking(self.places, self.frames)
 
@@ -90,14 +93,20 @@ class Tree:
                 parts[joint].append((bound[points[part]], weights[part]))
         empty = (np.zeros((0, 3)), np.zeros(0))
         return tuple(
-            (np.concatenate([p for p, _ in each]), np.concatenate([w for _, w in each])) if each else empty
+            (
+                (np.concatenate([p for p, _ in each]), np.concatenate([w for _, w in each]))
+                if each
+                else empty
+            )
             for each in parts
         )
 
     @cached_property
     def owners(self) -> frozenset[int]:
         """The joints on which skin hangs."""
-        return frozenset(i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > _OWNS)
+        return frozenset(
+            i for i, (_, weights) in enumerate(self.skin) if weights.max(initial=0.0) > _OWNS
+        )
 
     @cached_property
     def depth(self) -> tuple[int, ...]:
@@ -116,13 +125,20 @@ class Tree:
         return order[::-1]
 
     def next(self, joint: int) -> int:
-        """The child that carries the chain on, or -1 at its end; a child without skin ends the last bone."""
+        """The child that carries the chain on, or -1 at its end; a child without skin ends the last
+        bone."""
         children = self.children[joint]
-        length = {child: float(np.linalg.norm(self.places[child] - self.places[joint])) for child in children}
-        return max(children, key=lambda child: (self.depth[child], length[child], -child), default=-1)
+        length = {
+            child: float(np.linalg.norm(self.places[child] - self.places[joint]))
+            for child in children
+        }
+        return max(
+            children, key=lambda child: (self.depth[child], length[child], -child), default=-1
+        )
 
     def chain(self, joint: int) -> tuple[int, ...]:
-        """The joints with skin from `joint` down if they are one chain, with no more than single joints beside it."""
+        """The joints with skin from `joint` down if they are one chain, with no more than single
+        joints beside it."""
         found: list[int] = []
         while joint >= 0 and self.depth[joint]:
             found.append(joint)
@@ -143,7 +159,8 @@ class Tree:
         return unit(self.places[end if end >= 0 else chain[-1]] - self.places[chain[0]])
 
     def bend(self, chain: Sequence[int]) -> Floats:
-        """(3,) sum of the cross products of successive unit bones: the axis about which a chain is bent already."""
+        """(3,) sum of the cross products of successive unit bones: the axis about which a chain is
+        bent already."""
         ends = [*chain, *([self.next(chain[-1])] if self.next(chain[-1]) >= 0 else [])]
         bones = [unit(self.places[b] - self.places[a]) for a, b in pairwise(ends)]
         crosses = [np.cross(a, b) for a, b in pairwise(bones)]
@@ -202,7 +219,9 @@ def on_plane(tree: Tree, joint: int) -> bool:
     if tree.mirror is None:
         return False
     axis, middle = tree.mirror
-    return abs(float(tree.places[joint, axis]) - middle) < _ON_PLANE * float(np.ptp(tree.places, axis=0).max())
+    return abs(float(tree.places[joint, axis]) - middle) < _ON_PLANE * float(
+        np.ptp(tree.places, axis=0).max()
+    )
 
 
 def unit(vector: Floats) -> Floats:
@@ -210,12 +229,13 @@ def unit(vector: Floats) -> Floats:
     return np.asarray(vector / max(float(np.linalg.norm(vector)), 1e-30))
 
 
-# --- flat skeletons ----------------------------------------------------------------------------------
+# --- flat skeletons -------------------------------------------------------------------------------
 
 
 def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
-    """A parent for each joint of a flat skeleton, or -1: the nearest one that looks at it along the axis by which most
-    joints of the skeleton look at another; what is left hangs on a root that has it ahead."""
+    """A parent for each joint of a flat skeleton, or -1: the nearest one that looks at it along the
+    axis by which most joints of the skeleton look at another; what is left hangs on a root that has
+    it ahead."""
     way = places[None] - places[:, None]
     apart = np.linalg.norm(way, axis=2)
     apart[apart == 0.0] = np.inf
@@ -226,16 +246,20 @@ def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
         reach = apart / cosine**_STRAIGHT
         parents = _linked([-1] * len(places), np.where(cosine >= _AIM, reach, np.inf), places)
         whole = _linked(parents, np.where(cosine >= _AHEAD, reach, np.inf), places, roots_only=True)
-        # From its tips to its wrist a hand has as many joints in line; what is left there hangs on no common root.
+        # From its tips to its wrist a hand has as many joints in line; what is left there hangs on
+        # no common root.
         linked = sum(parent >= 0 for parent in (*parents, *whole))
         if linked > most:
             best, most = whole, linked
     return tuple(best)
 
 
-def _linked(parents: list[int], reach: Floats, places: Floats, *, roots_only: bool = False) -> list[int]:
-    """The parents with those added that see a joint without one, at distances `reach` (joints, joints): the nearest
-    pairs first, no joint below itself; `roots_only` joints that have no parent either."""
+def _linked(
+    parents: list[int], reach: Floats, places: Floats, *, roots_only: bool = False
+) -> list[int]:
+    """The parents with those added that see a joint without one, at distances `reach` (joints,
+    joints): the nearest pairs first, no joint below itself; `roots_only` joints that have no parent
+    either."""
     parents = list(parents)
     if not roots_only:
         reach = np.where(reach <= reach.min(axis=1, keepdims=True), reach, np.inf)

@@ -1,7 +1,8 @@
 """Which elements of a layout are visible together: coarse ones first, their members on demand.
 
-With nothing opened every element is visible that is not a member of a coarse one.  Opening a coarse element
-shows its members in its place, and opens the element on the other side of the character with it.
+With nothing opened every element is visible that is not a member of a coarse one.  Opening a coarse
+element shows its members in its place, and opens the element on the other side of the character
+with it.
 """
 
 from __future__ import annotations
@@ -26,11 +27,13 @@ def outer_first(elements: Iterable[Element]) -> tuple[Element, ...]:
 
 
 def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
-    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th coarse one opened,
-    and the last with all of them."""
+    """By name, the states in which an element is visible: 0 with nothing opened, k with the k-th
+    coarse one opened, and the last with all of them."""
     found = tuple(elements)
     opened = [
-        {coarse.name, coarse.mirror} & {each.name for each in found if each.inner} for coarse in found if coarse.inner
+        {coarse.name, coarse.mirror} & {each.name for each in found if each.inner}
+        for coarse in found
+        if coarse.inner
     ]
     return {
         element.name: frozenset(
@@ -43,7 +46,8 @@ def states(elements: Iterable[Element]) -> Mapping[str, frozenset[int]]:
 
 
 def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = False) -> Layout:
-    """The layout with its visible elements only, when the coarse elements named are opened, or all of them.
+    """The layout with its visible elements only, when the coarse elements named are opened, or all
+    of them.
 
     Raises CONFIG_VALUE for a name that no coarse element bears.
     """
@@ -52,18 +56,30 @@ def shown(layout: Layout, opened: Iterable[str] = (), *, everything: bool = Fals
     for name in sorted(names):
         if name not in coarse:
             known = ", ".join(sorted(coarse)) or "none"
-            raise refuse("CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}")
+            raise refuse(
+                "CONFIG_VALUE", "--open", f"{name!r} is no coarse element; there are {known}"
+            )
     names |= {coarse[name].mirror for name in names} & set(coarse)
-    return replace(layout, elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)))
+    return replace(
+        layout,
+        elements=tuple(e for e in layout.elements if _is_visible(e.name, layout.elements, names)),
+    )
 
 
-def shown_of_all(layouts: Iterable[Layout], opened: Iterable[str], *, everything: bool = False) -> tuple[Layout, ...]:
-    """`shown` for several characters, each name being that of a coarse element of one of them at least."""
+def shown_of_all(
+    layouts: Iterable[Layout], opened: Iterable[str], *, everything: bool = False
+) -> tuple[Layout, ...]:
+    """`shown` for several characters, each name being that of a coarse element of one of them at
+    least."""
     found, names = tuple(layouts), set(opened)
-    coarse = [names & {element.name for element in layout.elements if element.inner} for layout in found]
+    coarse = [
+        names & {element.name for element in layout.elements if element.inner} for layout in found
+    ]
     for name in sorted(names.difference(*coarse)):
         shown(found[0], [name])
-    return tuple(shown(each, own, everything=everything) for each, own in zip(found, coarse, strict=True))
+    return tuple(
+        shown(each, own, everything=everything) for each, own in zip(found, coarse, strict=True)
+    )
 
 
 def _is_visible(name: str, elements: tuple[Element, ...], opened: set[str]) -> bool:

@@ -14,8 +14,8 @@ _SPACES = {"\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}
 def markup(text: str) -> str:
     """`text` as the content of an element or of an attribute in double quotes.
 
-    What markup reserves is escaped and comes back when it is read; characters that XML forbids are spelt out, as
-    `usdrigui.errors.visible` does for terminals.
+    What markup reserves is escaped and comes back when it is read; characters that XML forbids are
+    spelt out, as `usdrigui.errors.visible` does for terminals.
     """
     legal = _FORBIDDEN.sub(lambda found: found.group().encode("unicode_escape").decode(), text)
     return "".join(_SPACES.get(each, each) for each in html.escape(legal))

@@ -1,7 +1,8 @@
-"""The overlap of elements: distance, cost and the objective itself (paper section 4.1, eq. 1 and 2).
+"""The overlap of elements: distance, cost and the objective itself (paper section 4.1, eq. 1 and
+2).
 
-Stands on the ground floor because both the stages that build a `LayoutProblem` and those that solve it
-must agree on it to the last bit.  numpy only.
+Stands on the ground floor because both the stages that build a `LayoutProblem` and those that solve
+it must agree on it to the last bit.  numpy only.
 """
 
 from __future__ import annotations
@@ -29,19 +30,21 @@ def overlap_cost(distance: ArrayLike, overlap: Overlap) -> Floats:
 def element_distance(first: Floats, second: Floats) -> Floats:
     """Mean, over both sample sets, of the distance to the nearest sample of the other set.
 
-    Parameters: ``(..., u, 3)`` and ``(..., v, 3)`` sample positions, broadcast over the leading axes.
-    Returns: ``(...)`` distances in the samples' units (paper section 4.1, dist(x_r, x_s)).
+    Parameters: ``(..., u, 3)`` and ``(..., v, 3)`` sample positions, broadcast over the leading
+    axes. Returns: ``(...)`` distances in the samples' units (paper section 4.1, dist(x_r, x_s)).
     """
     apart = np.sqrt(np.square(first[..., :, None, :] - second[..., None, :, :]).sum(axis=-1))
     nearest = apart.min(axis=-1).sum(axis=-1) + apart.min(axis=-2).sum(axis=-1)
     return np.asarray(nearest / (apart.shape[-1] + apart.shape[-2]), dtype=np.float64)
 
 
-def pair_costs(problem: LayoutProblem, a: int, b: int, first: ArrayLike, second: ArrayLike) -> Floats:
+def pair_costs(
+    problem: LayoutProblem, a: int, b: int, first: ArrayLike, second: ArrayLike
+) -> Floats:
     """Cost of label pairs ``(first[i], second[i])`` of variables `a` and `b`, without `extra`.
 
-    Returns ``(q,)`` costs; +inf where two handles are nearer than the separation, 0 where a label is -1 or
-    the two elements are never visible together.
+    Returns ``(q,)`` costs; +inf where two handles are nearer than the separation, 0 where a label
+    is -1 or the two elements are never visible together.
     """
     one, other = np.asarray(first, dtype=np.int64), np.asarray(second, dtype=np.int64)
     cost = np.zeros(len(one))
@@ -58,14 +61,16 @@ def pair_costs(problem: LayoutProblem, a: int, b: int, first: ArrayLike, second:
 def own_costs(samples: Floats, handles: Floats, overlap: Overlap, separation: float) -> Floats:
     """Overlap of an element with its own mirror images, to be part of its linear cost.
 
-    `samples` (R, copies, u, 3), `handles` (R, copies, 3).  Returns ``(R,)`` weighted costs, +inf where
-    two copies' handles are nearer than the separation: such a candidate must be dropped.
+    `samples` (R, copies, u, 3), `handles` (R, copies, 3).  Returns ``(R,)`` weighted costs, +inf
+    where two copies' handles are nearer than the separation: such a candidate must be dropped.
     """
     copies = samples.shape[1]
     cost = np.zeros(len(samples))
     for i in range(copies):
         for j in range(i + 1, copies):
-            cost += overlap.weight * overlap_cost(element_distance(samples[:, i], samples[:, j]), overlap)
+            cost += overlap.weight * overlap_cost(
+                element_distance(samples[:, i], samples[:, j]), overlap
+            )
             cost[np.linalg.norm(handles[:, i] - handles[:, j], axis=-1) < separation] = np.inf
     return cost
 
@@ -82,23 +87,33 @@ def total_cost(problem: LayoutProblem, labels: ArrayLike) -> float:
         for b in range(a + 1, count):
             cost += float(pair_costs(problem, a, b, chosen[a : a + 1], chosen[b : b + 1])[0])
     for extra in problem.extra:
-        hit = (extra.first_labels == chosen[extra.first]) & (extra.second_labels == chosen[extra.second])
+        hit = (extra.first_labels == chosen[extra.first]) & (
+            extra.second_labels == chosen[extra.second]
+        )
         cost += float(extra.costs[hit].sum())
     return float(cost)
 
 
 def _fall(z: Floats, overlap: Overlap) -> Floats:
     """1 / (1 + exp(sharpness (z - radius))), without overflow."""
-    return np.asarray(0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))), dtype=np.float64)
+    return np.asarray(
+        0.5 * (1.0 - np.tanh(0.5 * overlap.sharpness * (z - overlap.radius))), dtype=np.float64
+    )
 
 
-def _on_face_costs(problem: LayoutProblem, a: Variable, b: Variable, first: Indices, second: Indices) -> Floats:
+def _on_face_costs(
+    problem: LayoutProblem, a: Variable, b: Variable, first: Indices, second: Indices
+) -> Floats:
     overlap = problem.overlap
     a_samples, b_samples = a.samples[first], b.samples[second]
     a_handles, b_handles = a.handles[first], b.handles[second]
     cost = np.zeros(len(a_samples))
     for i in range(a_samples.shape[1]):
         for j in range(b_samples.shape[1]):
-            cost += overlap.weight * overlap_cost(element_distance(a_samples[:, i], b_samples[:, j]), overlap)
-            cost[np.linalg.norm(a_handles[:, i] - b_handles[:, j], axis=-1) < problem.separation] = np.inf
+            cost += overlap.weight * overlap_cost(
+                element_distance(a_samples[:, i], b_samples[:, j]), overlap
+            )
+            cost[
+                np.linalg.norm(a_handles[:, i] - b_handles[:, j], axis=-1) < problem.separation
+            ] = np.inf
     return cost

@@ -1,8 +1,8 @@
 """Colours of the character's sides, for the layer, pictures and pages alike.
 
-Near to those that studios use; the character's own left and right.  Chosen by measure: apart from skin and from each
-other for every kind of colour vision (docs/decisions/114).  viewer/src/overlay.js and the Blender extension have the
-same.
+Near to those that studios use; the character's own left and right.  Chosen by measure: apart from
+skin and from each other for every kind of colour vision (docs/decisions/114).
+viewer/src/overlay.js and the Blender extension have the same.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ BOARD: Colour = SIDES["none"]
 
 
 def linear(side: Side) -> tuple[float, float, float]:
-    """The colour of a side in linear light, 0 to 1, to four digits: what `primvars:displayColor` holds."""
+    """The colour of a side in linear light, 0 to 1, to four digits: what `primvars:displayColor`
+    holds."""
     red, green, blue = (round(_decoded(part / 255.0), 4) for part in SIDES[side])
     return red, green, blue
 

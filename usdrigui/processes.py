@@ -1,4 +1,5 @@
-"""Processes of ours that may crash, hang or take too much: how they start, end and are bounded, and what an end means.
+"""Processes of ours that may crash, hang or take too much: how they start, end and are bounded, and
+what an end means.
 
 Both use it: the supervisor of a command (`usdrigui.supervision`) and the reader process of a host
 (`usdrigui.usd.reader_process`).  Nothing here imports more than the standard library.
@@ -69,13 +70,19 @@ def reading_failed(end: End, reading: Reading) -> RigUIError:
     if end.late or end.code == -getattr(signal, "SIGALRM", 0):
         return refuse("SOURCE_TIME_LIMIT", path, f"was not read within {reading.seconds:g} s")
     if end.starved(reading.memory):
-        return refuse("SOURCE_MEMORY_LIMIT", path, f"needs more than {reading.memory} MiB to be read")
+        return refuse(
+            "SOURCE_MEMORY_LIMIT", path, f"needs more than {reading.memory} MiB to be read"
+        )
     if end.code == -getattr(signal, "SIGKILL", 0):
         return refuse("SOURCE_READER_LOST", path, "the reading process was killed from outside")
     if end.code < 0:
         return refuse("SOURCE_CRASHES_USD", path, f"USD crashed ({signal_name(-end.code)})")
     if end.code > 0:
-        return refuse("SOURCE_READER_LOST", path, f"the reading process ended with code {end.code}: {end.last_line}")
+        return refuse(
+            "SOURCE_READER_LOST",
+            path,
+            f"the reading process ended with code {end.code}: {end.last_line}",
+        )
     return refuse("SOURCE_CRASHES_USD", path, "what USD made of it cannot be understood")
 
 
@@ -87,11 +94,12 @@ def signal_name(number: int) -> str:
         return f"signal {number}"
 
 
-# --- starting and ending -----------------------------------------------------------------------------
+# --- starting and ending --------------------------------------------------------------------------
 
 
 def environment(**own: str) -> dict[str, str]:
-    """The environment of a process of ours: this one's, our module path, `own`, and few threads of USD.
+    """The environment of a process of ours: this one's, our module path, `own`, and few threads of
+    USD.
 
     With positional reads a crate file that shrinks under us is an error instead of a bus error.
     """
@@ -100,12 +108,18 @@ def environment(**own: str) -> dict[str, str]:
         "USDC_USE_PREAD": "1",
         "MALLOC_ARENA_MAX": "2",
     }
-    return {"PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)), **os.environ, **always, **own}
+    return {
+        "PXR_WORK_THREAD_LIMIT": str(min(4, os.cpu_count() or 1)),
+        **os.environ,
+        **always,
+        **own,
+    }
 
 
 @contextlib.contextmanager
 def signals_later() -> Iterator[None]:
-    """A signal between the start of a process and its being watched would leave it behind: it comes after."""
+    """A signal between the start of a process and its being watched would leave it behind: it comes
+    after."""
     came: list[int] = []
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -153,7 +167,8 @@ class Printed:
 
 
 def kill(process: subprocess.Popen[bytes], *, group: bool = False) -> None:
-    """End a process that nobody has waited for yet, so that `reaped` still finds it; `group`: with all its group."""
+    """End a process that nobody has waited for yet, so that `reaped` still finds it; `group`: with
+    all its group."""
     with contextlib.suppress(OSError):
         if sys.platform == "win32":
             process.kill()
@@ -171,7 +186,8 @@ def reaped(process: subprocess.Popen[bytes]) -> tuple[int, int]:
 
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    # Until it loads its own program a process counts as its parent, so a smaller figure says nothing.
+    # Until it loads its own program a process counts as its parent, so a smaller figure says
+    # nothing.
     own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     per_mib = 1 << 20 if sys.platform == "darwin" else 1 << 10
     return process.returncode, usage.ru_maxrss // per_mib if usage.ru_maxrss > own else 0
@@ -189,7 +205,7 @@ def bind_to(parent: int) -> None:
         os._exit(int(Exit.LIMIT))
 
 
-# --- bounds of this process --------------------------------------------------------------------------
+# --- bounds of this process -----------------------------------------------------------------------
 
 
 def own_memory() -> int:
@@ -201,7 +217,8 @@ def own_memory() -> int:
 
 
 def lower(kind: int, soft: int, hard: int | None = None) -> None:
-    """Lower a limit of this process for good, as far as the system lets us; `hard` is `soft` unless given."""
+    """Lower a limit of this process for good, as far as the system lets us; `hard` is `soft` unless
+    given."""
     import resource
 
     _, highest = resource.getrlimit(kind)
@@ -212,7 +229,8 @@ def lower(kind: int, soft: int, hard: int | None = None) -> None:
 
 
 def limit_memory(memory: int) -> int:
-    """Let this process have `memory` MiB more than it has, for good; bytes that it may have then."""
+    """Let this process have `memory` MiB more than it has, for good; bytes that it may have
+    then."""
     data = own_memory() + (memory << 20)
     if sys.platform != "win32":
         import resource
@@ -223,7 +241,8 @@ def limit_memory(memory: int) -> int:
 
 
 _offline: set[str] = set()
-"""Holds a word while this process may open no connection and start no program; empty before the first time."""
+"""Holds a word while this process may open no connection and start no program; empty before the
+first time."""
 
 
 def stay_offline() -> None:
@@ -240,7 +259,8 @@ def _refuse_connections(event: str, _: tuple[Any, ...]) -> None:
 
 @contextlib.contextmanager
 def bounded(memory: int) -> Iterator[None]:
-    """For a while this process may take `memory` MiB more than it has, no file may grow, and it stays offline."""
+    """For a while this process may take `memory` MiB more than it has, no file may grow, and it
+    stays offline."""
     stay_offline()
     try:
         with _limited(memory):
@@ -257,7 +277,11 @@ def _limited(memory: int) -> Iterator[None]:
     import resource
 
     data = own_memory() + (memory << 20)
-    wanted = {resource.RLIMIT_DATA: data, resource.RLIMIT_AS: data + _ADDRESSES, resource.RLIMIT_FSIZE: 0}
+    wanted = {
+        resource.RLIMIT_DATA: data,
+        resource.RLIMIT_AS: data + _ADDRESSES,
+        resource.RLIMIT_FSIZE: 0,
+    }
     before = {kind: resource.getrlimit(kind) for kind in wanted}
     try:
         for kind, (soft, hard) in before.items():

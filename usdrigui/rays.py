@@ -1,11 +1,13 @@
-"""Parallel rays against a triangle soup: what is seen from a direction, and what lies in front of it.
+"""Parallel rays against a triangle soup: what is seen from a direction, and what lies in front of
+it.
 
-Views are orthographic: a *direction* ``toward`` points from the face to the viewer, and all rays of one
-call share it.  Two ways to cast stand behind one `Caster`: Embree, where the optional package `embreex`
-is installed, and `GridCaster` in numpy alone.  Both are exact up to rounding and deterministic.  The
-fall-back computes in double precision where Embree computes in single, so they may differ for rays that
-graze an edge or start within rounding of a surface; and it prepares one grid per call and tests pairs in
-numpy, which makes it some twenty times slower.  numpy only, apart from the optional import.
+Views are orthographic: a *direction* ``toward`` points from the face to the viewer, and all rays of
+one call share it.  Two ways to cast stand behind one `Caster`: Embree, where the optional package
+`embreex` is installed, and `GridCaster` in numpy alone.  Both are exact up to rounding and
+deterministic.  The fall-back computes in double precision where Embree computes in single, so they
+may differ for rays that graze an edge or start within rounding of a surface; and it prepares one
+grid per call and tests pairs in numpy, which makes it some twenty times slower.  numpy only, apart
+from the optional import.
 """
 
 from __future__ import annotations
@@ -22,11 +24,12 @@ from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.ties import axis_across
 
 OFFSET = 1e-4
-"""How far rays start from the surface, as a share of the soup's diagonal: above the rounding of single
-precision by three orders, below the thickness of an eyelid."""
+"""How far rays start from the surface, as a share of the soup's diagonal: above the rounding of
+single precision by three orders, below the thickness of an eyelid."""
 
 _PAIRS = 200_000
-"""Ray and triangle pairs that `GridCaster` tests at a time: more bring nothing and leave the cache."""
+"""Ray and triangle pairs that `GridCaster` tests at a time: more bring nothing and leave the
+cache."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,14 +53,15 @@ class Caster(Protocol):
         """Diagonal of the soup's bounding box."""
 
     def first_hits(self, origins: Floats, direction: Floats) -> Hits:
-        """Nearest triangle at a positive distance from ``origins`` (n, 3) along ``direction`` (3,)."""
+        """Nearest triangle at a positive distance from ``origins`` (n, 3) along ``direction``
+        (3,)."""
 
 
 def make_caster(triangles: Floats, method: Literal["auto", "embree", "grid"] = "auto") -> Caster:
     """A caster for ``triangles`` (t, 3, 3); ``auto`` takes Embree where it is installed.
 
-    Raises RigUIError EXTRA_MISSING when Embree is asked for and absent; ValueError for a wrong shape or
-    positions that are not finite.
+    Raises RigUIError EXTRA_MISSING when Embree is asked for and absent; ValueError for a wrong
+    shape or positions that are not finite.
     """
     soup = np.asarray(triangles, dtype=np.float64)
     if soup.ndim != 3 or soup.shape[1:] != (3, 3):
@@ -73,11 +77,12 @@ def make_caster(triangles: Floats, method: Literal["auto", "embree", "grid"] = "
 
 
 def visible_from(caster: Caster, points: Floats, normals: Floats, toward: Floats) -> Flags:
-    """(n,) whether surface points can be seen from an orthographic viewer in the direction `toward`.
+    """(n,) whether surface points can be seen from an orthographic viewer in the direction
+    `toward`.
 
-    A point is visible when its unit normal looks to the viewer and nothing lies in between.  Rays start a
-    little outside the surface (`OFFSET`).  Points with a zero normal are judged by the ray alone.
-    ``points`` and ``normals`` are (n, 3), ``toward`` (3,) of any length.
+    A point is visible when its unit normal looks to the viewer and nothing lies in between.  Rays
+    start a little outside the surface (`OFFSET`).  Points with a zero normal are judged by the ray
+    alone. ``points`` and ``normals`` are (n, 3), ``toward`` (3,) of any length.
     """
     direction = _unit(toward)
     facing = normals @ direction
@@ -88,16 +93,19 @@ def visible_from(caster: Caster, points: Floats, normals: Floats, toward: Floats
 
 
 def blocked(caster: Caster, origins: Floats, direction: Floats) -> Flags:
-    """(n,) whether anything lies on the rays from exactly ``origins`` (n, 3) along ``direction`` (3,)."""
+    """(n,) whether anything lies on the rays from exactly ``origins`` (n, 3) along ``direction``
+    (3,)."""
     return np.asarray(caster.first_hits(origins, direction).triangle >= 0)
 
 
 def hidden_share(caster: Caster, polylines: Floats, normals: Floats, toward: Floats) -> Floats:
-    """(p,) share of each polyline's points that lie inside or behind the surface, seen from `toward`.
+    """(p,) share of each polyline's points that lie inside or behind the surface, seen from
+    `toward`.
 
-    ``polylines`` (p, k, 3) are trajectories of surface points with unit ``normals`` (p, 3) at rest: a
-    point of the path counts as hidden when the soup lies between it and the viewer, whichever way the
-    surface itself faces.  Paths are lifted off the surface by `OFFSET` like the points of `visible_from`.
+    ``polylines`` (p, k, 3) are trajectories of surface points with unit ``normals`` (p, 3) at rest:
+    a point of the path counts as hidden when the soup lies between it and the viewer, whichever way
+    the surface itself faces.  Paths are lifted off the surface by `OFFSET` like the points of
+    `visible_from`.
     """
     direction = _unit(toward)
     count, steps = polylines.shape[:2]
@@ -108,7 +116,8 @@ def hidden_share(caster: Caster, polylines: Floats, normals: Floats, toward: Flo
 
 @dataclass(frozen=True, eq=False)
 class GridCaster(Record):
-    """Exact ray casting without Embree: triangles are binned in a grid across the rays' direction."""
+    """Exact ray casting without Embree: triangles are binned in a grid across the rays'
+    direction."""
 
     triangles: Floats
     """(t, 3, 3)."""
@@ -139,7 +148,8 @@ class _Flat:
 
     corners: Floats
     planes: Floats
-    """(t, 3, 3) coefficients of x, y and 1 that give the second and third barycentric weight, and z."""
+    """(t, 3, 3) coefficients of x, y and 1 that give the second and third barycentric weight, and
+    z."""
     index: Indices
 
 
@@ -172,11 +182,13 @@ def _facing(corners: Floats) -> _Flat:
 
 
 def _binned(flat: _Flat, rays: Floats) -> _Grid:
-    """Bin the triangles that can meet a ray: one to four cells for each, as there are rays to make use of them."""
+    """Bin the triangles that can meet a ray: one to four cells for each, as there are rays to make
+    use of them."""
     low, high = rays[:, :2].min(axis=0), rays[:, :2].max(axis=0)
     least, most = flat.corners[:, :, :2].min(axis=1), flat.corners[:, :, :2].max(axis=1)
     near = np.flatnonzero(
-        ((most >= low) & (least <= high)).all(axis=1) & (flat.corners[:, :, 2].max(axis=1) > rays[:, 2].min())
+        ((most >= low) & (least <= high)).all(axis=1)
+        & (flat.corners[:, :, 2].max(axis=1) > rays[:, 2].min())
     )
     span = np.maximum(high - low, 1e-9 * max(float((high - low).max()), 1e-30))
     wanted = max(len(near), min(4 * len(near), len(rays)), 1)
@@ -201,7 +213,8 @@ def _binned(flat: _Flat, rays: Floats) -> _Grid:
 
 
 def _pairs(grid: _Grid) -> Iterator[tuple[Indices, Indices]]:
-    """Yield (ray, member) index arrays, at most about `_PAIRS` at a time, rays ascending within each."""
+    """Yield (ray, member) index arrays, at most about `_PAIRS` at a time, rays ascending within
+    each."""
     count = grid.starts[grid.cell + 1] - grid.starts[grid.cell]
     chunk = np.cumsum(count) // _PAIRS
     for rays in np.split(np.arange(len(count)), np.flatnonzero(np.diff(chunk)) + 1):
@@ -211,7 +224,8 @@ def _pairs(grid: _Grid) -> Iterator[tuple[Indices, Indices]]:
 
 
 def _meetings(planes: Floats, rays: Floats) -> tuple[Indices, Floats]:
-    """Which pairs of triangle and ray meet ahead of the ray's start, and at what distance along +z."""
+    """Which pairs of triangle and ray meet ahead of the ray's start, and at what distance along
+    +z."""
     x, y = rays[:, 0], rays[:, 1]
     second = planes[:, 0, 0] * x + planes[:, 0, 1] * y + planes[:, 0, 2]
     third = planes[:, 1, 0] * x + planes[:, 1, 1] * y + planes[:, 1, 2]
@@ -222,8 +236,11 @@ def _meetings(planes: Floats, rays: Floats) -> tuple[Indices, Floats]:
     return within[ahead], apart[ahead]
 
 
-def _keep_nearest(triangle: Indices, distance: Floats, ray: Indices, candidate: Indices, apart: Floats) -> None:
-    """Update `triangle` and `distance` (in place) by the nearest candidate of each ray; rays come once, ascending."""
+def _keep_nearest(
+    triangle: Indices, distance: Floats, ray: Indices, candidate: Indices, apart: Floats
+) -> None:
+    """Update `triangle` and `distance` (in place) by the nearest candidate of each ray; rays come
+    once, ascending."""
     order = np.lexsort((candidate, apart, ray))
     first = order[np.diff(ray[order], prepend=-1) > 0]
     triangle[ray[first]] = candidate[first]
@@ -233,11 +250,14 @@ def _keep_nearest(triangle: Indices, distance: Floats, ray: Indices, candidate: 
 def _ranks(count: Indices) -> Indices:
     """0, 1, ... count - 1 for each entry of `count`, one after the other."""
     ends = np.cumsum(count)
-    return np.asarray(np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - count, count), dtype=np.int64)
+    return np.asarray(
+        np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - count, count), dtype=np.int64
+    )
 
 
 class _EmbreeCaster:
-    """Embree by way of embreex.  Positions are centred and scaled first: it computes in single precision."""
+    """Embree by way of embreex.  Positions are centred and scaled first: it computes in single
+    precision."""
 
     def __init__(self, soup: Floats) -> None:
         from embreex.mesh_construction import TriangleMesh
@@ -247,16 +267,23 @@ class _EmbreeCaster:
         self._centre: Floats = 0.5 * (soup.min(axis=(0, 1)) + soup.max(axis=(0, 1)))
         self._scale = 1.0 / max(self.size, 1e-30)
         self._scene = EmbreeScene()
-        self._mesh = TriangleMesh(self._scene, ((soup - self._centre) * self._scale).astype(np.float32))
+        self._mesh = TriangleMesh(
+            self._scene, ((soup - self._centre) * self._scale).astype(np.float32)
+        )
 
     def first_hits(self, origins: Floats, direction: Floats) -> Hits:
         if not len(origins):
             return Hits(np.empty(0, dtype=np.int64), np.empty(0))
         starts = ((origins - self._centre) * self._scale).astype(np.float32)
-        along = np.ascontiguousarray(np.broadcast_to(_unit(direction).astype(np.float32), starts.shape))
+        along = np.ascontiguousarray(
+            np.broadcast_to(_unit(direction).astype(np.float32), starts.shape)
+        )
         found = self._scene.run(starts, along, output=True)
         triangle = found["primID"].astype(np.int64)
-        return Hits(triangle, np.where(triangle >= 0, found["tfar"].astype(np.float64) / self._scale, np.inf))
+        return Hits(
+            triangle,
+            np.where(triangle >= 0, found["tfar"].astype(np.float64) / self._scale, np.inf),
+        )
 
 
 def _lifted(caster: Caster, points: Floats, normals: Floats, direction: Floats) -> Floats:

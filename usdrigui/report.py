@@ -1,7 +1,7 @@
 """The account of a run: what became of every control, at what cost, proven how well, in what time.
 
-`Report` is what `usdrigui.process` returns; `to_json` is the document that `--report` and `--json` write,
-described in docs/report.md.  Timings are the only part that differs between identical runs.
+`Report` is what `usdrigui.process` returns; `to_json` is the document that `--report` and `--json`
+write, described in docs/report.md.  Timings are the only part that differs between identical runs.
 """
 
 from __future__ import annotations
@@ -41,7 +41,8 @@ class ControlRow:
     reason: str
     """Why it is not on the face, or why it shares an element."""
     explained_by: tuple[tuple[str, float], ...] = ()
-    """Controls that do together what it does, and how far each goes; empty for one that stands for itself."""
+    """Controls that do together what it does, and how far each goes; empty for one that stands for
+    itself."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,11 +74,14 @@ class CharacterReport:
     notes: tuple[LeftOff, ...] = ()
     """What the stages say about controls that are laid out all the same (tiny, duplicate...)."""
     difference: Any = None
-    """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was given."""
+    """`usdrigui.layout.review.difference.Difference` from the previous layout, where one was
+    given."""
     added: frozenset[str] = frozenset()
-    """Names of the elements that this run placed: all, but for those that stand in the layer of `--base`."""
+    """Names of the elements that this run placed: all, but for those that stand in the layer of
+    `--base`."""
     matchings: Mapping[str, Any] = field(default_factory=dict)
-    """`usdrigui.layout.reuse.identity.Matching` by the layout that was given: ``fixed``, ``previous``, ``like``."""
+    """`usdrigui.layout.reuse.identity.Matching` by the layout that was given: ``fixed``,
+    ``previous``, ``like``."""
     parts: tuple[PartRow, ...] = ()
     """In the order in which they were laid out; `assignment` holds their sums."""
 
@@ -86,23 +90,29 @@ class CharacterReport:
         return sum(row.place == place for row in self.rows)
 
     def __repr__(self) -> str:
-        return f"<CharacterReport {self.root}: {len(self.rows)} controls, {len(self.layout.elements)} elements>"
+        return (
+            f"<CharacterReport {self.root}: {len(self.rows)} controls, {len(self.layout.elements)}"
+            " elements>"
+        )
 
     @property
     def explanations(self) -> nx.DiGraph:
-        """Which controls explain which: an edge from a composite to each of its parts, `amount` saying how far that
-        goes.  Acyclic; it ends at controls that stand for themselves."""
+        """Which controls explain which: an edge from a composite to each of its parts, `amount`
+        saying how far that goes.  Acyclic; it ends at controls that stand for themselves."""
         import networkx as nx
 
         graph = nx.DiGraph()
         graph.add_nodes_from(row.control for row in self.rows)
         for row in self.rows:
-            graph.add_edges_from((row.control, part, {"amount": amount}) for part, amount in row.explained_by)
+            graph.add_edges_from(
+                (row.control, part, {"amount": amount}) for part, amount in row.explained_by
+            )
         return graph
 
     @property
     def kept(self) -> float:
-        """Mean share of their peak displacement that the controls on the face keep; nan if there are none."""
+        """Mean share of their peak displacement that the controls on the face keep; nan if there
+        are none."""
         shares = [row.kept for row in self.rows if row.place == "face" and math.isfinite(row.kept)]
         return sum(shares) / len(shares) if shares else math.nan
 
@@ -134,11 +144,13 @@ class Report:
     sources: tuple[SourceRow, ...] = ()
     """The asset first."""
     layer: Any = None
-    """`pxr.Sdf.Layer` with the layout of a stage that was laid out in memory; None where a file was."""
+    """`pxr.Sdf.Layer` with the layout of a stage that was laid out in memory; None where a file
+    was."""
 
     def __repr__(self) -> str:
         told = (
-            f"{each.root}: {each.count('face')} of {len(each.rows)} controls on the face" for each in self.characters
+            f"{each.root}: {each.count('face')} of {len(each.rows)} controls on the face"
+            for each in self.characters
         )
         where = f" {self.output}" if self.output else ""
         return f"<Report {self.outcome}{where}: {'; '.join(told)}; {len(self.issues)} issues>"
@@ -147,7 +159,8 @@ class Report:
         """For notebooks: a table of the controls of every character, and the issues."""
         tables = "".join(_html_table(each) for each in self.characters)
         issues = "".join(
-            f"<li>{markup(f'{each.severity}: {each.code} {each.path} {each.message}')}</li>" for each in self.issues
+            f"<li>{markup(f'{each.severity}: {each.code} {each.path} {each.message}')}</li>"
+            for each in self.issues
         )
         return f"<p>{markup(repr(self)[1:-1])}</p>{tables}<ul>{issues}</ul>"
 
@@ -158,13 +171,17 @@ class Report:
 
 
 def _html_table(character: CharacterReport) -> str:
-    head = "".join(f"<th>{name}</th>" for name in ("control", "place", "element", "displacement", "why"))
+    head = "".join(
+        f"<th>{name}</th>" for name in ("control", "place", "element", "displacement", "why")
+    )
     rows = []
     for row in character.rows:
         kept = f"{row.kept:.0%}" if math.isfinite(row.kept) else ""
         cells = (row.control, row.place, row.element, kept, row.reason)
         rows.append("<tr>" + "".join(f"<td>{markup(each)}</td>" for each in cells) + "</tr>")
-    return f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
+    return (
+        f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
+    )
 
 
 def rows_of(
@@ -174,8 +191,8 @@ def rows_of(
     twins: Mapping[str, str],
     explained_by: Mapping[str, tuple[tuple[str, float], ...]],
 ) -> tuple[ControlRow, ...]:
-    """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls that do together what
-    one does, by control name."""
+    """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls
+    that do together what one does, by control name."""
     carried = {member.control: (element, member.arc_length) for element, member in _members(layout)}
     reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
     rows = []
@@ -190,24 +207,36 @@ def rows_of(
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")
         others = explained_by.get(control.name, ())
-        rows.append(ControlRow(control.name, control.kind, place, element_name, twin, kept, reason, others))
-    rows += [ControlRow(name, "", "left off", "", "", math.nan, reason) for name, reason in reasons.items()]
+        rows.append(
+            ControlRow(control.name, control.kind, place, element_name, twin, kept, reason, others)
+        )
+    rows += [
+        ControlRow(name, "", "left off", "", "", math.nan, reason)
+        for name, reason in reasons.items()
+    ]
     return tuple(rows)
 
 
 def to_json(report: Report) -> str:
     """The report as a JSON document (UTF-8, two-space indent, no NaN)."""
-    return json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return (
+        json.dumps(_finite(_document(report)), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    )
 
 
 def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Sequence[Issue]) -> str:
-    """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review) pairs."""
+    """The outcome of `usdrigui check` as a JSON document; `characters` are (prim path, review)
+    pairs."""
     document = {
         "format": "usdrigui.review",
         "version": VERSION,
         "layer": layer,
         "characters": [
-            {"root": root, "cost": review.cost, "elements": [asdict(each) for each in review.elements]}
+            {
+                "root": root,
+                "cost": review.cost,
+                "elements": [asdict(each) for each in review.elements],
+            }
             for root, review in characters
         ],
         "issues": [asdict(each) for each in issues],
@@ -215,8 +244,11 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
     return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def difference_json(before: str, after: str, found: Sequence[Any], only_in_one: Sequence[str]) -> str:
-    """The outcome of `usdrigui diff` as a JSON document; `found` are `usdrigui.layout.review.difference` records."""
+def difference_json(
+    before: str, after: str, found: Sequence[Any], only_in_one: Sequence[str]
+) -> str:
+    """The outcome of `usdrigui diff` as a JSON document; `found` are
+    `usdrigui.layout.review.difference` records."""
     document = {
         "format": "usdrigui.difference",
         "version": VERSION,
@@ -231,12 +263,18 @@ def difference_json(before: str, after: str, found: Sequence[Any], only_in_one: 
 
 def _difference(found: Any) -> dict[str, Any]:
     changes = [asdict(change) for change in found.changes]
-    counts = {"shared": found.shared, "displaced": len(found.displaced), "renamed": len(found.renamed)}
+    counts = {
+        "shared": found.shared,
+        "displaced": len(found.displaced),
+        "renamed": len(found.renamed),
+    }
     return {"root": found.root, **counts, "changes": changes}
 
 
 def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
-    for element in reversed(outer_first(layout.elements)):  # what a control has on the first level counts
+    for element in reversed(
+        outer_first(layout.elements)
+    ):  # what a control has on the first level counts
         for member in element.members:
             yield element, member
 
@@ -267,21 +305,33 @@ def _character(character: CharacterReport) -> dict[str, Any]:
         "controls": [_row(row) for row in character.rows],
         "counts": {place: character.count(place) for place in ("face", "board", "left off")},
         "displacement_kept": character.kept,
-        "elements": [_element(element, element.name not in character.added) for element in layout.elements],
-        "notes": [{"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes],
+        "elements": [
+            _element(element, element.name not in character.added) for element in layout.elements
+        ],
+        "notes": [
+            {"control": n.control, "stage": n.stage, "reason": n.reason} for n in character.notes
+        ],
         "handle_width": layout.handle_width,
-        "symmetry_plane": {"origin": layout.plane_origin.tolist(), "normal": layout.plane_normal.tolist()},
+        "symmetry_plane": {
+            "origin": layout.plane_origin.tolist(),
+            "normal": layout.plane_normal.tolist(),
+        },
         "view": layout.view.tolist(),
         "parts": [_part(part) for part in character.parts],
-        "difference": _difference(character.difference) if character.difference is not None else None,
+        "difference": (
+            _difference(character.difference) if character.difference is not None else None
+        ),
         "matchings": {which: asdict(found) for which, found in character.matchings.items()},
-        "solution": _proof(assignment)
-        | {
-            "weights": dict(layout.weights),
-            "steps": [
-                {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds} for step in assignment.steps
-            ],
-        },
+        "solution": (
+            _proof(assignment)
+            | {
+                "weights": dict(layout.weights),
+                "steps": [
+                    {"name": step.name, "figures": dict(step.figures), "seconds": step.seconds}
+                    for step in assignment.steps
+                ],
+            }
+        ),
     }
 
 

@@ -12,7 +12,8 @@ Floats = NDArray[np.float64]
 
 
 def rotations(vectors: ArrayLike) -> Floats:
-    """Rotation matrices (..., 3, 3) for row vectors (``p @ R``) of rotation vectors (..., 3) in radians."""
+    """Rotation matrices (..., 3, 3) for row vectors (``p @ R``) of rotation vectors (..., 3) in
+    radians."""
     v = np.asarray(vectors, dtype=np.float64)
     angle = np.linalg.norm(v, axis=-1)[..., None, None]
     x, y, z = np.moveaxis(v, -1, 0)
@@ -23,14 +24,17 @@ def rotations(vectors: ArrayLike) -> Floats:
 
 
 def rotation_vectors(frames: ArrayLike) -> Floats:
-    """Rotation vectors (..., 3) in radians, at most pi long, of rotation matrices (..., 3, 3) for row vectors."""
+    """Rotation vectors (..., 3) in radians, at most pi long, of rotation matrices (..., 3, 3) for
+    row vectors."""
     matrices = np.asarray(frames, dtype=np.float64)
     q = quaternions(matrices.reshape(-1, 3, 3))
     q[q[:, 0] < 0.0] *= -1.0
     sine = np.linalg.norm(q[:, 1:], axis=1, keepdims=True)
     angle = 2.0 * np.arctan2(sine, q[:, :1])
     length = np.where(sine > 0.0, sine, 1.0)
-    return np.asarray(np.where(sine > 0.0, angle / length, 2.0) * q[:, 1:]).reshape(*matrices.shape[:-2], 3)
+    return np.asarray(np.where(sine > 0.0, angle / length, 2.0) * q[:, 1:]).reshape(
+        *matrices.shape[:-2], 3
+    )
 
 
 def rotation_part(local: Floats) -> Floats:
@@ -44,7 +48,8 @@ def rotation_part(local: Floats) -> Floats:
     rows = matrices / np.where(length > 0.0, length, 1.0)
     gram = rows @ np.swapaxes(rows, -1, -2)
     skewed = (np.abs(gram - np.eye(3)) > 1e-4).any(axis=(-1, -2))
-    # Two steps of the Newton-Schulz iteration take rows that are orthogonal to 1e-4 to machine precision.
+    # Two steps of the Newton-Schulz iteration take rows that are orthogonal to 1e-4 to machine
+    # precision.
     for _ in range(2):
         rows = 0.5 * (3.0 * rows - rows @ np.swapaxes(rows, -1, -2) @ rows)
     if skewed.any():
@@ -59,7 +64,8 @@ def quaternions(frames: Floats) -> Floats:
     m = np.swapaxes(frames, -1, -2)
     trace = np.trace(m, axis1=1, axis2=2)
     diagonal = np.stack([trace, m[:, 0, 0], m[:, 1, 1], m[:, 2, 2]], axis=1)
-    # The matrix q q^T, of which the row with the largest diagonal entry gives the stablest quaternion.
+    # The matrix q q^T, of which the row with the largest diagonal entry gives the stablest
+    # quaternion.
     outer = np.empty((len(m), 4, 4))
     outer[:, 0, 0] = 1.0 + trace
     for i in range(3):

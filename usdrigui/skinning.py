@@ -1,7 +1,7 @@
 """Skinning as UsdSkel does it: joint matrices, influences, and the affine map of each point.
 
-Linear skinning and dual-quaternion skinning alike give, at a fixed pose, one affine map for each point,
-which is what makes blend-shape trajectories under any skin exact polylines.  numpy only.
+Linear skinning and dual-quaternion skinning alike give, at a fixed pose, one affine map for each
+point, which is what makes blend-shape trajectories under any skin exact polylines.  numpy only.
 """
 
 from __future__ import annotations
@@ -13,13 +13,15 @@ from usdrigui.model import Floats, Indices, Rig, RigMesh, Skin
 from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternions, rotation_part
 
 SAME = 1e-8
-"""Skinning matrices that differ by less (translations: relative to the mesh) are taken for equal."""
+"""Skinning matrices that differ by less (translations: relative to the mesh) are taken for
+equal."""
 _FACE_SHARE = 0.9
 """Share of the points' influence that lies on the joint that carries a face, and below it."""
 
 
 def skinning_matrices(rig: Rig, local: Floats) -> Floats:
-    """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that shape."""
+    """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
+    shape."""
     pose = local.copy()
     for i, joint in enumerate(rig.joints):
         if joint.parent >= 0:
@@ -29,19 +31,27 @@ def skinning_matrices(rig: Rig, local: Floats) -> Floats:
 
 
 def point_maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None = None) -> Floats:
-    """Affine maps (1 or p, 4, 3) of the `local` points (all if None) from mesh space to root space."""
+    """Affine maps (1 or p, 4, 3) of the `local` points (all if None) from mesh space to root
+    space."""
     if mesh.skin is None:
         return mesh.to_root[None, :, :3]
     skin = mesh.skin
-    joints, weights = (skin.joints, skin.weights) if local is None else (skin.joints[local], skin.weights[local])
+    joints, weights = (
+        (skin.joints, skin.weights) if local is None else (skin.joints[local], skin.weights[local])
+    )
     if skin.rigid:
         joints, weights = joints[:1], weights[:1]
-    skinned = _shared_or_own_maps(skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30)))
-    return _composed(_composed(skin.geom_bind[None, :, :3], skinned), skeleton_to_root(rig, skin)[None, :, :3])
+    skinned = _shared_or_own_maps(
+        skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30))
+    )
+    return _composed(
+        _composed(skin.geom_bind[None, :, :3], skinned), skeleton_to_root(rig, skin)[None, :, :3]
+    )
 
 
 def skinned(rig: Rig, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats:
-    """Blended `points` (n, 3) of a mesh in root space; linear skinning needs no map for each point."""
+    """Blended `points` (n, 3) of a mesh in root space; linear skinning needs no map for each
+    point."""
     skin = mesh.skin
     if skin is None or skin.rigid or skin.method == "dualQuaternion":
         return applied(points, point_maps(rig, mesh, skinning))
@@ -61,7 +71,8 @@ def add_influences(
 ) -> None:
     """Add to `total` (p, m) the weighted images of `bound` (p, 4) under `matrices` (joints, 4, m).
 
-    Only the `acting` joints count (all if None); local point i stands in `row[i]` (i itself if None).
+    Only the `acting` joints count (all if None); local point i stands in `row[i]` (i itself if
+    None).
     """
     points, weights, joints, starts = skin.by_joint
     for i, joint in enumerate(joints):
@@ -79,7 +90,8 @@ def bound_points(points: Floats, skin: Skin) -> Floats:
 
 
 def carrying_joint(rig: Rig, rows: Indices) -> int:
-    """The deepest joint on which, with the joints below it, `_FACE_SHARE` of the influence on points `rows` (q,) lies.
+    """The deepest joint on which, with the joints below it, `_FACE_SHARE` of the influence on
+    points `rows` (q,) lies.
 
     -1 where there is none.  By it the joint of a face is found without names.
     """
@@ -116,9 +128,13 @@ def applied(points: Floats, maps: Floats) -> Floats:
     return np.asarray(np.einsum("pi,pij->pj", points, maps[:, :3]) + maps[:, 3], dtype=np.float64)
 
 
-def _shared_or_own_maps(skin: Skin, joints: Indices, weights: Floats, skinning: Floats, size: float) -> Floats:
+def _shared_or_own_maps(
+    skin: Skin, joints: Indices, weights: Floats, skinning: Floats, size: float
+) -> Floats:
     """Maps (1 or p, 4, 3) of bound points into skeleton space."""
-    used = np.flatnonzero(np.bincount(joints.ravel(), weights=np.abs(weights).ravel(), minlength=len(skinning)))
+    used = np.flatnonzero(
+        np.bincount(joints.ravel(), weights=np.abs(weights).ravel(), minlength=len(skinning))
+    )
     if len(used) == 0:
         return np.zeros((1, 4, 3))
     scale = np.array([1.0, 1.0, 1.0, size])[:, None]
@@ -132,7 +148,8 @@ def _shared_or_own_maps(skin: Skin, joints: Indices, weights: Floats, skinning: 
 
 
 def _weighted(weights: Floats, joints: Indices, tables: Floats) -> Floats:
-    """Sum over influences: (p, ...) of weights (p, k) times tables (joints, ...) at joints (p, k)."""
+    """Sum over influences: (p, ...) of weights (p, k) times tables (joints, ...) at joints (p,
+    k)."""
     flat = tables.reshape(len(tables), -1)
     total = np.zeros((len(joints), flat.shape[1]))
     for influence in range(joints.shape[1]):
@@ -151,9 +168,9 @@ def _composed(first: Floats, second: Floats) -> Floats:
 def _dual_quaternion_maps(joints: Indices, weights: Floats, skinning: Floats) -> Floats:
     """Dual-quaternion skinning (Kavan et al. 2007) as affine maps (p, 4, 3) into skeleton space.
 
-    As in UsdSkel the scale and shear of the joints, if any has some, are blended linearly and act first;
-    rotations and translations are blended as dual quaternions, each turned to the hemisphere of the joint
-    of largest weight; a joint whose matrix is singular takes no part in them.
+    As in UsdSkel the scale and shear of the joints, if any has some, are blended linearly and act
+    first; rotations and translations are blended as dual quaternions, each turned to the hemisphere
+    of the joint of largest weight; a joint whose matrix is singular takes no part in them.
     """
     frame = rotation_part(skinning)
     scale = skinning[:, :3, :3] @ np.swapaxes(frame, -1, -2)

@@ -1,8 +1,10 @@
-"""Commands run in a worker: a process that may crash, hang, be killed or take too much, and what that means.
+"""Commands run in a worker: a process that may crash, hang, be killed or take too much, and what
+that means.
 
-`supervise` starts `usdrigui.cli.working` on a command line, passes on what it prints, asks it to stop or ends it, and
-returns its closing message or the reason why there is none.  The command line does so for the user, a batch for each
-of its assets.  Nothing here imports more than the standard library, so that nothing here can die of an asset.
+`supervise` starts `usdrigui.cli.working` on a command line, passes on what it prints, asks it to
+stop or ends it, and returns its closing message or the reason why there is none.  The command line
+does so for the user, a batch for each of its assets.  Nothing here imports more than the standard
+library, so that nothing here can die of an asset.
 """
 
 from __future__ import annotations
@@ -34,12 +36,14 @@ from usdrigui.processes import (
 )
 
 Events = SimpleQueue[Any]
-"""What a supervisor waits for: the string STOP or KILL, messages of its worker (mappings), None for its end."""
+"""What a supervisor waits for: the string STOP or KILL, messages of its worker (mappings), None for
+its end."""
 STOP, KILL = "stop", "kill"
 """Ask the worker to end with what it has, at once where it has nothing; end it."""
 
 _PATIENCE = 3.0
-"""Seconds in which a worker that was asked to stop must have ended, unless it searches or writes."""
+"""Seconds in which a worker that was asked to stop must have ended, unless it searches or
+writes."""
 _LAST_WORDS = 2.0
 """Seconds in which the messages of a worker that was ended must have come."""
 _LAST = 60.0
@@ -61,7 +65,8 @@ class Outcome:
     written: tuple[str, ...] = ()
     """Files that were put in place."""
     unknown: tuple[str, ...] = ()
-    """Files that were being put in place when the worker ended: each as it was before, or complete."""
+    """Files that were being put in place when the worker ended: each as it was before, or
+    complete."""
 
 
 def supervise(
@@ -75,17 +80,20 @@ def supervise(
 ) -> Outcome:
     """Run a command in a worker until it ends.
 
-    Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text); `events` is where STOP
-    and KILL come from; `terminals` tells whether standard output and error are terminals; `limit` is wall clock in
-    seconds and the error that it is when they have passed; `alone` gives the worker a session of its own, which ends
-    with it, where it would else be stopped and continued with this process by the terminal.
+    Parameters: `show` is given what is printed before the end, as (``out`` or ``err``, text);
+    `events` is where STOP and KILL come from; `terminals` tells whether standard output and error
+    are terminals; `limit` is wall clock in seconds and the error that it is when they have passed;
+    `alone` gives the worker a session of its own, which ends with it, where it would else be
+    stopped and continued with this process by the terminal.
     """
     events = SimpleQueue() if events is None else events
     with signals_later():
         try:
             process = _started(arguments, terminals, alone)
         except (OSError, TypeError, ValueError) as error:
-            return _dead(refuse("WORKER_LOST", "", f"the working process cannot be started: {error}"))
+            return _dead(
+                refuse("WORKER_LOST", "", f"the working process cannot be started: {error}")
+            )
     watch = _Watch(process, show, limit, alone)
     assert process.stdout is not None
     assert process.stderr is not None
@@ -107,7 +115,9 @@ def supervise(
     return watch.outcome(End(code, watch.late, peak, printed.text))
 
 
-def _started(arguments: Sequence[str], terminals: tuple[bool, bool], alone: bool) -> subprocess.Popen[bytes]:
+def _started(
+    arguments: Sequence[str], terminals: tuple[bool, bool], alone: bool
+) -> subprocess.Popen[bytes]:
     size = shutil.get_terminal_size()
     shape = {"COLUMNS": str(size.columns), "LINES": str(size.lines)} if any(terminals) else {}
     process = subprocess.Popen(
@@ -127,7 +137,8 @@ def _started(arguments: Sequence[str], terminals: tuple[bool, bool], alone: bool
 
 
 def _collect(messages: IO[bytes], events: Events) -> None:
-    """Hand over the messages of a worker until it has ended; a last one that was cut off is none."""
+    """Hand over the messages of a worker until it has ended; a last one that was cut off is
+    none."""
     for line in messages:
         with contextlib.suppress(ValueError):
             events.put(json.loads(line))
@@ -155,7 +166,8 @@ class _Watch:
     reading_ends: float = 0.0
     kill_at: float = 0.0
     gone_by: float = 0.0
-    """When a worker that was ended is waited for no longer: something that it started may hold its pipe."""
+    """When a worker that was ended is waited for no longer: something that it started may hold its
+    pipe."""
     patient: bool = False
     writing: tuple[str, ...] = ()
     written: list[str] = field(default_factory=list)
@@ -164,7 +176,11 @@ class _Watch:
 
     def remaining(self) -> float | None:
         """Seconds until something must happen; None for never."""
-        return None if (next_end := min(self._ends(), default=0.0)) == 0.0 else max(0.0, next_end - time.monotonic())
+        return (
+            None
+            if (next_end := min(self._ends(), default=0.0)) == 0.0
+            else max(0.0, next_end - time.monotonic())
+        )
 
     def _ends(self) -> list[float]:
         limit = self.start + self.limit[0] if self.limit is not None else 0.0
@@ -206,7 +222,8 @@ class _Watch:
             getattr(self, f"_on_{event['what']}")(event)
 
     def _stop(self) -> None:
-        """The first request asks; while a file is read, which changes nothing, and a second time it ends."""
+        """The first request asks; while a file is read, which changes nothing, and a second time it
+        ends."""
         if self.death is not None or (self.reading is not None and not self.writing):
             self._end(_interrupted())
             return
@@ -251,7 +268,11 @@ class _Watch:
 
     def _give_time(self) -> None:
         """A search or a write that has begun when the request to stop came is finished."""
-        if (self.patient or self.writing) and self.death is not None and self.death.issue.code == "INTERRUPTED":
+        if (
+            (self.patient or self.writing)
+            and self.death is not None
+            and self.death.issue.code == "INTERRUPTED"
+        ):
             self.kill_at = 0.0
 
     def _on_wrote(self, message: dict[str, Any]) -> None:
@@ -264,8 +285,15 @@ class _Watch:
     def outcome(self, end: End) -> Outcome:
         """What became of the command, from the closing message or from the worker's end."""
         if self.closing is not None:
-            return Outcome(self.closing["code"], self.closing["out"], self.closing["err"], written=tuple(self.written))
-        return _dead(self._cause(End(end.code, end.late, max(0, end.peak - self.base), end.text)), self)
+            return Outcome(
+                self.closing["code"],
+                self.closing["out"],
+                self.closing["err"],
+                written=tuple(self.written),
+            )
+        return _dead(
+            self._cause(End(end.code, end.late, max(0, end.peak - self.base), end.text)), self
+        )
 
     def _cause(self, end: End) -> RigUIError:
         if self.death is not None:
@@ -273,12 +301,20 @@ class _Watch:
         if self.reading is not None:
             return reading_failed(end, self.reading)
         if end.starved(self.memory):
-            return refuse("RUN_MEMORY_LIMIT", "", f"needs more than {self.memory} MiB" if self.memory else "no memory")
+            return refuse(
+                "RUN_MEMORY_LIMIT",
+                "",
+                f"needs more than {self.memory} MiB" if self.memory else "no memory",
+            )
         if end.code < 0 and signal_name(-end.code) == "SIGKILL":
             return refuse("WORKER_LOST", "", "the working process was killed from outside")
         if end.code < 0:
-            return refuse("WORKER_CRASHED", "", f"the working process crashed ({signal_name(-end.code)})")
-        return refuse("WORKER_CRASHED", "", f"the working process ended with code {end.code}: {end.last_line}")
+            return refuse(
+                "WORKER_CRASHED", "", f"the working process crashed ({signal_name(-end.code)})"
+            )
+        return refuse(
+            "WORKER_CRASHED", "", f"the working process ended with code {end.code}: {end.last_line}"
+        )
 
 
 def _interrupted() -> RigUIError:

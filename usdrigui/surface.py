@@ -1,8 +1,8 @@
 """Triangles, normals and neighbourhood of polygon meshes whose points may be split at seams.
 
 Stands on the ground floor; numpy and scipy only.  Vertex identity is never trusted: meshes born in
-other formats are split along texture seams, so adjacency and normals go through *places*, the classes
-of points that coincide.
+other formats are split along texture seams, so adjacency and normals go through *places*, the
+classes of points that coincide.
 """
 
 from __future__ import annotations
@@ -17,18 +17,24 @@ from scipy.sparse.csgraph import connected_components, dijkstra
 from usdrigui.model import Floats, Indices, RigMesh
 
 _TURNED = 1e-3
-"""Share of a face by which a triangle must be turned against it: folded slivers are no concave faces."""
+"""Share of a face by which a triangle must be turned against it: folded slivers are no concave
+faces."""
 
 
-def triangles(points: Floats, face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False) -> Indices:
+def triangles(
+    points: Floats, face_counts: ArrayLike, face_indices: ArrayLike, left_handed: bool = False
+) -> Indices:
     """Triangulation of polygons as ``(t, 3)`` point indices, counter-clockwise from outside.
 
-    `points` ``(n, 3)``, `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a USD mesh.  Faces of
-    fewer than three points give nothing, one of k points k - 2 triangles: a fan, or ears where a fan would leave a
-    concave face.  `left_handed` faces are turned round, so that the normals computed from the result always point
-    outward.
+    `points` ``(n, 3)``, `face_counts` ``(f,)`` and `face_indices` ``(sum(face_counts),)`` as on a
+    USD mesh.  Faces of fewer than three points give nothing, one of k points k - 2 triangles: a
+    fan, or ears where a fan would leave a concave face.  `left_handed` faces are turned round, so
+    that the normals computed from the result always point outward.
     """
-    counts, indices = np.asarray(face_counts, dtype=np.int64), np.asarray(face_indices, dtype=np.int64)
+    counts, indices = (
+        np.asarray(face_counts, dtype=np.int64),
+        np.asarray(face_indices, dtype=np.int64),
+    )
     faces = triangle_faces(counts)
     if not len(faces):
         return np.zeros((0, 3), dtype=np.int64)
@@ -36,7 +42,9 @@ def triangles(points: Floats, face_counts: ArrayLike, face_indices: ArrayLike, l
     made = np.maximum(counts - 2, 0)
     step = np.arange(len(faces)) - np.repeat(np.cumsum(made) - made, made)
     first = starts[faces]
-    corners = np.stack([indices[first], indices[first + step + 1], indices[first + step + 2]], axis=1)
+    corners = np.stack(
+        [indices[first], indices[first + step + 1], indices[first + step + 2]], axis=1
+    )
     for face in _left_by_fan(points, corners, faces, len(counts)):
         polygon = indices[starts[face] : starts[face] + counts[face]]
         corners[faces == face] = polygon[_ears(points[polygon])]
@@ -50,25 +58,33 @@ def triangle_faces(face_counts: ArrayLike) -> Indices:
 
 
 def mesh_triangles(meshes: Sequence[RigMesh], visible_only: bool = False) -> Indices:
-    """``(t, 3)`` triangles of all meshes over their concatenated points (the numbering of `Rig`)."""
+    """``(t, 3)`` triangles of all meshes over their concatenated points (the numbering of
+    `Rig`)."""
     parts: list[Indices] = [np.zeros((0, 3), dtype=np.int64)]
     start = 0
     for mesh in meshes:
         if mesh.visible or not visible_only:
-            parts.append(triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed) + start)
+            parts.append(
+                triangles(mesh.points, mesh.face_counts, mesh.face_indices, mesh.left_handed)
+                + start
+            )
         start += len(mesh.points)
     return np.concatenate(parts)
 
 
 def triangle_areas(points: Floats, corners: Indices) -> Floats:
     """``(t,)`` areas of the triangles, in squared units of `points`."""
-    return np.asarray(0.5 * np.linalg.norm(_doubled_normals(points, corners), axis=1), dtype=np.float64)
+    return np.asarray(
+        0.5 * np.linalg.norm(_doubled_normals(points, corners), axis=1), dtype=np.float64
+    )
 
 
 def vertex_normals(points: Floats, corners: Indices, places: Indices | None = None) -> Floats:
-    """``(n, 3)`` unit normals, area-weighted over the triangles around each point; zero where undefined.
+    """``(n, 3)`` unit normals, area-weighted over the triangles around each point; zero where
+    undefined.
 
-    With `places` (from `weld`) points of one place share their normal, so that it is smooth over seams.
+    With `places` (from `weld`) points of one place share their normal, so that it is smooth over
+    seams.
     """
     doubled = _doubled_normals(points, corners)
     if places is not None:
@@ -80,8 +96,8 @@ def vertex_normals(points: Floats, corners: Indices, places: Indices | None = No
 
 
 def faces_inward(points: Floats, corners: Indices) -> bool:
-    """Whether the triangles enclose a clearly negative volume: a character whose faces are wound the wrong
-    way round.  Open and flat surfaces, whose volume says little, count as right."""
+    """Whether the triangles enclose a clearly negative volume: a character whose faces are wound
+    the wrong way round.  Open and flat surfaces, whose volume says little, count as right."""
     if not len(corners):
         return False
     a, b, c = (points[corners[:, i]] - points[np.unique(corners)].mean(axis=0) for i in range(3))
@@ -103,9 +119,10 @@ def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) 
     """``(n,)`` index of the first point at the same position: the point's *place*.
 
     Positions are compared on a grid of `resolution` times the largest extent, above the rounding of
-    transforms and below any distance that was modelled: points that nearly touch stay apart, whichever way
-    the character is turned.  `extra` ``(n, k)`` further values must agree too (relative to their own largest
-    magnitude): lips that touch at rest but move apart are two places.
+    transforms and below any distance that was modelled: points that nearly touch stay apart,
+    whichever way the character is turned.  `extra` ``(n, k)`` further values must agree too
+    (relative to their own largest magnitude): lips that touch at rest but move apart are two
+    places.
     """
     cells = _cells(points, resolution)
     if extra is not None and extra.size:
@@ -116,11 +133,13 @@ def weld(points: Floats, extra: Floats | None = None, resolution: float = 1e-9) 
 
 
 def edges(corners: Indices, places: Indices | None = None) -> Indices:
-    """``(e, 2)`` undirected edges of the triangles, each once with the lower index first, between places
-    where given; edges within one place are left out."""
+    """``(e, 2)`` undirected edges of the triangles, each once with the lower index first, between
+    places where given; edges within one place are left out."""
     if places is not None:
         corners = places[corners]
-    pairs = np.sort(np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1)
+    pairs = np.sort(
+        np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]]), axis=1
+    )
     pairs = pairs[pairs[:, 0] != pairs[:, 1]]
     if not len(pairs):
         return np.zeros((0, 2), dtype=np.int64)
@@ -138,45 +157,62 @@ def mean_edge_length(points: Floats, corners: Indices, places: Indices | None = 
 
 
 def components(corners: Indices, places: Indices) -> Indices:
-    """``(n,)`` number of the connected piece of surface that each point belongs to, over welded points."""
+    """``(n,)`` number of the connected piece of surface that each point belongs to, over welded
+    points."""
     graph = _graph(edges(corners, places), len(places))
     _, labels = connected_components(graph, directed=False)
     return np.asarray(labels[places], dtype=np.int64)
 
 
-def surface_distances(points: Floats, corners: Indices, places: Indices, sources: Indices) -> Floats:
-    """``(n,)`` shortest way along the surface from the nearest of the points `sources`; inf where none leads there.
+def surface_distances(
+    points: Floats, corners: Indices, places: Indices, sources: Indices
+) -> Floats:
+    """``(n,)`` shortest way along the surface from the nearest of the points `sources`; inf where
+    none leads there.
 
-    The ways go along edges and across each edge from corner to opposite corner, which makes them at most
-    some 8 % longer than the shortest on a regular mesh.
+    The ways go along edges and across each edge from corner to opposite corner, which makes them at
+    most some 8 % longer than the shortest on a regular mesh.
     """
     corners = places[corners]
     sides = np.sort(corners[:, [[1, 2], [2, 0], [0, 1]]], axis=2).reshape(-1, 2)
     order = np.lexsort((sides[:, 1], sides[:, 0]))
-    twins = np.flatnonzero((sides[order[1:]] == sides[order[:-1]]).all(axis=1))  # two triangles at one edge
+    twins = np.flatnonzero(
+        (sides[order[1:]] == sides[order[:-1]]).all(axis=1)
+    )  # two triangles at one edge
     opposite = corners.reshape(-1)
     across = np.stack([opposite[order[twins]], opposite[order[twins + 1]]], axis=1)
-    pairs = np.unique(np.sort(np.concatenate([edges(corners), across[across[:, 0] != across[:, 1]]]), axis=1), axis=0)
-    graph = _graph(pairs, len(points), np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1))
+    pairs = np.unique(
+        np.sort(np.concatenate([edges(corners), across[across[:, 0] != across[:, 1]]]), axis=1),
+        axis=0,
+    )
+    graph = _graph(
+        pairs, len(points), np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
+    )
     found = dijkstra(graph, directed=False, indices=np.unique(places[sources]), min_only=True)
     return np.asarray(found[places], dtype=np.float64)
 
 
 def _left_by_fan(points: Floats, corners: Indices, faces: Indices, count: int) -> Indices:
-    """Faces some triangle of whose fan is turned against the face as a whole: the fan leaves the face there.
+    """Faces some triangle of whose fan is turned against the face as a whole: the fan leaves the
+    face there.
 
     `corners` (t, 3) are the fans of `count` faces, `faces` (t,) the face of each triangle.
     """
     normals = _doubled_normals(points, corners)
     # The sum over a fan is twice the polygon's vector area, whichever corner the fan starts from.
-    whole = np.stack([np.bincount(faces, weights=axis, minlength=count) for axis in normals.T], axis=1)[faces]
+    whole = np.stack(
+        [np.bincount(faces, weights=axis, minlength=count) for axis in normals.T], axis=1
+    )[faces]
     turned = np.einsum("ti,ti->t", normals, whole) < -_TURNED * np.einsum("ti,ti->t", whole, whole)
     return np.unique(faces[turned])
 
 
 def _ears(polygon: Floats) -> Indices:
-    """(k - 2, 3) triangles of a polygon (k, 3), by clipping ears (Meisters 1975); the fan for what has none."""
-    normal = _doubled_normals(polygon, np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])).sum(axis=0)
+    """(k - 2, 3) triangles of a polygon (k, 3), by clipping ears (Meisters 1975); the fan for what
+    has none."""
+    normal = _doubled_normals(
+        polygon, np.array([[0, i, i + 1] for i in range(1, len(polygon) - 1)])
+    ).sum(axis=0)
     left, found = list(range(len(polygon))), []
     while len(left) > 3:
         ear = next((at for at in range(len(left)) if _is_ear(polygon, left, at, normal)), 1)
@@ -186,13 +222,16 @@ def _ears(polygon: Floats) -> Indices:
 
 
 def _is_ear(polygon: Floats, left: list[int], at: int, normal: Floats) -> bool:
-    """Whether the corner `at` of what is `left` of a polygon is convex and no other corner lies in its triangle."""
+    """Whether the corner `at` of what is `left` of a polygon is convex and no other corner lies in
+    its triangle."""
     ends = (left[at - 1], left[at], left[(at + 1) % len(left)])
     a, b, c = polygon[list(ends)]
     if np.cross(b - a, c - b) @ normal <= 0.0:
         return False
     others = polygon[[each for each in left if each not in ends]]
-    sides = np.stack([np.cross(end - start, others - start) @ normal for start, end in ((a, b), (b, c), (c, a))])
+    sides = np.stack(
+        [np.cross(end - start, others - start) @ normal for start, end in ((a, b), (b, c), (c, a))]
+    )
     return not (sides >= 0.0).all(axis=0).any()
 
 
@@ -206,12 +245,17 @@ def _summed(corners: Indices, values: Floats, count: int) -> Floats:
     """(count, 3) sums of `values` (t, 3, 3) over the corners they belong to."""
     flat = corners.ravel()
     return np.stack(
-        [np.bincount(flat, weights=values[..., axis].ravel(), minlength=count) for axis in range(3)], axis=1
+        [
+            np.bincount(flat, weights=values[..., axis].ravel(), minlength=count)
+            for axis in range(3)
+        ],
+        axis=1,
     )
 
 
 def _cells(points: Floats, resolution: float) -> Indices:
-    """(n, 3) cells of a grid laid at the lowest corner, cell centres on it so that noise there is harmless."""
+    """(n, 3) cells of a grid laid at the lowest corner, cell centres on it so that noise there is
+    harmless."""
     if not len(points):
         return np.zeros((0, 3), dtype=np.int64)
     low = points.min(axis=0)
@@ -232,5 +276,9 @@ def _row_keys(cells: Indices) -> Indices:
 
 
 def _graph(pairs: Indices, count: int, lengths: Floats | None = None) -> csr_array:
-    first, second = pairs.astype(np.int32).T  # the only index type that every graph routine of scipy takes
-    return csr_array((np.ones(len(pairs)) if lengths is None else lengths, (first, second)), shape=(count, count))
+    first, second = pairs.astype(
+        np.int32
+    ).T  # the only index type that every graph routine of scipy takes
+    return csr_array(
+        (np.ones(len(pairs)) if lengths is None else lengths, (first, second)), shape=(count, count)
+    )

@@ -80,8 +80,9 @@ class Screen:
         """One table a character."""
         for character in found.characters if not self._quiet else ():
             self._say(
-                f"{character.root}: {character.points} points, {character.meshes} meshes, {character.joints} joints, "
-                f"{character.symmetric:.0%} of the points have a mirror partner"
+                f"{character.root}: {character.points} points, {character.meshes} meshes,"
+                f" {character.joints} joints, {character.symmetric:.0%} of the points have a mirror"
+                " partner"
             )
             told = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
             self._say(f"  parts: {told}")
@@ -117,7 +118,8 @@ class Screen:
             done += 1
             if not (self._quiet or self._silent):
                 text = (
-                    f"[{done:>{len(str(count))}}/{count}] {row.outcome:<9} {row.seconds:7.2f} s {row.asset} {row.code}"
+                    f"[{done:>{len(str(count))}}/{count}] {row.outcome:<9} {row.seconds:7.2f} s"
+                    f" {row.asset} {row.code}"
                 )
                 self._tell(text.rstrip())
 
@@ -130,7 +132,9 @@ class Screen:
             for line in written:
                 self._say(line)
         outcomes = ("written", "unchanged", "skipped", "refused", "failed")
-        told = ", ".join(f"{summary.count(each)} {each}" for each in outcomes if summary.count(each))
+        told = ", ".join(
+            f"{summary.count(each)} {each}" for each in outcomes if summary.count(each)
+        )
         sound = sum(row.sound for row in summary.rows)
         count = len(summary.rows) - summary.count("part")
         rate = 60.0 * count / max(summary.seconds, 1e-9)
@@ -142,19 +146,31 @@ class Screen:
         """Faults first, then every element by the objective, then the verdict."""
         if not self._quiet:
             for root, review in found.characters:
-                self._say(f"{root}: {len(review.elements)} elements on the character, cost {review.cost:.4f}")
+                self._say(
+                    f"{root}: {len(review.elements)} elements on the character, cost"
+                    f" {review.cost:.4f}"
+                )
                 self._table(_review_table(review.elements))
                 self._say(f"  {_DISPLACEMENT}; w: handle widths")
             self._issues(found.issues)
         counts = {
-            severity: sum(each.severity == severity for each in found.issues) for severity in ("error", "warning")
+            severity: sum(each.severity == severity for each in found.issues)
+            for severity in ("error", "warning")
         }
-        fits = ("fits its rig", "does not fit its rig") if found.characters else ("is sound", "has faults")
+        fits = (
+            ("fits its rig", "does not fit its rig")
+            if found.characters
+            else ("is sound", "has faults")
+        )
         state = fits[bool(counts["error"])]
-        told = ", ".join(f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items())
+        told = ", ".join(
+            f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items()
+        )
         self._say(f"usdrigui: checked {found.layer}: {state}; {told}")
 
-    def difference(self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]) -> None:
+    def difference(
+        self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]
+    ) -> None:
         """Every control that changed, and the verdict."""
         if not self._quiet:
             for character in found:
@@ -163,7 +179,11 @@ class Screen:
                 self._say(f"{root}: only one of the two layers has a layout of it")
         changed = sum(len(character.displaced) for character in found)
         shared = sum(character.shared for character in found)
-        told = f"{changed} of {shared} common controls changed" if shared else "they have no character in common"
+        told = (
+            f"{changed} of {shared} common controls changed"
+            if shared
+            else "they have no character in common"
+        )
         if found and not shared:
             told = "they have no control in common"
         elif only_in_one and shared:
@@ -212,7 +232,9 @@ class Screen:
     def _character(self, character: CharacterReport) -> None:
         elements = character.layout.elements
         existing = len(elements) - len(character.added)
-        summary = f"{len(elements)} elements" + (f", {existing} of which are in another layer" if existing else "")
+        summary = f"{len(elements)} elements" + (
+            f", {existing} of which are in another layer" if existing else ""
+        )
         self._say(f"{character.layout.variant_path or character.root}: {summary}")
         placed = [row for row in character.rows if not existing or row.element in character.added]
         if placed:
@@ -221,21 +243,22 @@ class Screen:
             self._say(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
         self._say(
-            f"  on the {_where([character])} {character.count('face')}, on the board {character.count('board')}, "
-            f"left off {character.count('left off')}; "
-            f"handles on the {_where([character])} have {_percent(character.kept)} of the peak displacement"
-            f"{f' ({_DISPLACEMENT})' if placed else ''}",
+            f"  on the {_where([character])} {character.count('face')}, on the board"
+            f" {character.count('board')}, left off {character.count('left off')}; handles on the"
+            f" {_where([character])} have {_percent(character.kept)} of the peak"
+            f" displacement{f' ({_DISPLACEMENT})' if placed else ''}",
         )
         self._say(
-            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap {solution.gap_in_play:.2e} of what "
-            f"the choice can change ({solution.gap:.2e} of the cost), {_ending(solution)}"
+            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap"
+            f" {solution.gap_in_play:.2e} of what the choice can change ({solution.gap:.2e} of the"
+            f" cost), {_ending(solution)}"
         )
         if len(character.parts) > 1:
             for part in character.parts:
                 proof = part.assignment
                 self._say(
-                    f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost {proof.cost:.4f}, "
-                    f"gap {proof.gap:.2e}, {_ending(proof)}"
+                    f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost"
+                    f" {proof.cost:.4f}, gap {proof.gap:.2e}, {_ending(proof)}"
                 )
         for which, found in character.matchings.items():
             self._matching(which, found)
@@ -250,9 +273,14 @@ class Screen:
         reasons = Counter(each.reason for each in sure)
         told = ", ".join(f"{number} by {reason}" for reason, number in reasons.items())
         which = which if which.startswith("/") else f"--{which}"
-        self._say(f"  {which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}")
+        self._say(
+            f"  {which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}"
+        )
         if found.unsure:
-            pairs = (f"{each.before} may be {each.after} ({each.confidence:.0%} sure)" for each in found.unsure)
+            pairs = (
+                f"{each.before} may be {each.after} ({each.confidence:.0%} sure)"
+                for each in found.unsure
+            )
             self._say(f"    unsure: {', '.join(pairs)}")
         if found.left_before:
             self._say(f"    without a counterpart: {', '.join(found.left_before)}")
@@ -272,21 +300,36 @@ def _ignore(event: Event) -> None:
 
 
 def _rows_table(rows: Sequence[ControlRow]) -> Table:
-    table = Table("control", "place", "displacement", "element", "kind", "twin", "why", below=("why",))
+    table = Table(
+        "control", "place", "displacement", "element", "kind", "twin", "why", below=("why",)
+    )
     for row in rows:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
         element = row.element if row.element != row.control else ""
-        table.add_row(*map(visible, (row.control, row.place, share, element, row.kind, row.twin, row.reason)))
+        table.add_row(
+            *map(visible, (row.control, row.place, share, element, row.kind, row.twin, row.reason))
+        )
     return table
 
 
 def _review_table(elements: Sequence[ElementReview]) -> Table:
-    table = Table("element", "displacement", "linear", "overlap", "handles apart", "nearest", "improvement", "at")
+    table = Table(
+        "element",
+        "displacement",
+        "linear",
+        "overlap",
+        "handles apart",
+        "nearest",
+        "improvement",
+        "at",
+    )
     for each in elements:
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
         gain = f"{each.gain:.3f}" if each.better else ""
         numbers = (_percent(each.kept), f"{each.linear:.3f}", f"{each.overlap:.3f}")
-        table.add_row(*map(visible, (each.element, *numbers, apart, each.nearest, gain, each.better)))
+        table.add_row(
+            *map(visible, (each.element, *numbers, apart, each.nearest, gain, each.better))
+        )
     return table
 
 
@@ -296,18 +339,45 @@ def _changes_table(changes: Sequence[Change]) -> Table:
         by = f"{change.distance:.1f} w" if math.isfinite(change.distance) else ""
         element = change.element if change.element != change.control else ""
         why = ((f"was {change.was}",) if change.was else ()) + change.why
-        cells = (change.control, change.kind, by, element, change.before, change.after, "; ".join(why))
+        cells = (
+            change.control,
+            change.kind,
+            by,
+            element,
+            change.before,
+            change.after,
+            "; ".join(why),
+        )
         table.add_row(*map(visible, cells))
     return table
 
 
 def _batch_table(rows: Sequence[Row]) -> Table:
-    table = Table("asset", "outcome", "face", "board", "off", "gap", "warnings", "seconds", "why", below=("why",))
+    table = Table(
+        "asset",
+        "outcome",
+        "face",
+        "board",
+        "off",
+        "gap",
+        "warnings",
+        "seconds",
+        "why",
+        below=("why",),
+    )
     for row in rows:
         counts = [str(each) if row.sound else "" for each in (row.face, row.board, row.left_off)]
         gap = f"{row.gap:.1e}" if row.sound else ""
         why = f"{row.code} {row.message}".strip()
-        cells = (row.asset, row.outcome, *counts, gap, str(row.warnings or ""), f"{row.seconds:.2f}", why)
+        cells = (
+            row.asset,
+            row.outcome,
+            *counts,
+            gap,
+            str(row.warnings or ""),
+            f"{row.seconds:.2f}",
+            why,
+        )
         table.add_row(*map(visible, cells))
     return table
 
@@ -316,7 +386,17 @@ def _facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> 
     """One row a control, with its part where the character has `several`."""
     part = ("part",) if several else ()
     table = Table(
-        "control", *part, "kind", "range", "from", "points", "coverage", "peak", "twin", "flags", below=("flags",)
+        "control",
+        *part,
+        "kind",
+        "range",
+        "from",
+        "points",
+        "coverage",
+        "peak",
+        "twin",
+        "flags",
+        below=("flags",),
     )
     for facts in controls:
         cells = (
@@ -338,7 +418,12 @@ def _facts_table(controls: Sequence[ControlFacts], *, several: bool = False) -> 
 def _use_table(controls: Sequence[UseFacts]) -> Table:
     table = Table("control", "use", "active", "importance")
     for each in controls:
-        table.add_row(*map(visible, (each.control, f"{each.use:.3f}", _percent(each.active), f"{each.importance:.2f}")))
+        table.add_row(
+            *map(
+                visible,
+                (each.control, f"{each.use:.3f}", _percent(each.active), f"{each.importance:.2f}"),
+            )
+        )
     return table
 
 
@@ -352,7 +437,10 @@ def _verdict(report: Report) -> str:
     target = f" {report.output}" if report.output else ""
     gap = max((character.assignment.gap for character in report.characters), default=0.0)
     where = _where(report.characters)
-    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, gap {gap:.1e}"
+    return (
+        f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, gap"
+        f" {gap:.1e}"
+    )
 
 
 def _where(characters: Sequence[CharacterReport]) -> str:
@@ -367,7 +455,9 @@ def _ending(solution: Assignment) -> str:
         return f"proved by {solution.closed_by}"
     if not solution.closed_by:
         return "not proved"
-    return f"stopped by the {solution.closed_by}" if "limit" in solution.closed_by else "interrupted"
+    return (
+        f"stopped by the {solution.closed_by}" if "limit" in solution.closed_by else "interrupted"
+    )
 
 
 def _percent(share: float) -> str:

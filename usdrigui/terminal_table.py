@@ -1,4 +1,5 @@
-"""Tables of text as wide as the terminal: what does not fit beside goes below its row, and nothing is lost."""
+"""Tables of text as wide as the terminal: what does not fit beside goes below its row, and nothing
+is lost."""
 
 from __future__ import annotations
 
@@ -17,8 +18,8 @@ _LONGEST = 40
 
 
 class Table:
-    """Rows under headers; `below` names columns that need no header and are long: they stand below their row unless all
-    fits in one line."""
+    """Rows under headers; `below` names columns that need no header and are long: they stand below
+    their row unless all fits in one line."""
 
     def __init__(self, *headers: str, below: Sequence[str] = ()) -> None:
         self._headers = headers
@@ -30,8 +31,11 @@ class Table:
         self._rows.append(cells)
 
     def lines(self, width: int) -> Iterator[str]:
-        """The table in lines of at most `width` characters, as far as words are not longer than that."""
-        widths = [max(map(cell_len, column)) for column in zip(self._headers, *self._rows, strict=True)]
+        """The table in lines of at most `width` characters, as far as words are not longer than
+        that."""
+        widths = [
+            max(map(cell_len, column)) for column in zip(self._headers, *self._rows, strict=True)
+        ]
         widths[0] = min(widths[0], _LONGEST, max(width // 2, 1))
         shown = self._fitting(widths, width)
         yield _joined([self._headers[i] for i in shown], [widths[i] for i in shown])
@@ -42,13 +46,19 @@ class Table:
                 cells[0] = ""
             yield _joined(cells, [widths[i] for i in shown])
             hidden = [i for i in range(len(row)) if i not in shown and row[i]]
-            told = (row[i] if self._headers[i] in self._below else f"{self._headers[i]} {row[i]}" for i in hidden)
+            told = (
+                row[i] if self._headers[i] in self._below else f"{self._headers[i]} {row[i]}"
+                for i in hidden
+            )
             if hidden:
                 yield from wrapped(_INDENT + "; ".join(told), width, "")
 
     def _fitting(self, widths: Sequence[int], width: int) -> list[int]:
-        """The columns that stand beside each other: all that have a cell, or else from the left as many as fit."""
-        used = [i for i, column in enumerate(zip(*self._rows, strict=True)) if i == 0 or any(column)]
+        """The columns that stand beside each other: all that have a cell, or else from the left as
+        many as fit."""
+        used = [
+            i for i, column in enumerate(zip(*self._rows, strict=True)) if i == 0 or any(column)
+        ]
         if sum(widths[i] + _GAP for i in used) - _GAP <= width:
             return used
         shown, room = [0], width - widths[0]
@@ -60,5 +70,8 @@ class Table:
 
 
 def _joined(cells: Sequence[str], widths: Sequence[int]) -> str:
-    padded = (cell + " " * (width - cell_len(cell) + _GAP) for cell, width in zip(cells, widths, strict=True))
+    padded = (
+        cell + " " * (width - cell_len(cell) + _GAP)
+        for cell, width in zip(cells, widths, strict=True)
+    )
     return "".join(padded).rstrip()

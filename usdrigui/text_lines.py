@@ -9,15 +9,16 @@ from typing import TextIO
 
 
 def columns(stream: TextIO | None) -> int | None:
-    """Characters in a line of a stream: of its terminal, or ``COLUMNS``; None in a log, whose lines stay whole."""
+    """Characters in a line of a stream: of its terminal, or ``COLUMNS``; None in a log, whose lines
+    stay whole."""
     if os.environ.get("COLUMNS", "").isdecimal() or (stream is not None and stream.isatty()):
         return max(shutil.get_terminal_size().columns, 1)
     return None
 
 
 def wrapped(text: str, width: int | None, indent: str = "  ") -> list[str]:
-    """Text in lines of at most `width` characters, broken between words alone; all but the first begin with `indent`
-    more than the text itself."""
+    """Text in lines of at most `width` characters, broken between words alone; all but the first
+    begin with `indent` more than the text itself."""
     if width is None:
         return [text]
     own = text[: len(text) - len(text.lstrip())]

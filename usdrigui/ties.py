@@ -1,7 +1,8 @@
-"""Choices that do not hang on the last bits of numbers: sums are formed in another order on each processor.
+"""Choices that do not hang on the last bits of numbers: sums are formed in another order on each
+processor.
 
-Numbers that ought to be equal (a symmetric face is full of them) are compared after rounding, and the first of equals
-is taken.
+Numbers that ought to be equal (a symmetric face is full of them) are compared after rounding, and
+the first of equals is taken.
 """
 
 from __future__ import annotations
@@ -15,7 +16,8 @@ _DIGITS = 9
 
 
 def rounded(values: Floats) -> Floats:
-    """The values as shares of the largest magnitude among them, to nine digits: for comparisons, not for sums."""
+    """The values as shares of the largest magnitude among them, to nine digits: for comparisons,
+    not for sums."""
     largest = float(np.abs(values).max(initial=0.0))
     return np.asarray(np.round(values / largest, _DIGITS) if 0.0 < largest < np.inf else values)
 
@@ -36,8 +38,8 @@ def axis_across(direction: Floats) -> Floats:
 
 
 def towards(direction: Floats, reference: Floats) -> Floats:
-    """(3,) `direction` or its reverse, whichever goes along `reference`; across it, the one whose largest component is
-    positive."""
+    """(3,) `direction` or its reverse, whichever goes along `reference`; across it, the one whose
+    largest component is positive."""
     along = float(direction @ reference)
     if abs(along) <= 10.0**-_DIGITS * float(np.linalg.norm(reference)):
         along = float(direction[first_largest(np.abs(direction))])

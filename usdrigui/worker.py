@@ -1,9 +1,10 @@
-"""A working process's side of `usdrigui.supervision`: what it tells its supervisor, and how it is asked to stop.
+"""A working process's side of `usdrigui.supervision`: what it tells its supervisor, and how it is
+asked to stop.
 
-It tells in messages on its standard output, one JSON document a line; what it prints is such a message, too, and
-what it says last, its verdict, comes with the message that closes.  One byte on its standard input asks it to stop,
-and the end of that input means that its supervisor is gone.  In a process that has no supervisor, as a host's that
-uses the Python API, nothing here does anything.
+It tells in messages on its standard output, one JSON document a line; what it prints is such a
+message, too, and what it says last, its verdict, comes with the message that closes.  One byte on
+its standard input asks it to stop, and the end of that input means that its supervisor is gone.  In
+a process that has no supervisor, as a host's that uses the Python API, nothing here does anything.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ _worker: _Worker | None = None
 
 
 def start() -> None:
-    """Make this process a worker: bound to its supervisor, its streams messages, its signals the supervisor's."""
+    """Make this process a worker: bound to its supervisor, its streams messages, its signals the
+    supervisor's."""
     global _worker
     greeting = json.loads(_line(0))
     processes.bind_to(greeting["parent"])
@@ -51,7 +53,8 @@ def active() -> bool:
 
 
 def budget(seconds: float, memory: int) -> None:
-    """What the run may take: wall clock since its start, 0 for no limit, and MiB of private memory."""
+    """What the run may take: wall clock since its start, 0 for no limit, and MiB of private
+    memory."""
     if _worker is not None:
         _worker.tell(what="budget", seconds=seconds, memory=memory, base=_resident())
         processes.limit_memory(memory)
@@ -59,7 +62,8 @@ def budget(seconds: float, memory: int) -> None:
 
 @contextlib.contextmanager
 def reading(path: str, seconds: float, memory: int, load: Callable[[], None]) -> Iterator[None]:
-    """A foreign file is read meanwhile, of which the process may die; `load` loads what that needs."""
+    """A foreign file is read meanwhile, of which the process may die; `load` loads what that
+    needs."""
     if _worker is None:
         yield
         return
@@ -74,7 +78,8 @@ def reading(path: str, seconds: float, memory: int, load: Callable[[], None]) ->
 
 @contextlib.contextmanager
 def committing(paths: Sequence[str]) -> Iterator[None]:
-    """Files are put in place meanwhile, which nobody may interrupt; the supervisor knows what was written."""
+    """Files are put in place meanwhile, which nobody may interrupt; the supervisor knows what was
+    written."""
     if _worker is None or not paths:
         yield
         return
@@ -90,7 +95,8 @@ def committing(paths: Sequence[str]) -> Iterator[None]:
 
 
 def be_patient(patient: bool) -> None:
-    """Whether a request to stop is looked for (`stop_requested`), so that it must not break into the work."""
+    """Whether a request to stop is looked for (`stop_requested`), so that it must not break into
+    the work."""
     if _worker is not None and patient != _worker.patient:
         _worker.patient = patient
         _worker.tell(what="patient", patient=patient)
@@ -122,15 +128,19 @@ def discard_result() -> None:
 
 
 def hold_errors() -> None:
-    """What is printed on standard error from now on is the verdict: it comes with the closing message."""
+    """What is printed on standard error from now on is the verdict: it comes with the closing
+    message."""
     if isinstance(sys.stderr, _Stream):
         sys.stderr.kept = True
 
 
 def finish(code: int) -> NoReturn:
-    """Tell the verdict and leave, without the interpreter's farewell, which may crash on what was read."""
+    """Tell the verdict and leave, without the interpreter's farewell, which may crash on what was
+    read."""
     assert _worker is not None
-    out, err = (stream.taken() if isinstance(stream, _Stream) else "" for stream in (sys.stdout, sys.stderr))
+    out, err = (
+        stream.taken() if isinstance(stream, _Stream) else "" for stream in (sys.stdout, sys.stderr)
+    )
     _worker.tell(what="end", code=code, out=out, err=err)
     os._exit(0)
 
@@ -176,7 +186,8 @@ class _Worker:
             _thread.interrupt_main()
 
     def on_signal(self, number: int, frame: object) -> None:
-        """Interrupt the work, once, unless it will look for the request itself or is amid a write or a message.
+        """Interrupt the work, once, unless it will look for the request itself or is amid a write
+        or a message.
 
         A terminal signals the whole group: only the supervisor's word counts.
         """
@@ -248,4 +259,6 @@ def _resident() -> int:
         return 0
     import resource
 
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> (20 if sys.platform == "darwin" else 10)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> (
+        20 if sys.platform == "darwin" else 10
+    )

@@ -1,4 +1,5 @@
-"""In-situ rig controls: handles on the face, from the layout layer that usdrigui writes beside a character."""
+"""In-situ rig controls: handles on the face, from the layout layer that usdrigui writes beside a
+character."""
 
 bl_info = {
     "name": "In-situ Rig Controls",

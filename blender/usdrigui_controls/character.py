@@ -1,8 +1,9 @@
-"""A character in the scene: which objects, shape keys and bones a layout means, its values and its keys.
+"""A character in the scene: which objects, shape keys and bones a layout means, its values and its
+keys.
 
-The value of a control lives where Blender keeps it, in shape keys and pose bones, so that the controls
-agree with every other way to pose the character.  Only poses made of several weights or joints have no
-such place; theirs is a custom property of the holder.
+The value of a control lives where Blender keeps it, in shape keys and pose bones, so that the
+controls agree with every other way to pose the character.  Only poses made of several weights or
+joints have no such place; theirs is a custom property of the holder.
 """
 
 from __future__ import annotations
@@ -24,9 +25,9 @@ _VALUE = "rig: "
 def bind(layout, objects):
     """Store a layout with the objects that it means; returns the holder.
 
-    ``objects`` maps prim paths to the object imported from each.  The holder is the armature, or the
-    first mesh where there is none.  Raises LayoutError when a mesh that carries controls is missing or has
-    another number of points.
+    ``objects`` maps prim paths to the object imported from each.  The holder is the armature, or
+    the first mesh where there is none.  Raises LayoutError when a mesh that carries controls is
+    missing or has another number of points.
     """
     meshes = {each.path: objects[each.path] for each in layout.meshes if each.path in objects}
     armatures = {each.path: objects[each.path] for each in layout.skeletons if each.path in objects}
@@ -35,9 +36,13 @@ def bind(layout, objects):
     if holder is None:
         raise LayoutError(f"no object of the scene belongs to {layout.root}")
     holder[LAYOUT] = to_json(layout)
-    holder[_MESHES] = {str(i): meshes[each.path] for i, each in enumerate(layout.meshes) if each.path in meshes}
+    holder[_MESHES] = {
+        str(i): meshes[each.path] for i, each in enumerate(layout.meshes) if each.path in meshes
+    }
     holder[_ARMATURES] = {
-        str(i): armatures[each.path] for i, each in enumerate(layout.skeletons) if each.path in armatures
+        str(i): armatures[each.path]
+        for i, each in enumerate(layout.skeletons)
+        if each.path in armatures
     }
     character = Character(holder)
     character.widen_ranges()
@@ -65,11 +70,14 @@ def _check(layout, meshes):
             raise LayoutError(f"no object of the scene is the mesh {path}")
         count = len(meshes[path].data.vertices)
         if count != expected.get(path, count):
-            raise LayoutError(f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}")
+            raise LayoutError(
+                f"{meshes[path].name} has {count} vertices, {path} has {expected[path]}"
+            )
 
 
 class Character:
-    """One character at one moment: hold it no longer than a call, Blender moves its objects about."""
+    """One character at one moment: hold it no longer than a call, Blender moves its objects
+    about."""
 
     def __init__(self, holder):
         self.holder = holder
@@ -78,7 +86,7 @@ class Character:
         self.meshes = _objects(holder, _MESHES, self.layout.meshes)
         self.armatures = _objects(holder, _ARMATURES, self.layout.skeletons)
 
-    # --- values --------------------------------------------------------------------------------------
+    # --- values -----------------------------------------------------------------------------------
 
     def values(self):
         """The value of every control, by name."""
@@ -89,7 +97,9 @@ class Character:
                 keys = self.shape_keys(control.shapes[0].token)
                 found[control.name] = keys[0].value if keys else control.base
             elif _is_single_joint(control) and self.bone(control.joints[0]):
-                turning.setdefault((control.joints[0].skeleton, control.joints[0].joint), []).append(control)
+                turning.setdefault(
+                    (control.joints[0].skeleton, control.joints[0].joint), []
+                ).append(control)
             else:
                 found[control.name] = float(self.holder.get(_VALUE + control.name, control.base))
         for controls in turning.values():
@@ -111,7 +121,9 @@ class Character:
                 weights[shape.token] = weights.get(shape.token, 0.0) + step
             for joint in control.joints:
                 moved = moves.setdefault((joint.skeleton, joint.joint), np.zeros((3, 3)))
-                moved += [_step(control.keys, table, before[name], value) for table in _tables(joint)]
+                moved += [
+                    _step(control.keys, table, before[name], value) for table in _tables(joint)
+                ]
             if not _is_single_joint(control):
                 self.holder[_VALUE + name] = float(value)
         for token, step in weights.items():
@@ -132,45 +144,64 @@ class Character:
             for joint in control.joints:
                 bone = self.bone(joint)
                 if bone is not None:
-                    for path, table in zip((_rotation_path(bone), "location", "scale"), _tables(joint), strict=True):
+                    for path, table in zip(
+                        (_rotation_path(bone), "location", "scale"), _tables(joint), strict=True
+                    ):
                         if np.any(table):
                             bone.keyframe_insert(path, group=bone.name, **at)
             if _VALUE + name in self.holder:
-                self.holder.keyframe_insert(f'["{bpy.utils.escape_identifier(_VALUE + name)}"]', **at)
+                self.holder.keyframe_insert(
+                    f'["{bpy.utils.escape_identifier(_VALUE + name)}"]', **at
+                )
 
     def widen_ranges(self):
         """Let the shape keys take every value of their controls."""
         for control in self.layout.controls:
             for shape in control.shapes:
-                low, high = (control.minimum, control.maximum) if control.plain else _extremes(shape.weights)
+                low, high = (
+                    (control.minimum, control.maximum)
+                    if control.plain
+                    else _extremes(shape.weights)
+                )
                 for key in self.shape_keys(shape.token):
                     key.slider_min = min(key.slider_min, low)
                     key.slider_max = max(key.slider_max, high)
 
     def take_rest_pose(self):
-        """Put bones that the import left in the bind pose into the rest pose, where USD has them."""
+        """Put bones that the import left in the bind pose into the rest pose, where USD has
+        them."""
         for skeleton, armature in self.armatures.items():
-            for joint in next(each for each in self.layout.skeletons if each.path == skeleton).joints:
+            for joint in next(
+                each for each in self.layout.skeletons if each.path == skeleton
+            ).joints:
                 bone = self.bone_of(skeleton, joint.path)
                 if bone is not None and _is_identity(bone.matrix_basis):
-                    bone.location, rotation, bone.scale = JointFrame(joint.bind, joint.rest).basis(np.zeros((3, 3)))
+                    bone.location, rotation, bone.scale = JointFrame(joint.bind, joint.rest).basis(
+                        np.zeros((3, 3))
+                    )
                     _set_rotation(bone, rotation)
             armature.update_tag(refresh={"OBJECT", "DATA"})
 
     def place_meshes(self):
-        """Put skinned meshes where the skeleton has them: Blender's import passes over its own transform."""
+        """Put skinned meshes where the skeleton has them: Blender's import passes over its own
+        transform."""
         bpy.context.view_layer.update()
         for rest in self.layout.meshes:
             mesh = self.meshes.get(rest.path)
             for skeleton in self.layout.skeletons:
                 armature = self.armatures.get(skeleton.path)
                 if mesh is not None and armature is not None and _deforms(armature, mesh):
-                    to_skeleton = np.linalg.inv(np.array(skeleton.to_root).T) @ np.array(rest.to_root).T
+                    to_skeleton = (
+                        np.linalg.inv(np.array(skeleton.to_root).T) @ np.array(rest.to_root).T
+                    )
                     wanted = np.array(armature.matrix_world) @ to_skeleton
-                    if np.abs(np.array(mesh.matrix_world) - wanted).max() > 1e-6 * np.abs(wanted).max():
+                    if (
+                        np.abs(np.array(mesh.matrix_world) - wanted).max()
+                        > 1e-6 * np.abs(wanted).max()
+                    ):
                         mesh.matrix_world = mathutils.Matrix(wanted.tolist())
 
-    # --- parts ---------------------------------------------------------------------------------------
+    # --- parts ------------------------------------------------------------------------------------
 
     def shape_keys(self, token):
         """The shape keys of a token, one per mesh that has it."""
@@ -202,7 +233,7 @@ class Character:
             self.bone(joint) is not None for joint in control.joints
         )
 
-    # --- joints --------------------------------------------------------------------------------------
+    # --- joints -----------------------------------------------------------------------------------
 
     def _joint_values(self, controls):
         """Values of the controls that move one joint, read off its bone."""
@@ -249,7 +280,8 @@ def _objects(holder, name, records):
 
 
 def _is_single_joint(control):
-    """Whether the value can be read off one bone: one joint, moving evenly with the value, and nothing else."""
+    """Whether the value can be read off one bone: one joint, moving evenly with the value, and
+    nothing else."""
     return len(control.joints) == 1 and not control.shapes and len(control.keys) == 2
 
 

@@ -24,7 +24,9 @@ def draw_elements(screen, shown, radii, opacity, hot):
     order = [i for i, item in enumerate(shown) if screen.faces(item.placed)]
     for i in sorted(order, key=lambda i: i == hot):
         colour = _HOT if i == hot else _side_colour(shown[i].element.side)
-        _add_element(screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if i == hot else 0.85))
+        _add_element(
+            screen, lines, faces, shown[i], radii[i], colour, opacity * (1.0 if i == hot else 0.85)
+        )
     gpu.state.blend_set("ALPHA")
     gpu.state.depth_test_set("NONE")
     lines.draw("LINES", width=2.0, viewport=(screen.width, screen.height))
@@ -65,7 +67,9 @@ def _disc(screen, centre, radius):
     """(48, 3) triangles of a disc of ``radius`` pixels that looks at the viewer."""
     right, up = screen.axes_at(centre)
     ring = centre + radius * (_CORNERS[:, :1] * right + _CORNERS[:, 1:] * up)
-    return np.stack([np.broadcast_to(centre, ring.shape), ring, np.roll(ring, -1, axis=0)], axis=1).reshape(-1, 3)
+    return np.stack(
+        [np.broadcast_to(centre, ring.shape), ring, np.roll(ring, -1, axis=0)], axis=1
+    ).reshape(-1, 3)
 
 
 class _Batch:
@@ -84,7 +88,8 @@ class _Batch:
         shader = gpu.shader.from_builtin(_shader_name(bool(width)))
         columns = {
             "pos": np.ascontiguousarray(np.concatenate(self.points), dtype=np.float32),
-            # Joined from broadcast rows numpy leaves it in column order, which Blender would misread.
+            # Joined from broadcast rows numpy leaves it in column order, which Blender would
+            # misread.
             "color": np.ascontiguousarray(np.concatenate(self.colours), dtype=np.float32),
         }
         batch = batch_for_shader(shader, primitive, columns)

@@ -1,4 +1,5 @@
-"""What an element says of its tracks and its handle, and where its mesh hangs: in the format that is written today."""
+"""What an element says of its tracks and its handle, and where its mesh hangs: in the format that
+is written today."""
 
 from __future__ import annotations
 
@@ -26,7 +27,8 @@ def carriers(prim, _instances):
 def areas(prim, tracks):
     """Points and triangles of the areas between tracks, which are the last faces.
 
-    Their corners are ends of tracks, or where a track begins; the drawn tracks tell which, as they lie at rest.
+    Their corners are ends of tracks, or where a track begins; the drawn tracks tell which, as they
+    lie at rest.
     """
     count = get(prim, "rigUI:handle:faceCount", 0)
     corners = _corners(prim)[count:]
@@ -95,7 +97,8 @@ def reversed_members(prim, instances):
 
 
 def joint_table(of, name):
-    """Rotation vectors in radians, translations, or logarithms of scale factors: one vector per key and joint."""
+    """Rotation vectors in radians, translations, or logarithms of scale factors: one vector per key
+    and joint."""
     if name == "Rotation":
         return [tuple(math.radians(each) for each in row) for row in of("jointRotationVectors", ())]
     if name == "Scale":
@@ -106,8 +109,15 @@ def joint_table(of, name):
 def drawn_width(scope):
     """Width of the first handle that is drawn."""
     for prim in Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate):
-        faces = _corners(prim)[: get(prim, "rigUI:handle:faceCount", 0)] if "RigUIElementAPI" in applied(prim) else ()
+        faces = (
+            _corners(prim)[: get(prim, "rigUI:handle:faceCount", 0)]
+            if "RigUIElementAPI" in applied(prim)
+            else ()
+        )
         points = [get(prim.GetParent(), "points", ())[point] for face in faces for point in face]
         if points:
-            return max(max(point[axis] for point in points) - min(point[axis] for point in points) for axis in range(3))
+            return max(
+                max(point[axis] for point in points) - min(point[axis] for point in points)
+                for axis in range(3)
+            )
     raise LayoutError(f"{scope.GetPath()} does not say how wide its handles are")

@@ -21,7 +21,11 @@ def carriers(prim, instances):
 
 def areas(prim, _points):
     """Points and triangles of each area."""
-    return tuple((_base_points(child), _triangles(child)) for child in _tracks(prim) if child.IsA(UsdGeom.Mesh))
+    return tuple(
+        (_base_points(child), _triangles(child))
+        for child in _tracks(prim)
+        if child.IsA(UsdGeom.Mesh)
+    )
 
 
 def _triangles(prim):
@@ -61,7 +65,8 @@ def reversed_members(prim, _instances):
 
 
 def joint_table(of, name):
-    """Rotation vectors in radians, translations, or logarithms of scale factors: one vector per key and joint."""
+    """Rotation vectors in radians, translations, or logarithms of scale factors: one vector per key
+    and joint."""
     return [floats(row) for row in of(f"joint{name}s", ())]
 
 

@@ -1,8 +1,9 @@
-"""Where an element is at a pose: the rules of the layer, from what the application says of its anchor.
+"""Where an element is at a pose: the rules of the layer, from what the application says of its
+anchor.
 
-A track follows the skin under every control but those of its own element; a handle lies on the deformed
-anchor, or slides along its track where the element hangs rigidly or its track is enlarged.  numpy only,
-positions in world space, 4x4 matrices for column vectors.
+A track follows the skin under every control but those of its own element; a handle lies on the
+deformed anchor, or slides along its track where the element hangs rigidly or its track is enlarged.
+numpy only, positions in world space, 4x4 matrices for column vectors.
 """
 
 from __future__ import annotations
@@ -71,7 +72,9 @@ def drawing_of(element, controls):
         values=tuple(np.array(member.values) for member in element.members),
         tracks=tuple(np.array(member.track) for member in element.members),
         areas=tuple(np.array(area.points).reshape(-1, 3) for area in element.areas),
-        triangles=tuple(np.array(area.triangles, dtype=np.int32).reshape(-1, 3) for area in element.areas),
+        triangles=tuple(
+            np.array(area.triangles, dtype=np.int32).reshape(-1, 3) for area in element.areas
+        ),
         position=np.array(element.position),
         normal=np.array(element.normal),
         follows=element.follows,

@@ -21,7 +21,8 @@ class Hand:
 
 
 class RigControls(bpy.types.Gizmo):
-    """All elements of all characters as one gizmo, so that the nearest handle wins and none steals."""
+    """All elements of all characters as one gizmo, so that the nearest handle wins and none
+    steals."""
 
     bl_idname = "USDRIGUI_GT_controls"
 
@@ -44,7 +45,12 @@ class RigControls(bpy.types.Gizmo):
         """The number of the element under ``location``, or -1."""
         screen, found = _screen(context), shown.items(context)
         pointer = np.array([location[0], screen.height - location[1]])
-        index = pick(screen, [item.placed for item in found], pointer, _radii(screen, found, context.scene.usdrigui))
+        index = pick(
+            screen,
+            [item.placed for item in found],
+            pointer,
+            _radii(screen, found, context.scene.usdrigui),
+        )
         hot = (found[index].holder, found[index].element.name) if index >= 0 else None
         if hot != Hand.hot:
             Hand.hot = hot
@@ -55,7 +61,10 @@ class RigControls(bpy.types.Gizmo):
         """Take hold; with Ctrl, put the element back to the base pose instead."""
         if Hand.hot is None:
             return {"CANCELLED"}
-        item = next((each for each in shown.items(context) if (each.holder, each.element.name) == Hand.hot), None)
+        item = next(
+            (each for each in shown.items(context) if (each.holder, each.element.name) == Hand.hot),
+            None,
+        )
         if item is None:
             return {"CANCELLED"}
         Hand.active = Hand.hot
@@ -79,7 +88,8 @@ class RigControls(bpy.types.Gizmo):
         return {"RUNNING_MODAL"}
 
     def exit(self, context, cancel):
-        """Let go: one step of undo, and keyframes where Blender records; or everything as it was."""
+        """Let go: one step of undo, and keyframes where Blender records; or everything as it
+        was."""
         item, self.grab = self.grabbed, None
         context.area.header_text_set(None)
         character = Character(bpy.data.objects[item.holder])
@@ -98,13 +108,20 @@ class RigControls(bpy.types.Gizmo):
     def _set(self, context, values):
         item = self.grabbed
         character = Character(bpy.data.objects[item.holder])
-        changed = {member.control: float(v) for member, v in zip(item.element.members, values, strict=True)}
+        changed = {
+            member.control: float(v) for member, v in zip(item.element.members, values, strict=True)
+        }
         if context.scene.usdrigui.symmetric:
-            ranges = {each.name: (each.minimum, each.default, each.maximum) for each in character.layout.controls}
+            ranges = {
+                each.name: (each.minimum, each.default, each.maximum)
+                for each in character.layout.controls
+            }
             changed = with_partners(changed, character.layout.partners(), ranges)
         character.set_values(changed)
         shown.touch()
-        context.area.header_text_set("   ".join(f"{name} {value:.3f}" for name, value in changed.items()))
+        context.area.header_text_set(
+            "   ".join(f"{name} {value:.3f}" for name, value in changed.items())
+        )
         context.area.tag_redraw()
 
 
@@ -120,7 +137,11 @@ class RigControlsGroup(bpy.types.GizmoGroup):
     @classmethod
     def poll(cls, context):
         """Whether this view shows controls now."""
-        return context.scene.usdrigui.show and context.mode in ("OBJECT", "POSE") and bool(shown.items(context))
+        return (
+            context.scene.usdrigui.show
+            and context.mode in ("OBJECT", "POSE")
+            and bool(shown.items(context))
+        )
 
     def setup(self, context):
         """Called by Blender once per view."""
@@ -133,7 +154,9 @@ def _draw_hot_label():
     hot = Hand.hot
     if hot is None or not context.scene.usdrigui.show or not context.scene.usdrigui.names:
         return
-    item = next((each for each in shown.items(context) if (each.holder, each.element.name) == hot), None)
+    item = next(
+        (each for each in shown.items(context) if (each.holder, each.element.name) == hot), None
+    )
     if item is not None:
         screen = _screen(context)
         x, y = screen.project(item.placed.handle[None])[0]
@@ -152,13 +175,18 @@ def _screen(context):
 def _radii(screen, found, settings):
     """Pixels of every handle: its true size times the setting, but never too small to be seen."""
     widths = _widths()
-    return [max(screen.radius(item.placed, widths.get(item.holder, 0.0) * settings.size), 3.0) for item in found]
+    return [
+        max(screen.radius(item.placed, widths.get(item.holder, 0.0) * settings.size), 3.0)
+        for item in found
+    ]
 
 
 def _widths():
     from .character import LAYOUT, parsed
 
-    return {each.name: parsed(each[LAYOUT]).handle_width for each in bpy.data.objects if LAYOUT in each}
+    return {
+        each.name: parsed(each[LAYOUT]).handle_width for each in bpy.data.objects if LAYOUT in each
+    }
 
 
 def _pointer(event, screen):

@@ -1,4 +1,5 @@
-"""From an imported stage to controls: by Blender's USD hook, or by hand on what was imported before."""
+"""From an imported stage to controls: by Blender's USD hook, or by hand on what was imported
+before."""
 
 from __future__ import annotations
 
@@ -15,8 +16,9 @@ from .layout import LayoutError
 def add_controls(stage, objects):
     """Build the controls of every layout on a stage.
 
-    ``objects`` maps prim paths to imported objects.  Returns (holder, number of in-between keys added) per
-    character.  Raises LayoutError when the stage holds no layout, or one that does not fit the scene.
+    ``objects`` maps prim paths to imported objects.  Returns (holder, number of in-between keys
+    added) per character.  Raises LayoutError when the stage holds no layout, or one that does not
+    fit the scene.
     """
     from .reading import read_layouts
 
@@ -33,7 +35,8 @@ def add_controls(stage, objects):
 
 
 def has_usd():
-    """Whether Python can import the USD that this Blender brings along; some builds leave its Python modules out."""
+    """Whether Python can import the USD that this Blender brings along; some builds leave its
+    Python modules out."""
     if hasattr(bpy.utils, "expose_bundled_modules"):
         bpy.utils.expose_bundled_modules()  # bpy as a module does not do so by itself
     try:
@@ -46,15 +49,21 @@ def has_usd():
 def objects_by_name(stage):
     """Prim paths of a stage's meshes and skeletons to the scene's objects of the same names.
 
-    For Blenders whose importer does not say which object came from which prim.  Of several objects whose
-    names differ in a numeric suffix, the selected or else the newest one is meant.
+    For Blenders whose importer does not say which object came from which prim.  Of several objects
+    whose names differ in a numeric suffix, the selected or else the newest one is meant.
     """
     from pxr import UsdGeom, UsdSkel
 
     found = {}
     for prim in stage.Traverse():
-        wanted = "MESH" if prim.IsA(UsdGeom.Mesh) else "ARMATURE" if prim.IsA(UsdSkel.Skeleton) else ""
-        same = [each for each in bpy.data.objects if each.type == wanted and _named(each, prim.GetName())]
+        wanted = (
+            "MESH" if prim.IsA(UsdGeom.Mesh) else "ARMATURE" if prim.IsA(UsdSkel.Skeleton) else ""
+        )
+        same = [
+            each
+            for each in bpy.data.objects
+            if each.type == wanted and _named(each, prim.GetName())
+        ]
         if wanted and same:
             found[str(prim.GetPath())] = max(same, key=lambda each: (each.select_get(), each.name))
     return found
@@ -66,7 +75,8 @@ def _named(thing, name):
 
 
 def _hide_guides(objects, root):
-    """Hide the layer's own drawn handles, if they were imported as well: the controls are drawn instead."""
+    """Hide the layer's own drawn handles, if they were imported as well: the controls are drawn
+    instead."""
     for path, thing in objects.items():
         if path.startswith(f"{root}/RigUI/"):
             thing.hide_viewport = thing.hide_render = True
@@ -96,13 +106,17 @@ if hasattr(bpy.types, "USDHook"):
             stage = import_context.get_stage()
             has_map = hasattr(import_context, "get_prim_map")
             try:
-                objects = _by_prim(import_context.get_prim_map()) if has_map else objects_by_name(stage)
+                objects = (
+                    _by_prim(import_context.get_prim_map()) if has_map else objects_by_name(stage)
+                )
                 built = add_controls(stage, objects)
             except LayoutError as error:
                 print(f"In-situ rig controls: {error}")
                 return False
             for holder, added in built:
-                print(f"In-situ rig controls: built on {holder.name}, {added} in-between shapes added")
+                print(
+                    f"In-situ rig controls: built on {holder.name}, {added} in-between shapes added"
+                )
             return True
 
 

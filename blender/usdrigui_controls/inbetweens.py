@@ -1,8 +1,8 @@
 """In-between shapes, which Blender's USD importer leaves out, as shape keys with drivers.
 
-The offset of a point is piecewise linear in the weight through the in-betweens.  The imported key gives
-``weight * offset``; each in-between adds a key with what it differs by, and a driver that is 1 at its
-weight, 0 at the others', linear between them and onwards beyond the ends, as UsdSkel is.
+The offset of a point is piecewise linear in the weight through the in-betweens.  The imported key
+gives ``weight * offset``; each in-between adds a key with what it differs by, and a driver that is
+1 at its weight, 0 at the others', linear between them and onwards beyond the ends, as UsdSkel is.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ _KNOTS = "usdrigui_inbetweens"
 def build(stage, objects):
     """Add the in-betweens of every imported mesh; returns how many keys were added.
 
-    ``objects`` maps prim paths to mesh objects.  Meshes that have their in-betweens already keep them.
+    ``objects`` maps prim paths to mesh objects.  Meshes that have their in-betweens already keep
+    them.
     """
     from pxr import UsdSkel
 
@@ -63,9 +64,17 @@ def hat(knots, index, variable="w"):
 
     Only what Blender evaluates without Python: so it works with scripts switched off.
     """
-    rise = f"({variable}-({knots[index - 1]:.9g}))/{knots[index] - knots[index - 1]:.9g}" if index else ""
+    rise = (
+        f"({variable}-({knots[index - 1]:.9g}))/{knots[index] - knots[index - 1]:.9g}"
+        if index
+        else ""
+    )
     last = index + 1 == len(knots)
-    fall = "" if last else f"(({knots[index + 1]:.9g})-{variable})/{knots[index + 1] - knots[index]:.9g}"
+    fall = (
+        ""
+        if last
+        else f"(({knots[index + 1]:.9g})-{variable})/{knots[index + 1] - knots[index]:.9g}"
+    )
     # The first and the last piece go on beyond their ends; all others stop at 0.
     if rise and index > 1:
         rise = f"max(0,{rise})"
@@ -76,7 +85,9 @@ def hat(knots, index, variable="w"):
 
 def _add(mesh, key, shape):
     """Keys for the in-betweens of one shape: (weight, name) pairs, ascending."""
-    between = [each for each in shape.GetInbetweens() if each.GetWeight() is not None and each.GetOffsets()]
+    between = [
+        each for each in shape.GetInbetweens() if each.GetWeight() is not None and each.GetOffsets()
+    ]
     between.sort(key=lambda each: each.GetWeight())
     if not between:
         return []
@@ -92,7 +103,9 @@ def _add(mesh, key, shape):
         offsets[indices if len(indices) else slice(None)] = np.array(each.GetOffsets())
         added = mesh.shape_key_add(name=f"{key.name}@{weight:g}", from_mix=False)
         added.relative_key = mesh.data.shape_keys.reference_key
-        added.data.foreach_set("co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32))
+        added.data.foreach_set(
+            "co", (rest + offsets - weight * (full - rest)).ravel().astype(np.float32)
+        )
         added.slider_min, added.slider_max = -10.0, 10.0
         _drive(added, key, hat(knots, knots.index(weight)))
         names.append((weight, added.name))

@@ -19,7 +19,9 @@ class Settings(bpy.types.PropertyGroup):
     """How the controls of a scene look and behave."""
 
     show: bpy.props.BoolProperty(name="Show Controls", default=True, update=_touch)
-    opacity: bpy.props.FloatProperty(name="Opacity", default=0.8, min=0.05, max=1.0, subtype="FACTOR")
+    opacity: bpy.props.FloatProperty(
+        name="Opacity", default=0.8, min=0.05, max=1.0, subtype="FACTOR"
+    )
     size: bpy.props.FloatProperty(name="Handle Size", default=1.0, min=0.2, max=4.0)
     symmetric: bpy.props.BoolProperty(
         name="Symmetric",

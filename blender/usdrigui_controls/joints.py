@@ -1,7 +1,7 @@
 """Joint moves as UsdSkel and the layer say them, and as a bone's own loc, rot, scale; numpy only.
 
-A bone's basis is relative to its bind pose, a control's drive to the base pose; both in the joint's own
-axes.  Matrices are 4x4 for column vectors.
+A bone's basis is relative to its bind pose, a control's drive to the base pose; both in the joint's
+own axes.  Matrices are 4x4 for column vectors.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ class JointFrame:
         self.offset = rest[:3, 3] - bind[:3, 3]
 
     def basis(self, move):
-        """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector, translation, log scale)."""
+        """A bone's (location, (3, 3) rotation, scale) for a ``move``: (rotation vector,
+        translation, log scale)."""
         rotation, translation, scale = (np.asarray(part, dtype=np.float64) for part in move)
         location = self.turn.T @ (self.offset + translation)
         return location, self.lead @ rotations(rotation).T, self.stretch * np.exp(scale)
@@ -36,7 +37,8 @@ class JointFrame:
 
 
 def drive_at(keys, table, value):
-    """Row of ``table`` (k, ...) at ``value``: linear between the ``keys`` (k,), extrapolated beyond them."""
+    """Row of ``table`` (k, ...) at ``value``: linear between the ``keys`` (k,), extrapolated beyond
+    them."""
     keys, table = np.asarray(keys, dtype=np.float64), np.asarray(table, dtype=np.float64)
     piece = int(np.clip(np.searchsorted(keys, value, side="right") - 1, 0, len(keys) - 2))
     share = (value - keys[piece]) / (keys[piece + 1] - keys[piece])
@@ -44,13 +46,17 @@ def drive_at(keys, table, value):
 
 
 def values_behind(moves, defaults, slopes):
-    """Values of the controls that together make a joint's ``moves`` (9,), nearest in the least squares.
+    """Values of the controls that together make a joint's ``moves`` (9,), nearest in the least
+    squares.
 
-    ``slopes`` (controls, 9) are moves per unit of each control, ``defaults`` (controls,) where they add
-    nothing.
+    ``slopes`` (controls, 9) are moves per unit of each control, ``defaults`` (controls,) where they
+    add nothing.
     """
     slopes = np.asarray(slopes, dtype=np.float64)
-    return np.asarray(defaults) + np.linalg.lstsq(slopes.T, np.asarray(moves, dtype=np.float64), rcond=1e-9)[0]
+    return (
+        np.asarray(defaults)
+        + np.linalg.lstsq(slopes.T, np.asarray(moves, dtype=np.float64), rcond=1e-9)[0]
+    )
 
 
 def _parts(matrix):

@@ -1,4 +1,5 @@
-"""A layout as plain records that travel as JSON, so that a saved file keeps its controls without the layer.
+"""A layout as plain records that travel as JSON, so that a saved file keeps its controls without
+the layer.
 
 Positions are in the space of the SkelRoot ("root space"), in scene units; matrices are 4x4 in USD's
 row-vector convention, as nested tuples.  Nothing here knows Blender or USD.
@@ -50,7 +51,8 @@ class Control:
     base: float
     """Value in the base pose."""
     keys: tuple[float, ...]
-    """Ascending values of the drive's keys; empty where the weight of the only token is the value itself."""
+    """Ascending values of the drive's keys; empty where the weight of the only token is the value
+    itself."""
     shapes: tuple[ShapeDrive, ...]
     joints: tuple[JointDrive, ...]
 
@@ -62,7 +64,8 @@ class Control:
 
 @dataclass(frozen=True)
 class Member:
-    """One control of an element with its track: positions at ascending control values, in the base pose."""
+    """One control of an element with its track: positions at ascending control values, in the base
+    pose."""
 
     control: str
     values: tuple[float, ...]
@@ -106,8 +109,8 @@ class Element:
     family: str
     reason: str
     axes: tuple[tuple[int, ...], ...] = ()
-    """Positions of the members of each axis: one control, or the negative and the positive end of a signed axis.
-    Files saved before this was kept have none: there each member is an axis."""
+    """Positions of the members of each axis: one control, or the negative and the positive end of a
+    signed axis. Files saved before this was kept have none: there each member is an axis."""
 
 
 @dataclass(frozen=True)
@@ -158,12 +161,15 @@ class Layout:
         return next((each for each in self.elements if each.name == name), None)
 
     def partners(self) -> dict[str, tuple[str, bool]]:
-        """The twin of each control that has one, and whether it goes the other way; from mirrored elements."""
+        """The twin of each control that has one, and whether it goes the other way; from mirrored
+        elements."""
         found = {}
         for element in self.elements:
             other = self.element(element.mirror)
             if other is not None and len(other.members) == len(element.members):
-                for i, (mine, theirs) in enumerate(zip(element.members, other.members, strict=True)):
+                for i, (mine, theirs) in enumerate(
+                    zip(element.members, other.members, strict=True)
+                ):
                     found[mine.control] = theirs.control, i in element.reversed
         return found
 
@@ -203,9 +209,11 @@ def _record(kind: Any, values: dict[str, Any]) -> Any:
     nested = dict(_NESTED.get(kind, ()))
     return kind(
         **{
-            field.name: tuple(_record(nested[field.name], each) for each in values[field.name])
-            if field.name in nested
-            else _frozen(values[field.name])
+            field.name: (
+                tuple(_record(nested[field.name], each) for each in values[field.name])
+                if field.name in nested
+                else _frozen(values[field.name])
+            )
             for field in fields(kind)
             if field.name in values or field.default is MISSING
         }

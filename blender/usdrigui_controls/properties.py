@@ -1,4 +1,5 @@
-"""What prims say: their applied schemas, attributes, relationships, and the influences of their points."""
+"""What prims say: their applied schemas, attributes, relationships, and the influences of their
+points."""
 
 from __future__ import annotations
 
@@ -39,4 +40,6 @@ def carriers_of(prim, point):
     width = max(1, indices.GetElementSize())
     rows = slice(width * point, width * (point + 1))
     pairs = zip(list(indices.Get() or ())[rows], list(weights.Get() or ())[rows], strict=True)
-    return tuple((tokens[index], float(weight)) for index, weight in pairs if weight), str(skeleton[0])
+    return tuple((tokens[index], float(weight)) for index, weight in pairs if weight), str(
+        skeleton[0]
+    )

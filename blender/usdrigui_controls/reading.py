@@ -1,7 +1,7 @@
 """From a stage to `layout.Layout`, by the contract of the layer and nothing else.
 
-Uses the USD that Blender brings along; the schema plug-in need not be registered.  What a layer does not
-say takes the schema's fallback.
+Uses the USD that Blender brings along; the schema plug-in need not be registered.  What a layer
+does not say takes the schema's fallback.
 """
 
 from __future__ import annotations
@@ -25,11 +25,13 @@ from .layout import (
 from .properties import applied, floats, get, targets
 
 LAYOUT = "RigUILayoutAPI_1"
-"""The mark of a layout, with the version of it that is understood; the first format has no number."""
+"""The mark of a layout, with the version of it that is understood; the first format has no
+number."""
 
 
 def read_layouts(stage):
-    """All layouts of a stage, one per character.  Raises LayoutError for what cannot be understood."""
+    """All layouts of a stage, one per character.  Raises LayoutError for what cannot be
+    understood."""
     return tuple(_layout(scope) for scope in _scopes(stage))
 
 
@@ -51,9 +53,14 @@ def _layout(scope):
     mark = _mark(scope)
     if mark not in (LAYOUT, "RigUILayoutAPI") or get(scope, "rigUI:layout:version", 1) > 1:
         raise LayoutError(f"{scope.GetPath()} keeps a later version of the contract than {LAYOUT}")
-    names, values = (get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues"))
+    names, values = (
+        get(scope, f"rigUI:layout:{name}", ()) for name in ("baseControls", "baseValues")
+    )
     if len(values) not in (0, len(names)):
-        raise LayoutError(f"{scope.GetPath()} names {len(names)} controls and {len(values)} values of the base pose")
+        raise LayoutError(
+            f"{scope.GetPath()} names {len(names)} controls and {len(values)} values of the base"
+            " pose"
+        )
     base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
     root = scope.GetParent()
     parts = first_format if mark != LAYOUT else drawn
@@ -64,7 +71,9 @@ def _layout(scope):
             control = _control(prim, instance, base, parts)
             controls[control.name] = control
         elements.append(_element(prim, instances, parts))
-    skeletons = [_skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)]
+    skeletons = [
+        _skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)
+    ]
     return Layout(
         root=str(root.GetPath()),
         handle_width=get(scope, "rigUI:layout:handleWidth", 0.0) or parts.drawn_width(scope),
@@ -77,13 +86,15 @@ def _layout(scope):
 
 def _elements(scope):
     """The elements that the layout lists, in that order, and then the others below it."""
-    listed = [scope.GetStage().GetPrimAtPath(path) for path in targets(scope, "rigUI:layout:elements")]
+    listed = [
+        scope.GetStage().GetPrimAtPath(path) for path in targets(scope, "rigUI:layout:elements")
+    ]
     walk = Usd.PrimRange(scope, Usd.PrimAllPrimsPredicate)
     found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
     return [prim for prim in found if "RigUIElementAPI" in applied(prim) and prim.IsActive()]
 
 
-# --- controls ----------------------------------------------------------------------------------------
+# --- controls -------------------------------------------------------------------------------------
 
 
 def _control(prim, instance, base, parts):
@@ -121,10 +132,12 @@ def _joints(prim, instance, of, keys, parts):
     skeletons = [str(path) for path in targets(prim, f"rigUI:control:{instance}:skeleton")]
     which = list(of("jointSkeletons", ())) or [0] * len(joints)
     tables = [
-        _table(parts.joint_table(of, name), len(keys), len(joints)) for name in ("Rotation", "Translation", "Scale")
+        _table(parts.joint_table(of, name), len(keys), len(joints))
+        for name in ("Rotation", "Translation", "Scale")
     ]
     return tuple(
-        JointDrive(skeletons[which[j]], joint, *(table[j] for table in tables)) for j, joint in enumerate(joints)
+        JointDrive(skeletons[which[j]], joint, *(table[j] for table in tables))
+        for j, joint in enumerate(joints)
     )
 
 
@@ -136,7 +149,7 @@ def _table(rows, keys, joints):
     return [tuple(rows[j::joints]) for j in range(joints)]
 
 
-# --- elements ----------------------------------------------------------------------------------------
+# --- elements -------------------------------------------------------------------------------------
 
 
 def _element(prim, instances, parts):
@@ -144,7 +157,9 @@ def _element(prim, instances, parts):
     mirror = targets(prim, "rigUI:element:mirror")
     tracks = [parts.track(prim, instance, len(instances)) for instance in instances]
     carriers, skeleton = parts.carriers(prim, instances)
-    members = [_member(prim, instance, *track) for instance, track in zip(instances, tracks, strict=True)]
+    members = [
+        _member(prim, instance, *track) for instance, track in zip(instances, tracks, strict=True)
+    ]
     name = _name(prim)
     return Element(
         name=name,
@@ -162,7 +177,10 @@ def _element(prim, instances, parts):
         side=str(get(prim, "rigUI:element:side", "none")),
         mirror=_name(prim.GetStage().GetPrimAtPath(mirror[0])) if mirror else "",
         reversed=parts.reversed_members(prim, instances),
-        inner=tuple(_name(prim.GetStage().GetPrimAtPath(path)) for path in targets(prim, "rigUI:element:members")),
+        inner=tuple(
+            _name(prim.GetStage().GetPrimAtPath(path))
+            for path in targets(prim, "rigUI:element:members")
+        ),
         family=parts.category(prim),
         reason=parts.reason(prim),
         axes=_axes(prim, parts.opposed(prim, instances), len(instances)),
@@ -195,13 +213,15 @@ def _member(prim, instance, points, values):
         low, high = get(prim, f"{control}:minimum", 0.0), get(prim, f"{control}:maximum", 1.0)
         values = tuple(low + (high - low) * i / max(len(points) - 1, 1) for i in range(len(points)))
     if len(values) != len(points) or len(points) < 2:
-        raise LayoutError(f"{prim.GetPath()} has {len(points)} points and {len(values)} values on a track")
+        raise LayoutError(
+            f"{prim.GetPath()} has {len(points)} points and {len(values)} values on a track"
+        )
     name = str(get(prim, f"{control}:name", "")) or instance
     enlarged = get(prim, f"{control}:magnification", 1.0) * get(prim, f"{control}:gain", 1.0)
     return Member(name, values, points, enlarged)
 
 
-# --- the character -----------------------------------------------------------------------------------
+# --- the character --------------------------------------------------------------------------------
 
 
 def _meshes(root, scope):
@@ -211,12 +231,15 @@ def _meshes(root, scope):
         if prim.IsA(UsdGeom.Mesh) and not prim.GetPath().HasPrefix(scope.GetPath()):
             points = UsdGeom.Mesh(prim).GetPointsAttr()
             value = points.Get() or points.Get(Usd.TimeCode.EarliestTime()) or ()
-            found.append(MeshRest(str(prim.GetPath()), len(value), _rows(_to_root(prim, root, cache))))
+            found.append(
+                MeshRest(str(prim.GetPath()), len(value), _rows(_to_root(prim, root, cache)))
+            )
     return tuple(found)
 
 
 def _to_root(prim, root, cache):
-    """Mesh space to root space: through the skeleton where the mesh is skinned, else as it stands."""
+    """Mesh space to root space: through the skeleton where the mesh is skinned, else as it
+    stands."""
     binding = UsdSkel.BindingAPI(prim)
     skeleton = binding.GetInheritedSkeleton()
     inherited = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance("skel:jointIndices")
@@ -237,13 +260,19 @@ def _skeleton(prim, root):
     bind = list(skeleton.GetBindTransformsAttr().Get() or ())
     rest = list(skeleton.GetRestTransformsAttr().Get() or ())
     if len(bind) != len(order):
-        raise LayoutError(f"{prim.GetPath()} has {len(bind)} bind transforms for {len(order)} joints")
+        raise LayoutError(
+            f"{prim.GetPath()} has {len(bind)} bind transforms for {len(order)} joints"
+        )
     joints = []
     for i, path in enumerate(order):
         parent = path.rpartition("/")[0]
         local = bind[i] * bind[order.index(parent)].GetInverse() if parent in order else bind[i]
-        joints.append(JointRest(path, _rows(local), _rows(rest[i] if len(rest) == len(order) else local)))
-    return SkeletonRest(str(prim.GetPath()), _rows(_relative(prim, root, UsdGeom.XformCache())), tuple(joints))
+        joints.append(
+            JointRest(path, _rows(local), _rows(rest[i] if len(rest) == len(order) else local))
+        )
+    return SkeletonRest(
+        str(prim.GetPath()), _rows(_relative(prim, root, UsdGeom.XformCache())), tuple(joints)
+    )
 
 
 def _rows(matrix):

@@ -1,7 +1,7 @@
 """From drags in the plane of the screen to control values; numpy only, nothing of Blender.
 
-Pixels have x to the right and y down.  The rule of drags is usdrigui's own file, put into `maths` when the extension
-is built.
+Pixels have x to the right and y down.  The rule of drags is usdrigui's own file, put into `maths`
+when the extension is built.
 """
 
 from __future__ import annotations
@@ -32,7 +32,9 @@ class Screen:
 
     def project(self, points):
         """(n, 2) pixels of world points (n, 3); NaN for those behind the viewer."""
-        homogeneous = np.asarray(points, dtype=np.float64) @ self.matrix[:, :3].T + self.matrix[:, 3]
+        homogeneous = (
+            np.asarray(points, dtype=np.float64) @ self.matrix[:, :3].T + self.matrix[:, 3]
+        )
         w = homogeneous[:, 3:]
         with np.errstate(divide="ignore", invalid="ignore"):
             clip = np.where(w > 0.0, homogeneous[:, :2] / w, np.nan)
@@ -50,18 +52,22 @@ class Screen:
         return 0.5 * width * placed.scale / max(float(np.linalg.norm(right)), 1e-30)
 
     def axes_at(self, point):
-        """(3,) each, the world vectors of one pixel to the right and one upward at a world point."""
+        """(3,) each, the world vectors of one pixel to the right and one upward at a world
+        point."""
         w = max(float(self.matrix[3, :3] @ point + self.matrix[3, 3]), 1e-30)
         right, up = self.matrix[0, :3], self.matrix[1, :3]
-        return 2.0 * w / self.width * right / (right @ right), 2.0 * w / self.height * up / (up @ up)
+        return 2.0 * w / self.width * right / (right @ right), 2.0 * w / self.height * up / (
+            up @ up
+        )
 
 
 def pick(screen, elements, pointer, radii, reach=8.0):
     """Index of the element whose handle is nearest to the ``pointer`` (2,), or -1.
 
-    ``elements`` are `Placed` ones or None, ``radii`` their handles' pixels; a handle is caught within its
-    radius, and within ``reach`` pixels however small it is drawn.  Each handle's distance counts from its
-    centre, so that of two handles on one spot the pointer takes the one it is nearer to.
+    ``elements`` are `Placed` ones or None, ``radii`` their handles' pixels; a handle is caught
+    within its radius, and within ``reach`` pixels however small it is drawn.  Each handle's
+    distance counts from its centre, so that of two handles on one spot the pointer takes the one it
+    is nearer to.
     """
     shown = [i for i, placed in enumerate(elements) if placed is not None and screen.faces(placed)]
     if not shown:
@@ -79,13 +85,16 @@ class Grab:
 
     def __init__(self, screen, drawing, placed, values, pointer):
         tracks = [screen.project(track) for track in placed.tracks]
-        self.drag = begin_drag(tracks, drawing.values, drawing.axes, drawing.ranges, drawing.base, values)
+        self.drag = begin_drag(
+            tracks, drawing.values, drawing.axes, drawing.ranges, drawing.base, values
+        )
         self.at = self.drag.start
         self.pointer = np.array(pointer, dtype=np.float64)
         self.moved = np.zeros(2)
 
     def to(self, pointer, fine=False):
-        """(m,) member values when the pointer has moved to ``pointer`` (2,); within the controls' ranges."""
+        """(m,) member values when the pointer has moved to ``pointer`` (2,); within the controls'
+        ranges."""
         step = np.array(pointer, dtype=np.float64) - self.pointer
         self.pointer = self.pointer + step
         self.moved = self.moved + (FINE if fine else 1.0) * step
@@ -96,8 +105,9 @@ class Grab:
 def with_partners(changed, partners, ranges):
     """Values with those of twin controls added: the twin moves by the same share of its own range.
 
-    ``changed`` maps names to values, ``partners`` names to (name, whether it goes the other way), ``ranges``
-    names to (minimum, default, maximum).  A control that was itself dragged keeps its value.
+    ``changed`` maps names to values, ``partners`` names to (name, whether it goes the other way),
+    ``ranges`` names to (minimum, default, maximum).  A control that was itself dragged keeps its
+    value.
     """
     found = dict(changed)
     for name, value in changed.items():

@@ -68,15 +68,24 @@ def _placed(context):
             continue
         hidden = _folded(holder.name, anchors.elements)
         for element, drawing, where in zip(anchors.elements, anchors.drawings, placed, strict=True):
-            if where is not None and element.name not in hidden and (element.mesh or settings.board):
+            if (
+                where is not None
+                and element.name not in hidden
+                and (element.mesh or settings.board)
+            ):
                 mine = np.array([values[member.control] for member in element.members])
                 found.append(Item(holder.name, element, drawing, where, mine))
     return found
 
 
 def toggle(holder, element, elements):
-    """Open a coarse element, its mirror with it; or close the one that an element is a member of."""
-    coarse = element if element.inner else next((each for each in elements if element.name in each.inner), None)
+    """Open a coarse element, its mirror with it; or close the one that an element is a member
+    of."""
+    coarse = (
+        element
+        if element.inner
+        else next((each for each in elements if element.name in each.inner), None)
+    )
     if coarse is not None:
         both = {(holder, coarse.name), *([(holder, coarse.mirror)] if coarse.mirror else [])}
         opened.symmetric_difference_update(both)
@@ -84,7 +93,8 @@ def toggle(holder, element, elements):
 
 
 def _folded(holder, elements):
-    """Names of the elements that the levels hide: members of closed ones, and opened ones themselves."""
+    """Names of the elements that the levels hide: members of closed ones, and opened ones
+    themselves."""
     hidden = set()
     for element in elements:
         if element.inner:

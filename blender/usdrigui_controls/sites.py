@@ -1,4 +1,5 @@
-"""What Blender says of every element's anchor: the evaluated mesh, the bones, the shape keys at one vertex."""
+"""What Blender says of every element's anchor: the evaluated mesh, the bones, the shape keys at one
+vertex."""
 
 from __future__ import annotations
 
@@ -16,7 +17,10 @@ class Anchors:
         layout = character.layout
         self.elements = layout.elements
         self.drawings = [drawing_of(element, character.controls) for element in layout.elements]
-        self.bones = {path: _Bones(character, path, armature) for path, armature in character.armatures.items()}
+        self.bones = {
+            path: _Bones(character, path, armature)
+            for path, armature in character.armatures.items()
+        }
         self.holds = [_Hold(character, self.bones, element) for element in layout.elements]
 
     def place(self, character, depsgraph, values):
@@ -24,7 +28,8 @@ class Anchors:
         posed = {path: bones.posed() for path, bones in self.bones.items()}
         evaluated = {}
         return [
-            self._place(character, depsgraph, values, posed, evaluated, index) for index in range(len(self.elements))
+            self._place(character, depsgraph, values, posed, evaluated, index)
+            for index in range(len(self.elements))
         ]
 
     def _place(self, character, depsgraph, values, posed, evaluated, index):
@@ -39,7 +44,9 @@ class Anchors:
             shown = evaluated[element.mesh]
             if element.point >= len(shown.data.vertices):
                 return None
-            point = np.array(shown.matrix_world @ shown.data.vertices[element.point].co, dtype=np.float64)
+            point = np.array(
+                shown.matrix_world @ shown.data.vertices[element.point].co, dtype=np.float64
+            )
         mine = np.array([values[member.control] for member in element.members])
         return place(drawing, hold.site(posed, point, values), mine)
 
@@ -57,7 +64,9 @@ class _Bones:
         self.unbound = {name: np.linalg.inv(matrix) for name, matrix in self.rest.items()}
         self.parents = {bone.name: bone.parent.name if bone.parent else "" for bone in bones}
         self.joints = {each.path: each.path.rpartition("/")[2] for each in rests.joints}
-        self.frames = {name: character.frame(skeleton, joint) for joint, name in self.joints.items()}
+        self.frames = {
+            name: character.frame(skeleton, joint) for joint, name in self.joints.items()
+        }
         self.base_bases = self._base_bases(character, skeleton)
         self.base = {}
         for name in self.names:
@@ -68,10 +77,14 @@ class _Bones:
 
     def posed(self):
         """By bone, the pose matrix in armature space and the bone's own basis."""
-        return {bone.name: (_matrix(bone.matrix), _matrix(bone.matrix_basis)) for bone in self.armature.pose.bones}
+        return {
+            bone.name: (_matrix(bone.matrix), _matrix(bone.matrix_basis))
+            for bone in self.armature.pose.bones
+        }
 
     def without(self, name, drives, values):
-        """(4, 4) the basis of a bone with some controls in the base pose; ``drives`` are (control, drive) pairs."""
+        """(4, 4) the basis of a bone with some controls in the base pose; ``drives`` are (control,
+        drive) pairs."""
         frame, move = self.frames[name], self.armature.pose.bones[name].matrix_basis.decompose()
         found = frame.move(np.array(move[0]), np.array(move[1].to_matrix()), np.array(move[2]))
         for control, drive in drives:
@@ -87,7 +100,9 @@ class _Bones:
                 if joint.skeleton == skeleton:
                     tables = (joint.rotations, joint.translations, joint.scales)
                     name = self.joints[joint.joint]
-                    moves[name] = moves[name] + [drive_at(control.keys, table, control.base) for table in tables]
+                    moves[name] = moves[name] + [
+                        drive_at(control.keys, table, control.base) for table in tables
+                    ]
         return {name: _composed(*frame.basis(moves[name])) for name, frame in self.frames.items()}
 
     def blend(self, matrices, influences):
@@ -95,7 +110,9 @@ class _Bones:
         if not influences:
             return np.eye(4)
         total = sum(weight for _, weight in influences)
-        return sum(weight / total * matrices[name] @ self.unbound[name] for name, weight in influences)
+        return sum(
+            weight / total * matrices[name] @ self.unbound[name] for name, weight in influences
+        )
 
     def below(self, name, top):
         """Whether a bone is ``top`` or hangs on it."""
@@ -126,7 +143,8 @@ class _Hold:
         self.rest = np.linalg.inv(self._to_root(character, element))
 
     def site(self, posed, point, values):
-        """`Site` with the bones' ``posed`` matrices, the deformed ``point`` (3,) or None, and all values."""
+        """`Site` with the bones' ``posed`` matrices, the deformed ``point`` (3,) or None, and all
+        values."""
         own = sum((shape.now(values) for shape in self.own), np.zeros(3))
         if self.bones is None:
             world = _matrix(self.target.matrix_world) if self.target else np.eye(4)
@@ -139,7 +157,11 @@ class _Hold:
         return Site(point, own, now, now, self.rest)
 
     def _skinned(self, pose):
-        return _matrix(self.bones.armature.matrix_world) @ self.bones.blend(pose, self.influences) @ self.into
+        return (
+            _matrix(self.bones.armature.matrix_world)
+            @ self.bones.blend(pose, self.influences)
+            @ self.into
+        )
 
     def _without_own(self, posed, values):
         """Pose matrices with the element's own controls in the base pose."""
@@ -165,26 +187,38 @@ class _Hold:
         return tuple((name, weight) for name, weight in named if weight and name in self.bones.rest)
 
     def _own_bones(self, character, element):
-        """Bones that the element's own controls move, parents first, with (control, drive) pairs."""
+        """Bones that the element's own controls move, parents first, with (control, drive)
+        pairs."""
         found = {}
         for member in element.members:
             control = character.controls[member.control]
             for drive in control.joints:
                 name = drive.joint.rpartition("/")[2]
-                if drive.skeleton == self.skeleton and self.bones is not None and name in self.bones.frames:
+                if (
+                    drive.skeleton == self.skeleton
+                    and self.bones is not None
+                    and name in self.bones.frames
+                ):
                     found.setdefault(name, []).append((control, drive))
-        return {name: found[name] for name in sorted(found, key=lambda name: (self.bones.depth(name), name))}
+        return {
+            name: found[name]
+            for name in sorted(found, key=lambda name: (self.bones.depth(name), name))
+        }
 
     def _into(self):
         """The mesh's space to the armature's."""
         if self.bones is None or self.target is None:
             return np.eye(4)
-        return np.linalg.inv(_matrix(self.bones.armature.matrix_world)) @ _matrix(self.target.matrix_world)
+        return np.linalg.inv(_matrix(self.bones.armature.matrix_world)) @ _matrix(
+            self.target.matrix_world
+        )
 
     def _to_root(self, character, element):
         """Before skinning to root space, in the base pose."""
         if self.bones is None:
-            rest = next((each for each in character.layout.meshes if each.path == element.mesh), None)
+            rest = next(
+                (each for each in character.layout.meshes if each.path == element.mesh), None
+            )
             return np.array(rest.to_root).T if rest else np.eye(4)
         return self.bones.to_root @ self.bones.blend(self.bones.base, self.influences) @ self.into
 
@@ -199,16 +233,22 @@ class _OwnShape:
         self.offsets = offsets
 
     def now(self, values):
-        share = sum(contribution(control, shape, values[control.name]) for control, shape in self.controls)
+        share = sum(
+            contribution(control, shape, values[control.name]) for control, shape in self.controls
+        )
         whole = self.key.value
-        return drive_at(self.knots, self.offsets, whole) - drive_at(self.knots, self.offsets, whole - share)
+        return drive_at(self.knots, self.offsets, whole) - drive_at(
+            self.knots, self.offsets, whole - share
+        )
 
 
 def contribution(control, shape, value):
     """What a control at ``value`` adds to the weight of a token over the base pose."""
     if control.plain:
         return value - control.base
-    return drive_at(control.keys, shape.weights, value) - drive_at(control.keys, shape.weights, control.base)
+    return drive_at(control.keys, shape.weights, value) - drive_at(
+        control.keys, shape.weights, control.base
+    )
 
 
 def _own_shapes(character, mesh, element):
@@ -228,7 +268,11 @@ def _own_shapes(character, mesh, element):
 
 def _skeleton(mesh, bones):
     """The prim path of the armature that deforms a mesh, or empty."""
-    used = [modifier.object for modifier in mesh.modifiers if modifier.type == "ARMATURE" and modifier.show_viewport]
+    used = [
+        modifier.object
+        for modifier in mesh.modifiers
+        if modifier.type == "ARMATURE" and modifier.show_viewport
+    ]
     return next((path for path, each in bones.items() if each.armature in used), "")
 
 

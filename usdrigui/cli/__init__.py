@@ -34,7 +34,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = parsed(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
     for found in distributions.colliding():
-        print("\n".join(wrapped(f"warning: {found.code} {sentences(found)}", columns(sys.stderr))), file=sys.stderr)
+        print(
+            "\n".join(wrapped(f"warning: {found.code} {sentences(found)}", columns(sys.stderr))),
+            file=sys.stderr,
+        )
     try:
         return int(arguments.run(arguments))
     except KeyboardInterrupt:
@@ -69,14 +72,21 @@ def _refused(error: RigUIError, arguments: argparse.Namespace) -> int:
 
 
 def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
-    """The command line; exits with 2 on a wrong one, with the usage of its command and the option that was meant."""
+    """The command line; exits with 2 on a wrong one, with the usage of its command and the option
+    that was meant."""
     whole = parser()
     arguments, unknown = whole.parse_known_args(argv)
     if unknown:
         own: argparse.ArgumentParser = getattr(arguments, "parser", whole)
         options = re.findall(r"--[a-z][a-z-]*", own.format_usage())
-        hints = (meant(each.partition("=")[0], options) if each.startswith("-") else "" for each in unknown)
-        own.error(f"unrecognized arguments: {' '.join(unknown)}{next((each for each in hints if each), '')}")
+        hints = (
+            meant(each.partition("=")[0], options) if each.startswith("-") else ""
+            for each in unknown
+        )
+        own.error(
+            "unrecognized arguments:"
+            f" {' '.join(unknown)}{next((each for each in hints if each), '')}"
+        )
     return arguments
 
 
@@ -95,7 +105,10 @@ def parser() -> argparse.ArgumentParser:
     parser = _Parser(
         prog="usdrigui",
         description="Automatic in-situ rig UI layouts for USD characters.",
-        epilog="Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a bug of ours.",
+        epilog=(
+            "Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a"
+            " bug of ours."
+        ),
     )
     parser.add_argument("--version", action="version", version=f"usdrigui {__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
@@ -112,14 +125,20 @@ def parser() -> argparse.ArgumentParser:
     add_openjd(commands)
     add_attach(commands)
     add_detach(commands)
-    schema = commands.add_parser("schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME")
+    schema = commands.add_parser(
+        "schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME"
+    )
     schema.set_defaults(run=_schema_path, light=True)
     configuration = commands.add_parser(
         "config-schema", help="print a JSON Schema with which editors complete settings"
     )
     configuration.set_defaults(run=_config_schema, light=True)
-    blender = commands.add_parser("blender-extension", help="write the extension that shows layouts in Blender")
-    blender.add_argument("output", type=Path, nargs="?", default=Path("usdrigui_controls.zip"), metavar="ZIP")
+    blender = commands.add_parser(
+        "blender-extension", help="write the extension that shows layouts in Blender"
+    )
+    blender.add_argument(
+        "output", type=Path, nargs="?", default=Path("usdrigui_controls.zip"), metavar="ZIP"
+    )
     blender.set_defaults(run=_blender_extension)
     return parser
 

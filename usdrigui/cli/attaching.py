@@ -14,16 +14,31 @@ from usdrigui.errors import Exit
 
 def add_attach(commands: Any) -> None:
     """Add ``attach`` to the commands."""
-    parser = command(commands, "attach", _attach, "put a bare layout layer among the sublayers of the asset itself")
-    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`")
+    parser = command(
+        commands,
+        "attach",
+        _attach,
+        "put a bare layout layer among the sublayers of the asset itself",
+    )
+    parser.add_argument(
+        "asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited"
+    )
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`"
+    )
 
 
 def add_detach(commands: Any) -> None:
     """Add ``detach`` to the commands."""
-    parser = command(commands, "detach", _detach, "take a layout layer out of the asset's sublayers again")
-    parser.add_argument("asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone")
+    parser = command(
+        commands, "detach", _detach, "take a layout layer out of the asset's sublayers again"
+    )
+    parser.add_argument(
+        "asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited"
+    )
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone"
+    )
 
 
 def _attach(arguments: argparse.Namespace) -> Exit:
@@ -42,7 +57,12 @@ def _detach(arguments: argparse.Namespace) -> Exit:
 
 def _edited(state: str, what: str, arguments: argparse.Namespace) -> Exit:
     if arguments.json:
-        told = {"asset": str(arguments.asset), "layer": str(arguments.layer), "outcome": state, "exit": 0}
+        told = {
+            "asset": str(arguments.asset),
+            "layer": str(arguments.layer),
+            "outcome": state,
+            "exit": 0,
+        }
         print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
     say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)
     return Exit.OK

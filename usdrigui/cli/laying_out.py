@@ -21,21 +21,45 @@ if TYPE_CHECKING:
 
 def add_process(commands: Any) -> None:
     """Add ``process`` to the commands."""
-    parser = command(commands, "process", _process, "lay out a character and write the layer beside it")
+    parser = command(
+        commands, "process", _process, "lay out a character and write the layer beside it"
+    )
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
-    parser.add_argument("-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR")
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR"
+    )
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
     add_each_variant(parser, "lay out every variant of this set, each in its variant")
-    parser.add_argument("--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly")
-    parser.add_argument("--previous", type=Path, metavar="LAYER", help="keep this layout's places unless moving pays")
-    parser.add_argument("--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated")
-    parser.add_argument("--base", type=Path, metavar="LAYER", help="the asset's layout: only place what the shot adds")
+    parser.add_argument(
+        "--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly"
+    )
+    parser.add_argument(
+        "--previous",
+        type=Path,
+        metavar="LAYER",
+        help="keep this layout's places unless moving pays",
+    )
+    parser.add_argument(
+        "--like", type=Path, metavar="LAYER", help="another character's layout, to be imitated"
+    )
+    parser.add_argument(
+        "--base",
+        type=Path,
+        metavar="LAYER",
+        help="the asset's layout: only place what the shot adds",
+    )
     _add_animation(parser, "controls that these use often matter more")
-    parser.add_argument("--report", type=Path, metavar="JSON", help="write the full account of the run")
+    parser.add_argument(
+        "--report", type=Path, metavar="JSON", help="write the full account of the run"
+    )
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
-    parser.add_argument("--bare", action="store_true", help="leave CHAR out of the layer's sublayers")
-    parser.add_argument("--openjd", action="store_true", help="print progress as Open Job Description asks for it")
+    parser.add_argument(
+        "--bare", action="store_true", help="leave CHAR out of the layer's sublayers"
+    )
+    parser.add_argument(
+        "--openjd", action="store_true", help="print progress as Open Job Description asks for it"
+    )
     add_settings(parser)
 
 
@@ -44,13 +68,20 @@ def add_inspect(commands: Any) -> None:
     parser = command(commands, "inspect", _inspect, "list the controls without solving")
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     _add_animation(parser, "tell which controls these use, and which they move together")
-    parser.add_argument("--like", type=Path, metavar="LAYER", help="match the controls of another character's layout")
+    parser.add_argument(
+        "--like",
+        type=Path,
+        metavar="LAYER",
+        help="match the controls of another character's layout",
+    )
     add_settings(parser)
 
 
 def _add_animation(parser: Any, summary: str) -> None:
     told = f"{summary}: files with SkelAnimations, CHAR itself among them"
-    parser.add_argument("--animation", type=Path, nargs="+", action="extend", default=[], metavar="CLIP", help=told)
+    parser.add_argument(
+        "--animation", type=Path, nargs="+", action="extend", default=[], metavar="CLIP", help=told
+    )
 
 
 def _process(arguments: argparse.Namespace) -> Exit:
@@ -65,9 +96,15 @@ def _process(arguments: argparse.Namespace) -> Exit:
         animations=tuple(arguments.animation),
         base=arguments.base,
     )
-    pipeline.check_outputs((arguments.report, arguments.preview), files_read(arguments))  # before the work, not after
+    pipeline.check_outputs(
+        (arguments.report, arguments.preview), files_read(arguments)
+    )  # before the work, not after
     if arguments.preview is not None and arguments.preview.suffix.lower() != ".png":
-        raise refuse("CONFIG_VALUE", "--preview", f"a picture ends in .png, not in {arguments.preview.suffix!r}")
+        raise refuse(
+            "CONFIG_VALUE",
+            "--preview",
+            f"a picture ends in .png, not in {arguments.preview.suffix!r}",
+        )
     screen = screen_of(arguments)
     written: list[str] = []
     with _progress(screen, arguments) as shown:
@@ -102,7 +139,9 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
     screen = screen_of(arguments)
     with screen.progress() as shown:
         clips, like = arguments.animation, arguments.like
-        found = pipeline.inspect(arguments.asset, settings, progress=shown, animations=clips, like=like)
+        found = pipeline.inspect(
+            arguments.asset, settings, progress=shown, animations=clips, like=like
+        )
     if arguments.json:
         sys.stdout.write(inspection.to_json(found))
     else:
@@ -110,7 +149,9 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
     return strict(found.issues, arguments)
 
 
-def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> AbstractContextManager[terminal.Watch]:
+def _progress(
+    screen: terminal.Screen, arguments: argparse.Namespace
+) -> AbstractContextManager[terminal.Watch]:
     if not arguments.openjd:
         return screen.progress()
     from usdrigui.clients import openjd
@@ -118,16 +159,23 @@ def _progress(screen: terminal.Screen, arguments: argparse.Namespace) -> Abstrac
     return nullcontext(openjd.progress_lines(worker.print_now))
 
 
-def _stage_extras(arguments: argparse.Namespace, written: list[str], result: report.Report, files: Transaction) -> None:
-    """Stage the report and the picture that were asked for with the layer; one line in `written` for each."""
+def _stage_extras(
+    arguments: argparse.Namespace, written: list[str], result: report.Report, files: Transaction
+) -> None:
+    """Stage the report and the picture that were asked for with the layer; one line in `written`
+    for each."""
     from usdrigui import levels, pipeline, report
 
     if arguments.report is not None:
         content = report.to_json(result).encode()
-        written.append(f"{pipeline.stage_file(files, content, arguments.report)} {arguments.report}")
+        written.append(
+            f"{pipeline.stage_file(files, content, arguments.report)} {arguments.report}"
+        )
     if arguments.preview is not None:
         from usdrigui.view import sheet
 
         characters = [(each.rig, levels.shown(each.layout)) for each in result.characters]
         content = sheet.sheet_png(characters, labels=arguments.labels)
-        written.append(f"{pipeline.stage_file(files, content, arguments.preview)} {arguments.preview}")
+        written.append(
+            f"{pipeline.stage_file(files, content, arguments.preview)} {arguments.preview}"
+        )

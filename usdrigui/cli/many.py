@@ -31,30 +31,60 @@ if TYPE_CHECKING:
 
 def add_batch(commands: Any) -> None:
     """Add ``batch`` to the commands."""
-    parser = command(commands, "batch", _batch, "lay out many characters, each in a process of its own")
+    parser = command(
+        commands, "batch", _batch, "lay out many characters, each in a process of its own"
+    )
     _add_assets(parser)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time")
-    parser.add_argument("--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead")
-    parser.add_argument("--timeout", type=float, default=0.0, metavar="SECONDS", help="end an asset that takes longer")
+    parser.add_argument(
+        "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes at a time"
+    )
+    parser.add_argument(
+        "--dask", metavar="ADDRESS", help="use the workers of this dask scheduler instead"
+    )
+    parser.add_argument(
+        "--timeout",
+        type=float,
+        default=0.0,
+        metavar="SECONDS",
+        help="end an asset that takes longer",
+    )
     parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
-    parser.add_argument("--summary", type=Path, metavar="JSON", help="write what became of every asset")
-    parser.add_argument("--sheet", type=Path, metavar="PNG", help="write a contact sheet; pictures stay by the layers")
+    parser.add_argument(
+        "--summary", type=Path, metavar="JSON", help="write what became of every asset"
+    )
+    parser.add_argument(
+        "--sheet",
+        type=Path,
+        metavar="PNG",
+        help="write a contact sheet; pictures stay by the layers",
+    )
     add_settings(parser)
 
 
 def add_openjd(commands: Any) -> None:
     """Add ``openjd`` to the commands."""
-    parser = command(commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)")
+    parser = command(
+        commands, "openjd", _openjd, "write a farm job, one task a character (Open Job Description)"
+    )
     _add_assets(parser)
     parser.add_argument("-o", "--output", type=Path, metavar="JSON", help="default: print it")
     add_settings(parser)
 
 
 def _add_assets(parser: Any) -> None:
-    parser.add_argument("patterns", nargs="+", metavar="PATTERN", help="files, or patterns in quotes; ** is any depth")
-    parser.add_argument("--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset")
+    parser.add_argument(
+        "patterns",
+        nargs="+",
+        metavar="PATTERN",
+        help="files, or patterns in quotes; ** is any depth",
+    )
+    parser.add_argument(
+        "--output-dir", dest="folder", type=Path, metavar="DIR", help="default: beside each asset"
+    )
     add_each_variant(parser, "lay out every variant of this set, each in its variant")
-    parser.add_argument("--bare", action="store_true", help="leave the assets out of the layers' sublayers")
+    parser.add_argument(
+        "--bare", action="store_true", help="leave the assets out of the layers' sublayers"
+    )
 
 
 def _batch(arguments: argparse.Namespace) -> Exit:
@@ -73,7 +103,11 @@ def _check_names(arguments: argparse.Namespace) -> None:
         if target.is_dir():
             raise refuse("FILE_TARGET", str(target), "is a folder")
     if arguments.sheet is not None and arguments.sheet.suffix.lower() != ".png":
-        raise refuse("CONFIG_VALUE", "--sheet", f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}")
+        raise refuse(
+            "CONFIG_VALUE",
+            "--sheet",
+            f"a contact sheet ends in .png, not in {arguments.sheet.suffix!r}",
+        )
 
 
 def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> None:
@@ -102,15 +136,24 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     start = time.perf_counter()
     rows: list[Row] = []
     working = run.run_on_dask(jobs, address) if address else run.run_local(jobs, arguments.jobs)
-    with screen.batch_progress(len(jobs)) as shown, contextlib.closing(working), _until_interrupted():
+    with (
+        screen.batch_progress(len(jobs)) as shown,
+        contextlib.closing(working),
+        _until_interrupted(),
+    ):
         for row in working:
             rows.append(row)
             shown(row)
     ordered = run.with_parts(run.in_order(rows, jobs), jobs)
-    summary = run.Summary(ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs)
+    summary = run.Summary(
+        ordered, time.perf_counter() - start, address or "local", 0 if address else arguments.jobs
+    )
     written = []
     if arguments.sheet is not None:
-        written.append(f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet, read)} {arguments.sheet}")
+        written.append(
+            f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet, read)}"
+            f" {arguments.sheet}"
+        )
     if arguments.summary is not None:
         state = pipeline.write_file(run.to_json(summary).encode(), arguments.summary, read)
         written.append(f"{state} {arguments.summary}")
@@ -124,7 +167,8 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
 
 @contextlib.contextmanager
 def _until_interrupted() -> Iterator[None]:
-    """An interruption ends the work, not the batch: what became of the assets is still to be said."""
+    """An interruption ends the work, not the batch: what became of the assets is still to be
+    said."""
     try:
         yield
     except KeyboardInterrupt:
@@ -142,13 +186,16 @@ def _openjd(arguments: argparse.Namespace) -> Exit:
     if arguments.output is None:
         sys.stdout.write(template)
         return Exit.OK
-    state = pipeline.write_file(template.encode(), arguments.output, (*assets, *files_read(arguments)))
+    state = pipeline.write_file(
+        template.encode(), arguments.output, (*assets, *files_read(arguments))
+    )
     say(f"usdrigui: {state} {arguments.output}: {len(assets)} tasks", arguments)
     return Exit.OK
 
 
 def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
-    """One job per asset, each with the settings that its own configuration gives, and the files named to be read."""
+    """One job per asset, each with the settings that its own configuration gives, and the files
+    named to be read."""
     from usdrigui.clients.batch import places
     from usdrigui.clients.batch.job import Job
 
@@ -162,9 +209,13 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
         try:
             digest = settings_digest(arguments)
         except RigUIError:
-            digest = ""  # nothing is remembered under it; its own process says what is wrong with its configuration
+            # nothing is remembered under it; its own process says what is wrong with its
+            # configuration
+            digest = ""
         read += files_read(arguments)  # known once the settings were read
         again, named = arguments.again, str(asset) in arguments.patterns
-        found.append(Job(str(asset), str(output), picture, passed, digest, arguments.timeout, again, named))
+        found.append(
+            Job(str(asset), str(output), picture, passed, digest, arguments.timeout, again, named)
+        )
     del arguments.asset
     return found, read

@@ -22,22 +22,33 @@ _BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
 _ANY_SETTING = "any one setting: solve.gap=1e-3, controls.smile.maximum=0.5"
 
 
-def command(commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str) -> Any:
+def command(
+    commands: Any, name: str, run: Callable[[argparse.Namespace], Exit], summary: str
+) -> Any:
     """A command's parser, with the options that every command has; ``run`` gives its exit code."""
-    parser = commands.add_parser(name, help=summary, description=summary[0].upper() + summary[1:] + ".")
+    parser = commands.add_parser(
+        name, help=summary, description=summary[0].upper() + summary[1:] + "."
+    )
     parser.set_defaults(run=run, parser=parser)
-    parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
+    parser.add_argument(
+        "--json", action="store_true", help="print one JSON document instead of text"
+    )
     parser.add_argument("-q", "--quiet", action="store_true", help="print the verdict line only")
     parser.add_argument("--strict", action="store_true", help="exit 1 if there are warnings")
     return parser
 
 
 def add_configuration(parser: Any, *, layer: bool = True) -> Any:
-    """The options for any setting at all, and their group; `layer` where the command takes a layout, not an asset."""
-    group = parser.add_argument_group("settings", "docs/settings.md lists all that a configuration can say")
+    """The options for any setting at all, and their group; `layer` where the command takes a
+    layout, not an asset."""
+    group = parser.add_argument_group(
+        "settings", "docs/settings.md lists all that a configuration can say"
+    )
     default = _BELOW_LAYER if layer else _BESIDE_CHAR
     group.add_argument("--config", type=Path, metavar="TOML", help=f"default: {default}, if there")
-    group.add_argument("--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING)
+    group.add_argument(
+        "--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING
+    )
     add_variant(group)
     return group
 
@@ -45,7 +56,9 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
 def add_variant(parser: Any) -> None:
     """The option that selects a variant."""
     told = "select a variant: LOD=low"
-    parser.add_argument("--variant", type=_selection, action="append", default=[], metavar="SET=NAME", help=told)
+    parser.add_argument(
+        "--variant", type=_selection, action="append", default=[], metavar="SET=NAME", help=told
+    )
 
 
 def add_each_variant(parser: Any, summary: str) -> None:
@@ -64,22 +77,43 @@ def _selection(text: str) -> tuple[str, str]:
 def add_settings(parser: Any, *, layer: bool = False) -> None:
     """The options that choose settings; `settings_of` reads them."""
     group = add_configuration(parser, layer=layer)
-    group.add_argument("--preset", default="default", metavar="NAME", help="default, or paper: the paper's constants")
-    group.add_argument("--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a camera prim")
-    group.add_argument("--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view")
-    group.add_argument("--pose", type=Path, metavar="TOML", help="base pose: a file of control = value lines")
-    group.add_argument("--time", type=float, metavar="CODE", help="base pose: the animation at this time code")
+    group.add_argument(
+        "--preset",
+        default="default",
+        metavar="NAME",
+        help="default, or paper: the paper's constants",
+    )
+    group.add_argument(
+        "--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a camera prim"
+    )
+    group.add_argument(
+        "--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view"
+    )
+    group.add_argument(
+        "--pose", type=Path, metavar="TOML", help="base pose: a file of control = value lines"
+    )
+    group.add_argument(
+        "--time", type=float, metavar="CODE", help="base pose: the animation at this time code"
+    )
     group.add_argument("--gap", type=float, metavar="SHARE", help="relative gap at which to stop")
     group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
-    group.add_argument("--time-limit", type=float, metavar="SECONDS", help="stop solving with the best layout so far")
-    group.add_argument("--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use")
+    group.add_argument(
+        "--time-limit",
+        type=float,
+        metavar="SECONDS",
+        help="stop solving with the best layout so far",
+    )
+    group.add_argument(
+        "--memory-limit", type=int, metavar="MIB", help="memory that the solver may plan to use"
+    )
 
 
 def settings_of(arguments: argparse.Namespace) -> Settings:
     """Settings of a command, from the weakest to the strongest source.
 
-    Which configuration belongs to a layer only the layer tells, so it is read for that where none is given.  Raises
-    RigUIError with what that reading raises, and with the CONFIG_ codes.  The run's budget is known from here on.
+    Which configuration belongs to a layer only the layer tells, so it is read for that where none
+    is given.  Raises RigUIError with what that reading raises, and with the CONFIG_ codes.  The
+    run's budget is known from here on.
     """
     found = settings_quietly(arguments)
     worker.budget(found.run.time_limit, found.run.memory_limit)
@@ -94,7 +128,9 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
 
     def load(*weaker: Mapping[str, Any]) -> Settings:
         preset = getattr(arguments, "preset", "default")
-        return settings.load(*weaker, *said, preset=preset, environment=settings.environment_settings())
+        return settings.load(
+            *weaker, *said, preset=preset, environment=settings.environment_settings()
+        )
 
     loaded = load()  # what is wrong with the command line is told before anything is read
     arguments.configuration = configuration = _configuration(arguments, loaded)
@@ -108,11 +144,23 @@ def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
     return settings.load(*_said(arguments))
 
 
-_INPUTS = ("asset", "layer", "before", "config", "configuration", "pose", "fixed", "previous", "like", "base")
+_INPUTS = (
+    "asset",
+    "layer",
+    "before",
+    "config",
+    "configuration",
+    "pose",
+    "fixed",
+    "previous",
+    "like",
+    "base",
+)
 
 
 def files_read(arguments: argparse.Namespace) -> list[Path]:
-    """The files that the command line and the settings name to be read: outputs never replace them."""
+    """The files that the command line and the settings name to be read: outputs never replace
+    them."""
     named = [getattr(arguments, name, None) for name in _INPUTS]
     return [Path(each) for each in (*named, *getattr(arguments, "animation", ())) if each]
 
@@ -174,12 +222,14 @@ _OPTIONS: Mapping[str, tuple[str, str]] = {
 
 
 _WORD = r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|[^."'=][^.=]*)"""
-"""One part of a key: as TOML quotes it, or else anything but a dot; names of controls are no bare keys of TOML."""
+"""One part of a key: as TOML quotes it, or else anything but a dot; names of controls are no bare
+keys of TOML."""
 _ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
 
 
 def _configuration(arguments: argparse.Namespace, limits: Settings) -> Path | None:
-    """The configuration of a command: the one given, or that of its asset or layer; none if there is no such file."""
+    """The configuration of a command: the one given, or that of its asset or layer; none if there
+    is no such file."""
     given: Path | None = getattr(arguments, "config", None)
     if given is not None:
         return given
@@ -191,20 +241,24 @@ def _configuration(arguments: argparse.Namespace, limits: Settings) -> Path | No
 
 
 def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()) -> Iterator[Path]:
-    """The configurations of what a command takes as a layout, the first of which counts; `above` are layers over it.
+    """The configurations of what a command takes as a layout, the first of which counts; `above`
+    are layers over it.
 
-    A layout was made with the configuration of the asset below it, wherever the layout itself lies, unless it has one
-    of its own name.  An asset may be given as well, by itself or with its layout inside: a file `char.toml` beside
-    `char.usda` is somebody else's.
+    A layout was made with the configuration of the asset below it, wherever the layout itself lies,
+    unless it has one of its own name.  An asset may be given as well, by itself or with its layout
+    inside: a file `char.toml` beside `char.usda` is somebody else's.
     """
     from usdrigui.usd.reader_process import read_layouts_isolated
 
     try:
         found = read_layouts_isolated(layer, limits)
     except RigUIError as error:
-        # Perhaps its configuration raises the limit that it ran into, or the variant selected has no layout; only its
-        # name can tell which that is.
-        guesses = [_beside(layer), *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else [])]
+        # Perhaps its configuration raises the limit that it ran into, or the variant selected has
+        # no layout; only its name can tell which that is.
+        guesses = [
+            _beside(layer),
+            *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else []),
+        ]
         named = [path for guess in guesses for path in _existing(guess)]
         if not named and error.issue.code != "LAYOUT_MISSING":
             raise
@@ -227,7 +281,8 @@ def _beside(asset: Path) -> Path | None:
 
 
 def _existing(path: Path | None) -> Iterator[Path]:
-    if path is not None and os.path.isfile(path):  # noqa: PTH113  (a name too long for a file is an OSError there)
+    # A name too long for a file is an OSError there.
+    if path is not None and os.path.isfile(path):  # noqa: PTH113
         yield path
 
 
@@ -236,7 +291,8 @@ def _same(first: str, second: Path) -> bool:
 
 
 def _assignment(text: str) -> Mapping[str, Any]:
-    """``solve.gap=1e-3`` as nested tables, however deep; the value is TOML, or else a plain word."""
+    """``solve.gap=1e-3`` as nested tables, however deep; the value is TOML, or else a plain
+    word."""
     from usdrigui import settings
 
     found = _ASSIGNED.fullmatch(text)
@@ -256,4 +312,6 @@ def _unquoted(word: str, text: str) -> str:
     try:
         return str(tomllib.loads(f"word = {word}")["word"])
     except tomllib.TOMLDecodeError as error:
-        raise refuse("CONFIG_VALUE", "--set", f"{word} of {text!r} is no string of TOML: {error}") from error
+        raise refuse(
+            "CONFIG_VALUE", "--set", f"{word} of {text!r} is no string of TOML: {error}"
+        ) from error

@@ -33,7 +33,8 @@ def say(line: str, arguments: argparse.Namespace) -> None:
 
 
 def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
-    """How a command ends that found these issues: `Exit.REFUSED` for a warning under ``--strict``."""
+    """How a command ends that found these issues: `Exit.REFUSED` for a warning under
+    ``--strict``."""
     warned = any(found.severity == "warning" for found in issues)
     return Exit.REFUSED if arguments.strict and warned else Exit.OK
 
@@ -52,7 +53,11 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
         where = f" {each.path}:" if each.path else ""
         _complain(f"usdrigui: {each.code}{where} {each.message}")
         _complain(f"  repair: {each.repair}")
-    verdict = f"finished {asset} without its report" if found.code == "OUTPUT_STREAM" else f"refused {asset}"
+    verdict = (
+        f"finished {asset} without its report"
+        if found.code == "OUTPUT_STREAM"
+        else f"refused {asset}"
+    )
     _complain(f"usdrigui: {verdict}; {getattr(arguments, 'written', '') or 'nothing was written'}")
 
 
@@ -66,25 +71,35 @@ def _subject(error: RigUIError, arguments: argparse.Namespace) -> str:
     """What was refused: of several files the one that the finding names, else all of them."""
     if getattr(arguments, "asset", None) is not None:
         return str(arguments.asset)
-    named = [str(each) for each in (getattr(arguments, "before", None), getattr(arguments, "layer", None)) if each]
+    named = [
+        str(each)
+        for each in (getattr(arguments, "before", None), getattr(arguments, "layer", None))
+        if each
+    ]
     named = named or list(getattr(arguments, "patterns", ()))
     return error.issue.path if error.issue.path in named else ", ".join(named)
 
 
 def broken(error: Exception, arguments: argparse.Namespace) -> int:
-    """An exception that nobody expected is ours: say so in one line, with the place, without a traceback."""
+    """An exception that nobody expected is ours: say so in one line, with the place, without a
+    traceback."""
     if os.environ.get("USDRIGUI_TRACEBACK"):
         raise error
     place = error.__traceback__
     while place is not None and place.tb_next is not None:
         place = place.tb_next
-    where = f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})" if place is not None else ""
+    where = (
+        f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
+        if place is not None
+        else ""
+    )
     refused(refuse("BUG", "", f"{type(error).__name__}: {error}{where}"), arguments)
     return int(Exit.BUG)
 
 
 def prepare_streams(*, machine: bool) -> None:
-    """Names can hold any character: JSON is UTF-8 whatever the locale, and text never fails for want of a letter."""
+    """Names can hold any character: JSON is UTF-8 whatever the locale, and text never fails for
+    want of a letter."""
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace", encoding="utf-8" if machine else None)

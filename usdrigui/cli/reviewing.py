@@ -1,4 +1,5 @@
-"""`check`, `diff` and `convert`: what became of a layout, how two differ, and one in the format of today."""
+"""`check`, `diff` and `convert`: what became of a layout, how two differ, and one in the format of
+today."""
 
 from __future__ import annotations
 
@@ -23,9 +24,14 @@ from usdrigui.errors import Exit
 
 def add_check(commands: Any) -> None:
     """Add ``check`` to the commands."""
-    parser = command(commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound")
+    parser = command(
+        commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound"
+    )
     parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="a layout layer over its character, or the character itself"
+        "layer",
+        type=Path,
+        metavar="LAYER",
+        help="a layout layer over its character, or the character itself",
     )
     add_each_variant(parser, "look at every variant of this set")
     add_settings(parser, layer=True)
@@ -33,18 +39,34 @@ def add_check(commands: Any) -> None:
 
 def add_diff(commands: Any) -> None:
     """Add ``diff`` to the commands."""
-    parser = command(commands, "diff", _diff, "say which controls two layouts of a character place otherwise, and why")
+    parser = command(
+        commands,
+        "diff",
+        _diff,
+        "say which controls two layouts of a character place otherwise, and why",
+    )
     parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
-    parser.add_argument("layer", type=Path, metavar="AFTER", help="another layout layer of the same character")
+    parser.add_argument(
+        "layer", type=Path, metavar="AFTER", help="another layout layer of the same character"
+    )
     add_variant(parser)
     add_each_variant(parser, "compare every variant of this set")
 
 
 def add_convert(commands: Any) -> None:
     """Add ``convert`` to the commands."""
-    parser = command(commands, "convert", _convert, "write a layout layer of an earlier format in the one of today")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer that an earlier usdrigui wrote")
-    parser.add_argument("-o", "--output", type=Path, metavar="FILE", help="default: the layer itself")
+    parser = command(
+        commands,
+        "convert",
+        _convert,
+        "write a layout layer of an earlier format in the one of today",
+    )
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="a layer that an earlier usdrigui wrote"
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="FILE", help="default: the layer itself"
+    )
     add_configuration(parser)
 
 
@@ -68,9 +90,13 @@ def _diff(arguments: argparse.Namespace) -> Exit:
 
     found = pipeline.diff(arguments.before, arguments.layer, settings_of_command_line(arguments))
     if arguments.json:
-        sys.stdout.write(report.difference_json(found.before, found.after, found.characters, found.only_in_one))
+        sys.stdout.write(
+            report.difference_json(found.before, found.after, found.characters, found.only_in_one)
+        )
     else:
-        screen_of(arguments).difference(found.before, found.after, found.characters, found.only_in_one)
+        screen_of(arguments).difference(
+            found.before, found.after, found.characters, found.only_in_one
+        )
     return Exit.REFUSED if arguments.strict and not found.empty else Exit.OK
 
 

@@ -1,4 +1,5 @@
-"""`view`, `picture` and `picker`: a layout for the eyes; `study`: what the evaluation of one found."""
+"""`view`, `picture` and `picker`: a layout for the eyes; `study`: what the evaluation of one
+found."""
 
 from __future__ import annotations
 
@@ -22,23 +23,48 @@ if TYPE_CHECKING:
 def add_view(commands: Any) -> None:
     """Add ``view`` to the commands."""
     parser = command(commands, "view", _view, "pose the character in a browser by its layout")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
-    parser.add_argument("--html", type=Path, metavar="FILE", help="write one self-contained page instead of serving it")
-    parser.add_argument("--no-browser", action="store_true", help="serve, but do not open a browser")
     parser.add_argument(
-        "--study", action="store_true", help="offer the evaluation: match target faces with three interfaces"
+        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
     )
     parser.add_argument(
-        "--live", type=Path, metavar="USDA", help="keep the animation in this layer, written as it is made in the page"
+        "--html",
+        type=Path,
+        metavar="FILE",
+        help="write one self-contained page instead of serving it",
+    )
+    parser.add_argument(
+        "--no-browser", action="store_true", help="serve, but do not open a browser"
+    )
+    parser.add_argument(
+        "--study",
+        action="store_true",
+        help="offer the evaluation: match target faces with three interfaces",
+    )
+    parser.add_argument(
+        "--live",
+        type=Path,
+        metavar="USDA",
+        help="keep the animation in this layer, written as it is made in the page",
     )
     add_configuration(parser)
 
 
 def add_picture(commands: Any) -> None:
     """Add ``picture`` to the commands."""
-    parser = command(commands, "picture", _picture, "draw a layout layer, or the character's animation under it")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
-    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FILE", help="a .png, or a .gif that moves")
+    parser = command(
+        commands, "picture", _picture, "draw a layout layer, or the character's animation under it"
+    )
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help="a .png, or a .gif that moves",
+    )
     parser.add_argument("--labels", action="store_true", help="name the elements")
     _add_levels(parser)
     parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
@@ -47,10 +73,18 @@ def add_picture(commands: Any) -> None:
 
 def add_flat_picker(commands: Any) -> None:
     """Add ``picker`` to the commands."""
-    parser = command(commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view")
-    parser.add_argument("layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`")
-    parser.add_argument("--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls")
-    parser.add_argument("--labels", action="store_true", help="name the elements on the face in the picture as well")
+    parser = command(
+        commands, "picker", _flat_picker, "export the layout as a flat picker, seen from its view"
+    )
+    parser.add_argument(
+        "layer", type=Path, metavar="LAYER", help="a layer written by `usdrigui process`"
+    )
+    parser.add_argument(
+        "--svg", type=Path, metavar="FILE", help="write a picture whose groups name their controls"
+    )
+    parser.add_argument(
+        "--labels", action="store_true", help="name the elements on the face in the picture as well"
+    )
     _add_levels(parser)
     parser.add_argument("--dwpicker", type=Path, metavar="JSON", help="write a picker for dwpicker")
     add_configuration(parser)
@@ -58,9 +92,18 @@ def add_flat_picker(commands: Any) -> None:
 
 def add_study(commands: Any) -> None:
     """Add ``study`` to the commands."""
-    parser = command(commands, "study", _study, "sum results of `view --study` over participants, beside the paper's")
+    parser = command(
+        commands,
+        "study",
+        _study,
+        "sum results of `view --study` over participants, beside the paper's",
+    )
     parser.add_argument(
-        "results", type=Path, nargs="+", metavar="CSV", help="what the page saved, a file for each participant"
+        "results",
+        type=Path,
+        nargs="+",
+        metavar="CSV",
+        help="what the page saved, a file for each participant",
     )
     parser.set_defaults(light=True)
 
@@ -76,11 +119,25 @@ def _study(arguments: argparse.Namespace) -> Exit:
 def _add_levels(parser: Any) -> None:
     """Which level of a layout with two is shown."""
     group = parser.add_argument_group("levels", "of a layout with coarse elements and members")
-    group.add_argument("--level", type=int, choices=(1, 2), default=1, help="1: coarse elements (default); 2: members")
-    group.add_argument("--open", action="append", default=[], metavar="ELEMENT", help="this coarse element is opened")
+    group.add_argument(
+        "--level",
+        type=int,
+        choices=(1, 2),
+        default=1,
+        help="1: coarse elements (default); 2: members",
+    )
+    group.add_argument(
+        "--open",
+        action="append",
+        default=[],
+        metavar="ELEMENT",
+        help="this coarse element is opened",
+    )
 
 
-def _visible(characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Namespace) -> list[tuple[Rig, Layout]]:
+def _visible(
+    characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Namespace
+) -> list[tuple[Rig, Layout]]:
     """The characters with the elements that the options show."""
     from usdrigui import levels
 
@@ -89,7 +146,9 @@ def _visible(characters: Sequence[tuple[Rig, Layout]], arguments: argparse.Names
     return [(rig, layout) for (rig, _), layout in zip(characters, seen, strict=True)]
 
 
-def _spared(outputs: Sequence[Path | None], loaded: pipeline.Loaded, arguments: argparse.Namespace) -> tuple[Path, ...]:
+def _spared(
+    outputs: Sequence[Path | None], loaded: pipeline.Loaded, arguments: argparse.Namespace
+) -> tuple[Path, ...]:
     """Every file that was read; refuses outputs that are one of them before anything is drawn."""
     from usdrigui import pipeline
 
@@ -110,13 +169,17 @@ def _view(arguments: argparse.Namespace) -> Exit:
     read = _spared((arguments.html,), loaded, arguments)
     name = Path(arguments.layer).name
     live = _live(arguments, read)
-    html = page.page_html(loaded.characters, name, arguments.study, arguments.live.name if live else "")
+    html = page.page_html(
+        loaded.characters, name, arguments.study, arguments.live.name if live else ""
+    )
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html, read)
         say(f"usdrigui: {state} {arguments.html}", arguments)
         return Exit.OK
     worker.budget(0.0, settings.run.memory_limit)  # it ends when the user says so
-    serve.serve(html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live)
+    serve.serve(
+        html, open_browser=not arguments.no_browser, announce=worker.print_now, name=name, live=live
+    )
     say(f"usdrigui: showed {arguments.layer}", arguments)
     return Exit.OK
 
@@ -137,7 +200,11 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     from usdrigui.view import sheet
 
     if arguments.output.suffix not in (".png", ".gif"):
-        raise refuse("CONFIG_VALUE", "--output", f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}")
+        raise refuse(
+            "CONFIG_VALUE",
+            "--output",
+            f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}",
+        )
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     read = _spared((arguments.output,), loaded, arguments)
     characters = _visible(loaded.characters, arguments)
@@ -155,7 +222,9 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
     from usdrigui.clients import picker
 
     if arguments.svg is None and arguments.dwpicker is None:
-        raise refuse("CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both")
+        raise refuse(
+            "CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both"
+        )
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     behind = arguments.dwpicker and arguments.dwpicker.with_suffix(".background.png")
     read = _spared((arguments.svg, arguments.dwpicker, behind), loaded, arguments)
@@ -164,9 +233,15 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
         content = picker.to_svg(made).encode()
         say(f"{pipeline.write_file(content, arguments.svg, read)} {arguments.svg}", arguments)
     if arguments.dwpicker is not None:
-        name, place = arguments.layer.name.partition(".")[0], f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}"
+        name, place = (
+            arguments.layer.name.partition(".")[0],
+            f"$DWPICKER_PROJECT_DIRECTORY/{behind.name}",
+        )
         content = picker.to_dwpicker(made, name, place).encode()
         say(f"{pipeline.write_file(picker.background_png(made), behind, read)} {behind}", arguments)
-        say(f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}", arguments)
+        say(
+            f"{pipeline.write_file(content, arguments.dwpicker, read)} {arguments.dwpicker}",
+            arguments,
+        )
     say(f"usdrigui: picker of {arguments.layer}: {len(made.spots)} elements", arguments)
     return Exit.OK

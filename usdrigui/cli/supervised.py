@@ -1,4 +1,5 @@
-"""The command `usdrigui`: a supervisor that loads neither numpy nor USD, over a worker that does what is asked.
+"""The command `usdrigui`: a supervisor that loads neither numpy nor USD, over a worker that does
+what is asked.
 
 Whatever becomes of the worker, the user gets one verdict and a documented exit code.
 """
@@ -22,7 +23,10 @@ def run(argv: Sequence[str], events: Events) -> int:
     """Run a command line; `events` is told of signals.  Returns the exit code."""
     arguments = argparse.Namespace(json="--json" in argv, patterns=argv[:2])
     try:
-        with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
+        with (
+            contextlib.redirect_stdout(io.StringIO()) as out,
+            contextlib.redirect_stderr(io.StringIO()) as err,
+        ):
             arguments = cli.parsed(argv)
     except SystemExit as ended:
         outcome = Outcome(int(ended.code or 0), out.getvalue(), err.getvalue())
@@ -38,7 +42,9 @@ def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events)
     try:
         os.getcwd()  # noqa: PTH109 (the question is whether there is one)
     except OSError as error:
-        return _refusal(refuse("WORKING_DIRECTORY", "", f"there is none: {error.strerror}"), arguments)
+        return _refusal(
+            refuse("WORKING_DIRECTORY", "", f"there is none: {error.strerror}"), arguments
+        )
     if getattr(arguments, "light", False):
         return _alone(argv)
     prepare_streams(machine=getattr(arguments, "json", False))
@@ -59,19 +65,25 @@ def _account(outcome: Outcome) -> str:
 
 def _alone(argv: Sequence[str]) -> Outcome:
     """A command that needs no worker."""
-    with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
+    with (
+        contextlib.redirect_stdout(io.StringIO()) as out,
+        contextlib.redirect_stderr(io.StringIO()) as err,
+    ):
         code = cli.main(argv)
     return Outcome(code, out.getvalue(), err.getvalue())
 
 
 def _refusal(error: RigUIError, arguments: argparse.Namespace) -> Outcome:
     """The verdict on a command whose worker has none."""
-    with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
+    with (
+        contextlib.redirect_stdout(io.StringIO()) as out,
+        contextlib.redirect_stderr(io.StringIO()) as err,
+    ):
         refused(error, arguments)
     return Outcome(int(error.exit_code), out.getvalue(), err.getvalue())
 
 
-# --- the streams -------------------------------------------------------------------------------------
+# --- the streams ----------------------------------------------------------------------------------
 
 
 class Screens:
@@ -104,7 +116,8 @@ def _printed(outcome: Outcome, arguments: argparse.Namespace) -> int:
 
 
 def _write(name: str, text: str) -> None:
-    """Write and flush; a stream that fails is written to no more, not even at the interpreter's end."""
+    """Write and flush; a stream that fails is written to no more, not even at the interpreter's
+    end."""
     stream = sys.stdout if name == "out" else sys.stderr
     if not text:
         return

@@ -1,4 +1,5 @@
-"""The worker of a command, ``python -P -m usdrigui.cli.working COMMAND ...``: see `usdrigui.supervision`."""
+"""The worker of a command, ``python -P -m usdrigui.cli.working COMMAND ...``: see
+`usdrigui.supervision`."""
 
 from __future__ import annotations
 
@@ -13,8 +14,8 @@ from usdrigui.errors import Exit
 def main() -> NoReturn:
     """Run the command of the command line, and close with its exit code.
 
-    A request to stop that comes before the command has begun, or amid its last words, leaves the verdict to the
-    supervisor.
+    A request to stop that comes before the command has begun, or amid its last words, leaves the
+    verdict to the supervisor.
     """
     try:
         worker.start()

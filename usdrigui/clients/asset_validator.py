@@ -1,7 +1,8 @@
 """Our checks as rules of NVIDIA's asset validator (PyPI usd-validation-nvidia).
 
-The validator finds them by the entry point of this distribution, in the category "Usd:RigUI".  Where Python does not
-know what is installed (a package that was only put on the path), importing this module registers them.
+The validator finds them by the entry point of this distribution, in the category "Usd:RigUI".
+Where Python does not know what is installed (a package that was only put on the path), importing
+this module registers them.
 """
 
 from __future__ import annotations
@@ -20,11 +21,12 @@ _REPAIRABLE = ("TARGET_INVALID", "TOKEN_REPEATED", "TOKEN_ORDER")
 
 @register_rule(CATEGORY)
 class BlendShapeChecker(BaseRuleChecker):
-    """Blend shapes are what UsdSkel can use: names and targets in pairs, arrays of the right length, finite numbers.
+    """Blend shapes are what UsdSkel can use: names and targets in pairs, arrays of the right
+    length, finite numbers.
 
-    Found besides: in-betweens without a weight of their own, names that stand twice, an order other than
-    the animation's, and weights outside the limits that the animation states.  Pairs that UsdSkel ignores
-    can be dropped, and the order changed, by the suggestion.
+    Found besides: in-betweens without a weight of their own, names that stand twice, an order other
+    than the animation's, and weights outside the limits that the animation states.  Pairs that
+    UsdSkel ignores can be dropped, and the order changed, by the suggestion.
     """
 
     def CheckPrim(self, prim: Usd.Prim) -> None:  # noqa: N802 (the validator's own name)
@@ -32,7 +34,11 @@ class BlendShapeChecker(BaseRuleChecker):
         if prim.IsA(UsdGeom.Mesh):
             for found in faults.mesh_faults(prim):
                 fixable = found.code in _REPAIRABLE and faults.can_repair(prim)
-                suggestion = Suggestion(_repair, "Drop unusable pairs, use the animation's order") if fixable else None
+                suggestion = (
+                    Suggestion(_repair, "Drop unusable pairs, use the animation's order")
+                    if fixable
+                    else None
+                )
                 _tell(self, found, prim, suggestion)
         elif prim.IsA(UsdSkel.Animation):
             for found in faults.animation_faults(prim):
@@ -41,9 +47,11 @@ class BlendShapeChecker(BaseRuleChecker):
 
 @register_rule(CATEGORY)
 class RigUILayoutChecker(BaseRuleChecker):
-    """Layouts of usdrigui fit the meshes on which they stand; `usdrigui process` makes them anew."""
+    """Layouts of usdrigui fit the meshes on which they stand; `usdrigui process` makes them
+    anew."""
 
-    def CheckStage(self, usdStage: Usd.Stage) -> None:  # noqa: N802, N803 (the validator's own names)
+    # The names are the validator's.
+    def CheckStage(self, usdStage: Usd.Stage) -> None:  # noqa: N802, N803
         """Look at every layout of the stage."""
         for found in faults.layout_faults(usdStage):
             prim = usdStage.GetPrimAtPath(found.path) if found.path.startswith("/") else None
@@ -63,7 +71,8 @@ class Rules:
 def _tell(rule: Any, found: Issue, at: Any, suggestion: Any) -> None:
     """One finding by its severity; the validator has no notes, so infos are warnings."""
     message = f"{found.code} {found.path}: {sentences(found)}"
-    tell = rule._AddFailedCheck if found.severity == "error" else rule._AddWarning  # noqa: SLF001 (the way rules report)
+    # Rules report in this way.
+    tell = rule._AddFailedCheck if found.severity == "error" else rule._AddWarning  # noqa: SLF001
     tell(message, at=at, suggestion=suggestion)
 
 

@@ -1,7 +1,7 @@
 """The Blender extension as one file to install.
 
-Its sources lie in ``blender/usdrigui_controls``; the rules of drags and rotations are usdrigui's own files, which need
-numpy only and go in as they are.
+Its sources lie in ``blender/usdrigui_controls``; the rules of drags and rotations are usdrigui's
+own files, which need numpy only and go in as they are.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def extension_files() -> Mapping[str, bytes]:
-    """All files of the extension by their path in it.  Raises EXTENSION_MISSING where its sources are not."""
+    """All files of the extension by their path in it.  Raises EXTENSION_MISSING where its sources
+    are not."""
     sources = _sources()
     found = {
         path.relative_to(sources).as_posix(): path.read_bytes()
@@ -38,12 +39,15 @@ def extension_files() -> Mapping[str, bytes]:
 def write_extension(target: Path) -> None:
     """Write the archive that Blender installs, the same bytes every time.
 
-    Raises EXTENSION_MISSING, FILE_TARGET for the name of a USD file, and FILE_ codes of writing as every output does.
+    Raises EXTENSION_MISSING, FILE_TARGET for the name of a USD file, and FILE_ codes of writing as
+    every output does.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in sorted(extension_files().items()):
-            archive.writestr(zipfile.ZipInfo(f"{NAME}/{name}", _EPOCH), content, zipfile.ZIP_DEFLATED)
+            archive.writestr(
+                zipfile.ZipInfo(f"{NAME}/{name}", _EPOCH), content, zipfile.ZIP_DEFLATED
+            )
     write_file(buffer.getvalue(), target, sorted(_sources().iterdir()))
 
 
@@ -53,4 +57,6 @@ def _sources() -> Path:
     for folder in (package / "blender" / NAME, package.parent / "blender" / NAME):
         if (folder / "blender_manifest.toml").is_file():
             return folder
-    raise refuse("EXTENSION_MISSING", str(package / "blender"), "the Blender extension is not there")
+    raise refuse(
+        "EXTENSION_MISSING", str(package / "blender"), "the Blender extension is not there"
+    )

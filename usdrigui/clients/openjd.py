@@ -1,7 +1,8 @@
-"""Laying out many assets on a render farm, by Open Job Description (template version jobtemplate-2023-09).
+"""Laying out many assets on a render farm, by Open Job Description (template version
+jobtemplate-2023-09).
 
-`template` makes the job: one task per asset, each a `usdrigui process` that reports its progress in the
-lines that `progress_lines` makes of the stages.
+`template` makes the job: one task per asset, each a `usdrigui process` that reports its progress in
+the lines that `progress_lines` makes of the stages.
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ _SHARES = {
 def template(places: Sequence[tuple[Path, Path]], arguments: Sequence[str]) -> str:
     """The job template, as JSON, that lays out each asset of `places` (asset, layer).
 
-    Paths are made absolute, as tasks run in folders of their own.  Raises FILE_NAME for a name that the
-    template language would read as its own, BATCH_TOO_MANY beyond what one job may hold.
+    Paths are made absolute, as tasks run in folders of their own.  Raises FILE_NAME for a name that
+    the template language would read as its own, BATCH_TOO_MANY beyond what one job may hold.
     """
     if len(places) > _TASKS * _STEPS:
         raise refuse("BATCH_TOO_MANY", "", f"{len(places)} assets; one job holds {_TASKS * _STEPS}")
@@ -69,7 +70,8 @@ def template(places: Sequence[tuple[Path, Path]], arguments: Sequence[str]) -> s
 
 
 def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
-    """A watcher of a run that tells a farm how far it is: ``openjd_progress: N`` and ``openjd_status: ...``."""
+    """A watcher of a run that tells a farm how far it is: ``openjd_progress: N`` and
+    ``openjd_status: ...``."""
 
     def watch(event: Event) -> None:
         if event.seconds is None:
@@ -86,8 +88,18 @@ def failure_lines(found: Issue) -> Iterator[str]:
     yield f"openjd_fail: {' '.join(text.split())}"
 
 
-def _step(number: int, pairs: Sequence[tuple[str, str]], options: Sequence[str], steps: int) -> dict[str, Any]:
-    task = ["process", "{{Task.Param.Asset}}", "-o", "{{Task.Param.Output}}", "--quiet", "--openjd", *options]
+def _step(
+    number: int, pairs: Sequence[tuple[str, str]], options: Sequence[str], steps: int
+) -> dict[str, Any]:
+    task = [
+        "process",
+        "{{Task.Param.Asset}}",
+        "-o",
+        "{{Task.Param.Output}}",
+        "--quiet",
+        "--openjd",
+        *options,
+    ]
     return {
         "name": "Layout" if steps == 1 else f"Layout{number}",
         "parameterSpace": {

@@ -1,8 +1,8 @@
 """A layout as a flat picker beside the viewport: SVG for any tool, and the JSON of dwpicker.
 
-Each part of a character is seen from the direction that it was laid out for, at the base pose, without perspective,
-over a picture of it.  Elements keep their places but where handles would lie on each other; the board is in rows beside
-it.  Parts and characters stand in rows.
+Each part of a character is seen from the direction that it was laid out for, at the base pose,
+without perspective, over a picture of it.  Elements keep their places but where handles would lie
+on each other; the board is in rows beside it.  Parts and characters stand in rows.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ _GAP = 1.5 * _HANDLE
 _PITCH = 20.0
 """Between names in a column."""
 _AROUND, _WIDE, _HAIR, _CROWN = 0.16, 0.9, 1.4, 1.2
-"""Of the silhouette: space around the elements, how far it may go to either side of their middle, level with them
-and in the upper half of the head, and up from them, in heights of their box."""
+"""Of the silhouette: space around the elements, how far it may go to either side of their middle,
+level with them and in the upper half of the head, and up from them, in heights of their box."""
 _FINENESS = 720
 """Pixels along the longer side of a backdrop."""
 _VEIL = 0.55
@@ -56,9 +56,11 @@ _ROW_TRACK = 3.0
 _ACROSS = 2.6
 """Widths of a row of panels, in heights of the tallest, before another one begins."""
 _BUTTON, _BUTTON_LETTER, _BUTTON_SCALE = 18.0, 6.2, 1.8
-"""Of a dwpicker file: height of a button, width of a letter on it, and how much larger the whole is for their sake."""
+"""Of a dwpicker file: height of a button, width of a letter on it, and how much larger the whole is
+for their sake."""
 _DWPICKER = [0, 12, 0]
-"""Version of the dwpicker file format that is written; later ones read it and bring it up to date."""
+"""Version of the dwpicker file format that is written; later ones read it and bring it up to
+date."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +73,8 @@ class Spot(Record):
     tracks: tuple[Floats, ...]
     """Per member (k, 2)."""
     lead: Floats | None = None
-    """(2, 2) line from the name of an element on the face to its handle, where names are asked for."""
+    """(2, 2) line from the name of an element on the face to its handle, where names are asked
+    for."""
 
     @property
     def around(self) -> Floats:
@@ -82,7 +85,12 @@ class Spot(Record):
     def moved(self, shift: Floats) -> Spot:
         """The same elsewhere."""
         lead = None if self.lead is None else self.lead + shift
-        return replace(self, handle=self.handle + shift, tracks=tuple(each + shift for each in self.tracks), lead=lead)
+        return replace(
+            self,
+            handle=self.handle + shift,
+            tracks=tuple(each + shift for each in self.tracks),
+            lead=lead,
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,44 +145,77 @@ def picker(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) ->
 
 
 def to_svg(made: Picker) -> str:
-    """A stand-alone SVG: one group per element, with its controls and where it is anchored as data attributes."""
+    """A stand-alone SVG: one group per element, with its controls and where it is anchored as data
+    attributes."""
     width, height = made.size
     lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.2f} {height:.2f}" '
-        f'width="{width:.0f}" height="{height:.0f}" font-family="sans-serif">',
+        (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.2f} {height:.2f}" '
+            f'width="{width:.0f}" height="{height:.0f}" font-family="sans-serif">'
+        ),
         f'<rect width="{width:.2f}" height="{height:.2f}" fill="#f4f5f6"/>',
     ]
     for each in made.backdrops:
         lines += _backdrop(each)
     leads = [spot.lead for spot in made.spots if spot.lead is not None]
-    lines += [f'<path d="M{_points(lead)}" fill="none" stroke="#969ba3" stroke-width="1"/>' for lead in leads]
+    lines += [
+        f'<path d="M{_points(lead)}" fill="none" stroke="#969ba3" stroke-width="1"/>'
+        for lead in leads
+    ]
     for spot in made.spots:
         lines += _group(spot)
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
 def to_dwpicker(made: Picker, name: str, background: str = "") -> str:
-    """A dwpicker file: one named button per element, which selects what is called like the element's controls.
+    """A dwpicker file: one named button per element, which selects what is called like the
+    element's controls.
 
-    ``background`` is the path of the picture that `background_png` gives, as dwpicker is to find it.
+    ``background`` is the path of the picture that `background_png` gives, as dwpicker is to find
+    it.
     """
     width, height = (float(round(_BUTTON_SCALE * each, 2)) for each in made.size)
     behind = _shape("square", (0.0, 0.0, width, height), "#3c4046", background=True)
-    shapes = [behind | {"image.path": background, "image.fit": True, "image.width": width, "image.height": height}]
+    shapes = [
+        behind
+        | {
+            "image.path": background,
+            "image.fit": True,
+            "image.width": width,
+            "image.height": height,
+        }
+    ]
     for spot, (left, top, wide, high) in zip(made.spots, _buttons(made), strict=True):
-        place = (float(round(left, 2)), float(round(top, 2)), float(round(wide, 2)), float(round(high, 2)))
+        place = (
+            float(round(left, 2)),
+            float(round(top, 2)),
+            float(round(wide, 2)),
+            float(round(high, 2)),
+        )
         form = "rounded_rect" if spot.element.kind == "slider" else "square"
         button = _shape(form, place, _hex(spot.element))
         button["action.targets"] = [member.control for member in spot.element.members]
-        shapes.append(button | {"text.content": spot.element.label, "text.color": _ink(spot.element)})
-    general = {"name": name, "version": _DWPICKER, "zoom_locked": False, "width": width, "height": height}
+        shapes.append(
+            button | {"text.content": spot.element.label, "text.color": _ink(spot.element)}
+        )
+    general = {
+        "name": name,
+        "version": _DWPICKER,
+        "zoom_locked": False,
+        "width": width,
+        "height": height,
+    }
     return json.dumps({"general": general, "shapes": shapes}, indent=2, ensure_ascii=False) + "\n"
 
 
 def background_png(made: Picker) -> bytes:
     """All backdrops as one picture of the picker's proportions."""
     share = min(1.0, 2.0 * _FINENESS / float(made.size.max()))
-    page = Image.new("RGB", tuple(np.maximum(np.rint(share * made.size), 1).astype(int).tolist()), (244, 245, 246))
+    page = Image.new(
+        "RGB",
+        tuple(np.maximum(np.rint(share * made.size), 1).astype(int).tolist()),
+        (244, 245, 246),
+    )
     for each in made.backdrops:
         size = np.maximum(np.rint(share * (each.high - each.low)), 1).astype(int)
         image = each.image.resize((int(size[0]), int(size[1])))
@@ -182,14 +223,15 @@ def background_png(made: Picker) -> bytes:
     return _png(page)
 
 
-# --- rectangles that do not overlap ------------------------------------------------------------------
+# --- rectangles that do not overlap ---------------------------------------------------------------
 
 
 def spread(centres: Floats, sizes: Floats) -> Floats:
-    """(n, 2) centres of rectangles of ``sizes`` (n, 2), moved as little as it takes until none overlaps another.
+    """(n, 2) centres of rectangles of ``sizes`` (n, 2), moved as little as it takes until none
+    overlaps another.
 
-    Pairs that overlap are pushed apart along the axis on which less is missing, the first to the left or up where they
-    coincide; what a crowd still holds then is moved down.
+    Pairs that overlap are pushed apart along the axis on which less is missing, the first to the
+    left or up where they coincide; what a crowd still holds then is moved down.
     """
     at = centres.astype(np.float64)
     first, second = np.triu_indices(len(at), 1)
@@ -211,7 +253,8 @@ def spread(centres: Floats, sizes: Floats) -> Floats:
 
 
 def _cleared(at: Floats, sizes: Floats) -> Floats:
-    """(n, 2) the same, from above to below each moved down past those above that it overlaps still."""
+    """(n, 2) the same, from above to below each moved down past those above that it overlaps
+    still."""
     order = np.lexsort((at[:, 0], at[:, 1]))
     for k, index in enumerate(order):
         above = order[:k]
@@ -221,7 +264,7 @@ def _cleared(at: Floats, sizes: Floats) -> Floats:
     return at
 
 
-# --- geometry ----------------------------------------------------------------------------------------
+# --- geometry -------------------------------------------------------------------------------------
 
 
 Panel = tuple[Backdrop, list[Spot]]
@@ -237,7 +280,9 @@ def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     return [_panel(rig, each.layout, each.posed, subject, each.title, labels) for each in found]
 
 
-def _panel(rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool) -> Panel:
+def _panel(
+    rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
+) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
     rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
@@ -262,12 +307,16 @@ def _spots(layout: Layout, posed: PosedLayout, plane: Floats) -> list[Spot]:
     ]
 
 
-def _picture(subject: shading.Body, rows: Floats, scale: float, low: Floats, high: Floats) -> Image.Image:
+def _picture(
+    subject: shading.Body, rows: Floats, scale: float, low: Floats, high: Floats
+) -> Image.Image:
     """What is seen of the body in a rectangle of the plane, paler than it is, RGBA."""
     share = min(1.0, _FINENESS / float((high - low).max()))
     width, height = (int(each) for each in np.maximum(np.rint(share * (high - low)), 1))
     centre = 0.5 * (low + high) * [1.0, -1.0] / scale
-    shaded = shading.shade(subject, shading.Camera(rows, centre @ rows[:2], share * scale, width, height))
+    shaded = shading.shade(
+        subject, shading.Camera(rows, centre @ rows[:2], share * scale, width, height)
+    )
     colour = (1.0 - _VEIL) * 255.0 * shading.encoded(shaded.colour) + _VEIL * _PAPER
     pixels = np.concatenate([colour, 255.0 * shaded.cover[..., None]], axis=2)
     return Image.fromarray(pixels.round().clip(0.0, 255.0).astype(np.uint8), "RGBA")
@@ -280,15 +329,20 @@ def _apart(spots: list[Spot]) -> list[Spot]:
         return spots
     places = np.array([spots[i].handle for i in face])
     moved = list(spots)
-    for i, shift in zip(face, spread(places, np.full(places.shape, _APART * _HANDLE)) - places, strict=True):
+    for i, shift in zip(
+        face, spread(places, np.full(places.shape, _APART * _HANDLE)) - places, strict=True
+    ):
         moved[i] = spots[i].moved(shift)
     return moved
 
 
 def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
-    """Corners (2,) of the part of the character that is shown: the head, or whatever holds the elements."""
+    """Corners (2,) of the part of the character that is shown: the head, or whatever holds the
+    elements."""
     face = [spot for spot in spots if not spot.element.anchor.on_board] or spots
-    around = np.concatenate([*(np.vstack([spot.handle, *spot.tracks]) for spot in face), skin[: 0 if face else 1]])
+    around = np.concatenate(
+        [*(np.vstack([spot.handle, *spot.tracks]) for spot in face), skin[: 0 if face else 1]]
+    )
     low, high = around.min(axis=0), around.max(axis=0)
     tall, middle = max(float(high[1] - low[1]), 8.0 * _HANDLE), 0.5 * float(low[0] + high[0])
     low, high = low - _AROUND * tall, high + _AROUND * tall
@@ -306,11 +360,18 @@ def _region(spots: list[Spot], skin: Floats) -> tuple[Floats, Floats]:
 def _named(spots: list[Spot], low: Floats, high: Floats) -> list[Spot]:
     """The spots with names on the face in columns left and right of the region."""
     face = [index for index, spot in enumerate(spots) if not spot.element.anchor.on_board]
-    columns = lettering.sides([float(spots[i].handle[0]) for i in face], [spots[i].element.name for i in face])
+    columns = lettering.sides(
+        [float(spots[i].handle[0]) for i in face], [spots[i].element.name for i in face]
+    )
     named = list(spots)
     for column, edge in zip(columns, (low[0] - _GAP, high[0] + _GAP), strict=True):
-        ordered = sorted((face[i] for i in column), key=lambda i: (float(spots[i].handle[1]), spots[i].element.name))
-        rows = lettering.spread(np.array([float(spots[i].handle[1]) for i in ordered]), _PITCH, low[1], high[1])
+        ordered = sorted(
+            (face[i] for i in column),
+            key=lambda i: (float(spots[i].handle[1]), spots[i].element.name),
+        )
+        rows = lettering.spread(
+            np.array([float(spots[i].handle[1]) for i in ordered]), _PITCH, low[1], high[1]
+        )
         handles = np.array([spots[i].handle for i in ordered]).reshape(-1, 2)
         for which, row in zip(lettering.uncrossed(handles, float(edge), rows), rows, strict=True):
             own = spots[ordered[which]]
@@ -322,7 +383,10 @@ def _with_board(spots: list[Spot], backdrop: Backdrop) -> list[Spot]:
     """The spots with the board in rows, to the right of the character and of the names there."""
     board = [i for i, spot in enumerate(spots) if spot.element.anchor.on_board]
     face = [_drawn(spot) for i, spot in enumerate(spots) if i not in set(board)]
-    right = max((float(points[:, 0].max()) for points in (*backdrop.outline, *face)), default=float(backdrop.low[0]))
+    right = max(
+        (float(points[:, 0].max()) for points in (*backdrop.outline, *face)),
+        default=float(backdrop.low[0]),
+    )
     tallest = max(float(backdrop.high[1] - backdrop.low[1]), 8.0 * _HANDLE)
     column, top, wide, placed = right + _GAP, 0.0, 0.0, list(spots)
     for i in board:
@@ -341,7 +405,9 @@ def _in_a_row(spot: Spot) -> Spot:
     """An element of the board with its tracks no longer than a row holds."""
     extent = float(np.ptp(np.vstack([spot.handle, *spot.tracks]), axis=0).max())
     share = min(1.0, _ROW_TRACK * _HANDLE / max(extent, 1e-9))
-    return replace(spot, tracks=tuple(spot.handle + share * (track - spot.handle) for track in spot.tracks))
+    return replace(
+        spot, tracks=tuple(spot.handle + share * (track - spot.handle) for track in spot.tracks)
+    )
 
 
 def _box(panel: Panel) -> tuple[Floats, Floats]:
@@ -372,7 +438,8 @@ def _label_place(spot: Spot) -> Floats:
 
 
 def _buttons(made: Picker) -> Floats:
-    """(n, 4) left, top, width and height of a named button per element, none of which overlaps another."""
+    """(n, 4) left, top, width and height of a named button per element, none of which overlaps
+    another."""
     if not made.spots:
         return np.zeros((0, 4))
     wide = [max(_BUTTON, _BUTTON_LETTER * len(spot.element.label) + 10.0) for spot in made.spots]
@@ -381,22 +448,25 @@ def _buttons(made: Picker) -> Floats:
     return np.concatenate([at - 0.5 * sizes, sizes], axis=1)
 
 
-# --- SVG ---------------------------------------------------------------------------------------------
+# --- SVG ------------------------------------------------------------------------------------------
 
 
 def _backdrop(each: Backdrop) -> list[str]:
     """The character behind its elements: outline, picture, and the name of the part above."""
     (left, top), (width, height) = each.low, each.high - each.low
     shown = base64.b64encode(_png(each.image)).decode("ascii")
-    lines = [f'<path d="{_path(each.outline)}" fill="#e4e6e9" fill-rule="evenodd" stroke="#c8ccd1"/>']
+    lines = [
+        f'<path d="{_path(each.outline)}" fill="#e4e6e9" fill-rule="evenodd" stroke="#c8ccd1"/>'
+    ]
     lines.append(
-        f'<image x="{left:.2f}" y="{top:.2f}" width="{width:.2f}" height="{height:.2f}" preserveAspectRatio="none" '
-        f'href="data:image/png;base64,{shown}"/>'
+        f'<image x="{left:.2f}" y="{top:.2f}" width="{width:.2f}" height="{height:.2f}"'
+        f' preserveAspectRatio="none" href="data:image/png;base64,{shown}"/>'
     )
     if each.title:
         left = min((float(loop[:, 0].min()) for loop in each.outline), default=float(left))
         lines.append(
-            f'<text x="{left:.2f}" y="{top - 8.0:.2f}" font-size="16" fill="#565b63">{markup(each.title)}</text>'
+            f'<text x="{left:.2f}" y="{top - 8.0:.2f}" font-size="16"'
+            f' fill="#565b63">{markup(each.title)}</text>'
         )
     return lines
 
@@ -424,15 +494,17 @@ def _group(spot: Spot) -> list[str]:
     lines.append(f"<title>{markup(element.label)}: {markup(', '.join(controls))}</title>")
     for member, track in zip(element.members, spot.tracks, strict=True):
         lines.append(
-            f'<polyline data-control="{markup(member.control)}" points="{_points(track)}" fill="none" '
-            f'stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round" stroke-linejoin="round"/>'
+            f'<polyline data-control="{markup(member.control)}" points="{_points(track)}"'
+            f' fill="none" stroke="{_hex(element)}" stroke-width="4" stroke-linecap="round"'
+            ' stroke-linejoin="round"/>'
         )
     lines.append(_handle(spot))
     if spot.lead is not None:
         (x, y), side = spot.lead[0], "end" if spot.lead[0, 0] < spot.handle[0] else "start"
         x += 4.0 if side == "start" else -4.0
         lines.append(
-            f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14" text-anchor="{side}">{markup(element.label)}</text>'
+            f'<text x="{x:.2f}" y="{y + 5.0:.2f}" font-size="14"'
+            f' text-anchor="{side}">{markup(element.label)}</text>'
         )
     if anchor.on_board:
         x, y = _label_place(spot)
@@ -445,7 +517,10 @@ def _handle(spot: Spot) -> str:
     style = f'fill="{_hex(spot.element)}" stroke="#ffffff" stroke-width="2"'
     form = form_of(spot.element)
     if form in ("patch", "joystick"):
-        return f'<rect x="{x - r:.2f}" y="{y - r:.2f}" width="{2 * r:.2f}" height="{2 * r:.2f}" rx="4" {style}/>'
+        return (
+            f'<rect x="{x - r:.2f}" y="{y - r:.2f}" width="{2 * r:.2f}" height="{2 * r:.2f}" rx="4"'
+            f" {style}/>"
+        )
     if form == "fan":
         corners = np.array([[x, y - r], [x + r, y], [x, y + r], [x - r, y]])
         return f'<polygon points="{_points(corners)}" {style}/>'
@@ -470,7 +545,7 @@ def _ink(element: Element) -> str:
     return "#16181b" if 0.299 * red + 0.587 * green + 0.114 * blue > 130.0 else "#ffffff"
 
 
-# --- dwpicker ----------------------------------------------------------------------------------------
+# --- dwpicker -------------------------------------------------------------------------------------
 
 
 def _shape(
@@ -489,8 +564,13 @@ def _shape(
         "shape.cornersx": 4,
         "shape.cornersy": 4,
         "border": not background,
-        **{f"borderwidth.{state}": width for state, width in (("normal", 1.0), ("hovered", 1.25), ("clicked", 2.0))},
-        **dict.fromkeys(("bordercolor.normal", "bordercolor.hovered", "bordercolor.clicked"), "#ffffff"),
+        **{
+            f"borderwidth.{state}": width
+            for state, width in (("normal", 1.0), ("hovered", 1.25), ("clicked", 2.0))
+        },
+        **dict.fromkeys(
+            ("bordercolor.normal", "bordercolor.hovered", "bordercolor.clicked"), "#ffffff"
+        ),
         "bordercolor.transparency": 0,
         **dict.fromkeys(("bgcolor.normal", "bgcolor.hovered", "bgcolor.clicked"), colour),
         "bgcolor.transparency": 0,

@@ -1,6 +1,8 @@
-"""Results of the evaluation (`usdrigui view --study`), summed over participants beside the paper's figures.
+"""Results of the evaluation (`usdrigui view --study`), summed over participants beside the paper's
+figures.
 
-The paper's are from Kim and Singh 2021, section 5.2: twelve people, another face, and an artist's layout off the face.
+The paper's are from Kim and Singh 2021, section 5.2: twelve people, another face, and an artist's
+layout off the face.
 """
 
 from __future__ import annotations
@@ -73,24 +75,40 @@ def summed(paths: Sequence[Path]) -> Study:
             continue
         participant = rows[0]["participant"]
         if participant in found:
-            raise refuse("STUDY_RESULTS", str(path), f"holds participant {participant}, whom another file holds, too")
+            raise refuse(
+                "STUDY_RESULTS",
+                str(path),
+                f"holds participant {participant}, whom another file holds, too",
+            )
         found[participant] = rows
     if not found:
-        raise refuse("STUDY_RESULTS", str(paths[0]), f"no file holds all {FACES} faces of a participant")
-    return Study(tuple(sorted(found, key=_number)), tuple(_measures(list(found.values()))), tuple(left_out))
+        raise refuse(
+            "STUDY_RESULTS", str(paths[0]), f"no file holds all {FACES} faces of a participant"
+        )
+    return Study(
+        tuple(sorted(found, key=_number)), tuple(_measures(list(found.values()))), tuple(left_out)
+    )
 
 
 def as_text(study: Study) -> str:
     """A table for people: mean, deviation, and the paper's mean in brackets."""
     people, width = len(study.participants), max(len(each.measure) for each in study.measures)
     lines = [
-        f"{people} participant{'s' if people > 1 else ''}: mean ± standard deviation between them, in brackets that",
-        f"of {PAPER_PARTICIPANTS} in Kim and Singh 2021, section 5.2, its second interface an artist's off the face",
+        (
+            f"{people} participant{'s' if people > 1 else ''}: mean ± standard deviation between"
+            " them, in brackets that"
+        ),
+        (
+            f"of {PAPER_PARTICIPANTS} in Kim and Singh 2021, section 5.2, its second interface an"
+            " artist's off the face"
+        ),
         " " * width + "".join(f"{label:>24}" for label in INTERFACES.values()),
     ]
     for measure in dict.fromkeys(each.measure for each in study.measures):
         cells = {each.interface: _cell(each) for each in study.measures if each.measure == measure}
-        lines.append(f"{measure:<{width}}" + "".join(f"{cells.get(name, ''):>24}" for name in INTERFACES))
+        lines.append(
+            f"{measure:<{width}}" + "".join(f"{cells.get(name, ''):>24}" for name in INTERFACES)
+        )
     lines += [f"left out, as not all {FACES} faces were done: {path}" for path in study.left_out]
     return "\n".join(lines)
 
@@ -109,9 +127,16 @@ def _number(participant: str) -> tuple[float, str]:
     return (float(participant) if participant.isdecimal() else float("inf"), participant)
 
 
-# --- one file ----------------------------------------------------------------------------------------
+# --- one file -------------------------------------------------------------------------------------
 
-_NEEDED = ("participant", "interface", "face", "seconds", "weight_error_squared", "vertex_error_squared")
+_NEEDED = (
+    "participant",
+    "interface",
+    "face",
+    "seconds",
+    "weight_error_squared",
+    "vertex_error_squared",
+)
 _ASKED = ("question", "answer")
 """In files of later versions."""
 
@@ -121,7 +146,9 @@ def _rows(path: Path) -> list[Row]:
     try:
         with path.open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file, restval="")
-            rows: list[Row] = [{key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader]
+            rows: list[Row] = [
+                {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader
+            ]
             known = set(_NEEDED) <= set(reader.fieldnames or ())
         numbers = [float(value) for row in rows for value in _numbers(row)]
     except (OSError, ValueError, csv.Error) as error:
@@ -141,7 +168,7 @@ def _numbers(row: Row) -> tuple[str, ...]:
     return (row["answer"],) if row["question"] not in ("", "comment") else ()
 
 
-# --- measures ----------------------------------------------------------------------------------------
+# --- measures -------------------------------------------------------------------------------------
 
 
 def _measures(people: Sequence[Sequence[Row]]) -> Iterable[Measure]:
@@ -151,18 +178,24 @@ def _measures(people: Sequence[Sequence[Row]]) -> Iterable[Measure]:
     for question, words in QUESTIONS.items():
         for name in INTERFACES if question == "overall" else ("face",):
             asked = f"{question}_{name}" if question == "overall" else question
-            answers = [float(row["answer"]) for rows in people for row in rows if row["question"] == asked]
+            answers = [
+                float(row["answer"]) for rows in people for row in rows if row["question"] == asked
+            ]
             if answers:
                 yield _over(words, name, answers)
 
 
 def _over(measure: str, name: str, values: Sequence[float]) -> Measure:
     deviation = stdev(values) if len(values) > 1 else 0.0
-    return Measure(measure, name, len(values), fmean(values), deviation, PAPER.get(measure, {}).get(name))
+    return Measure(
+        measure, name, len(values), fmean(values), deviation, PAPER.get(measure, {}).get(name)
+    )
 
 
 def _share(rows: Sequence[Row], name: str) -> float:
-    return 100.0 * _seconds(rows, name) / max(sum(_seconds(rows, each) for each in INTERFACES), 1e-9)
+    return (
+        100.0 * _seconds(rows, name) / max(sum(_seconds(rows, each) for each in INTERFACES), 1e-9)
+    )
 
 
 def _common(rows: Sequence[Row], name: str) -> float:
@@ -175,7 +208,9 @@ def _seconds(rows: Sequence[Row], name: str) -> float:
 
 
 def _mean_of(key: str) -> Callable[[Sequence[Row], str], float]:
-    return lambda rows, name: fmean(float(row[key]) for row in rows if row["face"] and row["interface"] == name)
+    return lambda rows, name: fmean(
+        float(row[key]) for row in rows if row["face"] and row["interface"] == name
+    )
 
 
 _OF_FACES: Mapping[str, Callable[[Sequence[Row], str], float]] = {

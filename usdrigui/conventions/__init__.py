@@ -1,11 +1,13 @@
 """What the names of controls mean: the conventions of the field as one table.
 
-Names are priors, never requirements: geometry overrules them (a rig may swap its sides), and a rig whose names say
-nothing is laid out by its motions alone.  But riggers share conventions, and a cast that shares one should look alike.
+Names are priors, never requirements: geometry overrules them (a rig may swap its sides), and a rig
+whose names say nothing is laid out by its motions alone.  But riggers share conventions, and a cast
+that shares one should look alike.
 
-A name is taken apart into words (`words`); words that nearly all names of a rig share in front or behind are dropped;
-what is left is looked up among the codes of the conventions (``codes.toml``: FACS numbers, phonemes, moods) and then
-read as a phrase (``phrases.toml``: *brow* and *up* is `browUp`).  ``actions.toml`` says what an action is.
+A name is taken apart into words (`words`); words that nearly all names of a rig share in front or
+behind are dropped; what is left is looked up among the codes of the conventions (``codes.toml``:
+FACS numbers, phonemes, moods) and then read as a phrase (``phrases.toml``: *brow* and *up* is
+`browUp`).  ``actions.toml`` says what an action is.
 """
 
 from __future__ import annotations
@@ -58,8 +60,8 @@ class Action:
     """-1 or 1: which end."""
     importance: float = 1.0
     place: tuple[float, float] | None = None
-    """Where it stands on a canonical face: to the side on which it acts, and up from between the eyes, in distances of
-    the pupils."""
+    """Where it stands on a canonical face: to the side on which it acts, and up from between the
+    eyes, in distances of the pupils."""
     radius: float = 0.4
     """Of the region around that place in which it may stand, in the same unit."""
     vague: bool = False
@@ -77,7 +79,8 @@ class Action:
 
     @property
     def is_needed(self) -> bool:
-        """Whether it is missed where it leaves the face: no face is animated without it, or its family is split."""
+        """Whether it is missed where it leaves the face: no face is animated without it, or its
+        family is split."""
         return self.is_core or self.in_family
 
 
@@ -87,9 +90,11 @@ class Meaning:
 
     action: Action
     side: Side
-    """Side of the character on which the name says that it acts; a guess that geometry overrules."""
+    """Side of the character on which the name says that it acts; a guess that geometry
+    overrules."""
     middle: bool = False
-    """Whether the name says that it acts in the middle, beside controls of either side: Lips_Lower_M."""
+    """Whether the name says that it acts in the middle, beside controls of either side:
+    Lips_Lower_M."""
 
 
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
@@ -99,14 +104,16 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     units = sum(_action_unit(each) is not None for each in bare)
     coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
     told = [
-        _called_unit(whole) or (_action_unit(each) if coded else None) for whole, each in zip(every, bare, strict=True)
+        _called_unit(whole) or (_action_unit(each) if coded else None)
+        for whole, each in zip(every, bare, strict=True)
     ]
     return tuple(_meaning(each, unit) for each, unit in zip(bare, told, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
 class Spelling:
-    """A name without its spelling: ``browDown_L``, ``L_brow-down`` and ``face.BrowDownLeft`` are one."""
+    """A name without its spelling: ``browDown_L``, ``L_brow-down`` and ``face.BrowDownLeft`` are
+    one."""
 
     words: frozenset[str]
     """Without the side and without what the names of the rig share."""
@@ -124,11 +131,18 @@ def spellings(names: Sequence[str]) -> tuple[Spelling, ...]:
 
 
 def same_name(name: str, known: Sequence[str]) -> str:
-    """The one of a rig's names that `name` spells otherwise, or that means the same; empty if none or several do."""
+    """The one of a rig's names that `name` spells otherwise, or that means the same; empty if none
+    or several do."""
     rig = spellings(known)
-    spelt = [each for each, one in zip(known, rig, strict=True) if one == _spelling(words(name)) and one.words]
+    spelt = [
+        each
+        for each, one in zip(known, rig, strict=True)
+        if one == _spelling(words(name)) and one.words
+    ]
     meant, senses = meanings([name])[0], meanings(known)
-    means = [each for each, one in zip(known, senses, strict=True) if one is not None and one == meant]
+    means = [
+        each for each, one in zip(known, senses, strict=True) if one is not None and one == meant
+    ]
     return next((each[0] for each in (spelt, means) if len(each) == 1), "")
 
 
@@ -138,7 +152,8 @@ def _spelling(each: tuple[str, ...]) -> Spelling:
 
 
 def words(name: str) -> tuple[str, ...]:
-    """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come apart alike."""
+    """The words of a name, lower case: ``eye-left-slit``, ``Look_In_Right`` and ``AU12L`` come
+    apart alike."""
     codes = _table("codes")
     found: list[str] = []
     for word in _WORD.findall(codes["japanese"].get(name, name)):
@@ -154,8 +169,8 @@ def joysticks() -> Mapping[str, tuple[str, str]]:
 
 
 def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
-    """The words as they stand first (in mouthLeft the side is a direction), then without the side; before both the
-    action `unit` of which the name is the number."""
+    """The words as they stand first (in mouthLeft the side is a direction), then without the side;
+    before both the action `unit` of which the name is the number."""
     side, toward, rest = _side_and_direction(each)
     if unit is not None:
         return Meaning(unit, side)
@@ -166,7 +181,9 @@ def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
             # In mouthLeft the only side is the direction; in lookLeft_R there is another one.
             alone = sum(word in _SIDES for word in each) == 1
             spent = phrase.directed and alone and not phrase.fits(rest, "")
-            return Meaning(_actions()[phrase.action], "" if spent else side, not _MIDDLES.isdisjoint(each[1:]))
+            return Meaning(
+                _actions()[phrase.action], "" if spent else side, not _MIDDLES.isdisjoint(each[1:])
+            )
     return None
 
 
@@ -196,8 +213,8 @@ def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
 
 
 def _side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, ...]]:
-    """The side on which a name says that a control acts, the one to which it may go, and the words without the two:
-    one word says both unless there is another one behind which the eyes look."""
+    """The side on which a name says that a control acts, the one to which it may go, and the words
+    without the two: one word says both unless there is another one behind which the eyes look."""
     looks = [i for i, word in enumerate(each) if word in _GAZE]
     behind = [i for i, word in enumerate(each) if word in _SIDES and looks and i > looks[0]]
     side, rest = _side(each)
@@ -215,16 +232,21 @@ def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
             if not most or most[0][1] < _SHARED * len(names) or most[0][0] in _SIDES:
                 break
             kept = slice(1, None) if end == 0 else slice(None, -1)
-            names = [each[kept] if len(each) > 1 and each[end] == most[0][0] else each for each in names]
+            names = [
+                each[kept] if len(each) > 1 and each[end] == most[0][0] else each for each in names
+            ]
     return names
 
 
 def _without_makers(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
-    """The names without what only says whose they are: a word of no convention with which several names begin that
-    mean actions without it.  VRoid's Fcl_MTH_A stands beside ARKit's names in some rigs."""
+    """The names without what only says whose they are: a word of no convention with which several
+    names begin that mean actions without it.  VRoid's Fcl_MTH_A stands beside ARKit's names in some
+    rigs."""
     while True:
         heads = Counter(each[0] for each in names if len(each) > 1 and _acts(each[1:]))
-        found = {word for word, count in heads.items() if count >= _SEVERAL and word not in _known()}
+        found = {
+            word for word, count in heads.items() if count >= _SEVERAL and word not in _known()
+        }
         if not found:
             return names
         names = [each[1:] if len(each) > 1 and each[0] in found else each for each in names]
@@ -241,17 +263,29 @@ def _action_unit(each: tuple[str, ...]) -> Action | None:
     others = {word for word in each if not word.isdigit()} - {"au", "facs", *_SIDES}
     if len(numbers) != 1 or others:
         return None
-    return next((a for a in _actions().values() if int(numbers[0]) in _units().get(a.name, ())), None)
+    return next(
+        (a for a in _actions().values() if int(numbers[0]) in _units().get(a.name, ())), None
+    )
 
 
 def _called_unit(each: tuple[str, ...]) -> Action | None:
     """The action unit of a name that says it is one: ``AU_27_MouthStretch``."""
-    numbers = {int(after) for word, after in itertools.pairwise(each) if word == "au" and after.isdigit()}
-    return next((a for a in _actions().values() if len(numbers) == 1 and numbers <= {*_units().get(a.name, ())}), None)
+    numbers = {
+        int(after) for word, after in itertools.pairwise(each) if word == "au" and after.isdigit()
+    }
+    return next(
+        (
+            a
+            for a in _actions().values()
+            if len(numbers) == 1 and numbers <= {*_units().get(a.name, ())}
+        ),
+        None,
+    )
 
 
 def _counted(names: list[tuple[str, ...]]) -> bool:
-    """Whether the numbers of the names count something, one after the other: action units have gaps."""
+    """Whether the numbers of the names count something, one after the other: action units have
+    gaps."""
     numbers = [int(word) for each in names for word in each if word.isdigit()]
     return len(numbers) > 1 and len(set(numbers)) == len(numbers) == max(numbers) - min(numbers) + 1
 
@@ -260,13 +294,20 @@ def _coded(each: tuple[str, ...]) -> Action | None:
     """Visemes by their phonemes, moods and identity series by their words."""
     codes = _table("codes")
     plain = [word for word in each if not word.isdigit()]
-    if not plain or plain in (["mouth", "l"], ["mouth", "r"]):  # To the left and right, not the letters.
+    if not plain or plain in (
+        ["mouth", "l"],
+        ["mouth", "r"],
+    ):  # To the left and right, not the letters.
         return None
     phonemes, parts = codes["visemes"]["phonemes"], codes["emotions"]["parts"]
-    said = plain[0] in codes["visemes"]["prefixes"] or not {*plain}.isdisjoint(codes["visemes"]["words"])
+    said = plain[0] in codes["visemes"]["prefixes"] or not {*plain}.isdisjoint(
+        codes["visemes"]["words"]
+    )
     if said or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
         return _actions()["viseme"] if plain != ["mouth"] else None
-    if plain[-1] in codes["emotions"]["words"] and (len(plain) == 1 or (len(plain) == 2 and plain[0] in parts)):
+    if plain[-1] in codes["emotions"]["words"] and (
+        len(plain) == 1 or (len(plain) == 2 and plain[0] in parts)
+    ):
         return _actions()[parts[plain[0]] if len(plain) == 2 else "emotion"]
     if plain[0] in codes["identities"]["prefixes"] and len(plain) < len(each):
         return _actions()["identity"]
@@ -291,7 +332,11 @@ def _action(name: str, row: Mapping[str, Any]) -> Action:
 
 @cache
 def _units() -> Mapping[str, tuple[int, ...]]:
-    return {name: tuple(row.get("au", ())) for name, row in _table("actions").items() if not name.startswith("_")}
+    return {
+        name: tuple(row.get("au", ()))
+        for name, row in _table("actions").items()
+        if not name.startswith("_")
+    }
 
 
 @cache
@@ -308,14 +353,23 @@ def _vocabulary() -> frozenset[str]:
 def _known() -> frozenset[str]:
     """Words that mean something at the front of a name."""
     codes = _table("codes")
-    lists = (("visemes", "words"), ("visemes", "prefixes"), ("visemes", "phonemes"), ("emotions", "words"))
-    said = {word for table, key in (*lists, ("identities", "prefixes")) for word in codes[table][key]}
+    lists = (
+        ("visemes", "words"),
+        ("visemes", "prefixes"),
+        ("visemes", "phonemes"),
+        ("emotions", "words"),
+    )
+    said = {
+        word for table, key in (*lists, ("identities", "prefixes")) for word in codes[table][key]
+    }
     return _vocabulary() | said | {"au", *codes["emotions"]["parts"], *_SIDES}
 
 
 def _phrase(row: Mapping[str, Any]) -> _Phrase:
     sets = tuple(frozenset(_alternatives(each)) for each in row["words"])
-    return _Phrase(row["action"], sets, frozenset(row.get("without", ())), bool(row.get("directed", False)))
+    return _Phrase(
+        row["action"], sets, frozenset(row.get("without", ())), bool(row.get("directed", False))
+    )
 
 
 def _alternatives(text: str) -> Iterable[str]:

@@ -1,7 +1,8 @@
 """What the names of controls hint about sides; never more than a hint.
 
-Names come from many hands: ``browDown_L``, ``eye-left-slit``, ``l-brow``, ``Look_In_Right``, ``.Lsmile``;
-and in ``mouthLeft`` the word is a direction.  Either way the mirror image swaps the words.
+Names come from many hands: ``browDown_L``, ``eye-left-slit``, ``l-brow``, ``Look_In_Right``,
+``.Lsmile``; and in ``mouthLeft`` the word is a direction.  Either way the mirror image swaps the
+words.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ _SWAPPED = {"left": "right", "right": "left", "l": "r", "r": "l", "lf": "rt", "r
 
 
 def mirrored(name: str) -> str:
-    """`name` with the words for left and right swapped, lower case; equal to it when it has none."""
+    """`name` with the words for left and right swapped, lower case; equal to it when it has
+    none."""
     return "".join(_SWAPPED.get(word, word) for word in _words(name))
 
 
@@ -27,7 +29,11 @@ def hints_at_twin(name: str, other: str) -> bool:
 def _differ_by_initial(name: str, other: str) -> bool:
     """``.Lsmile`` and ``.Rsmile``: a side glued to the front of a word."""
     apart = [i for i, (a, b) in enumerate(zip(name, other, strict=False)) if a != b]
-    if len(name) != len(other) or len(apart) != 1 or {name[apart[0]].lower(), other[apart[0]].lower()} != {"l", "r"}:
+    if (
+        len(name) != len(other)
+        or len(apart) != 1
+        or {name[apart[0]].lower(), other[apart[0]].lower()} != {"l", "r"}
+    ):
         return False
     before = name[: apart[0]][-1:]
     return not before.isalpha() or (name[apart[0]].isupper() and before.islower())
@@ -40,7 +46,11 @@ def has_side(name: str) -> bool:
 
 def side_of(name: str) -> str:
     """``left`` or ``right`` where the name has words for one of them only, else empty."""
-    said = {"left" if word in ("left", "l", "lf") else "right" for word in _words(name) if word in _SWAPPED}
+    said = {
+        "left" if word in ("left", "l", "lf") else "right"
+        for word in _words(name)
+        if word in _SWAPPED
+    }
     return said.pop() if len(said) == 1 else ""
 
 

@@ -1,9 +1,11 @@
-"""Where the conventions of the field expect a control: a canonical face fitted to this one (beyond the paper).
+"""Where the conventions of the field expect a control: a canonical face fitted to this one (beyond
+the paper).
 
-The names of controls say what they do (`usdrigui.conventions`), and each action has a place on a canonical face.  The
-canonical face is laid over the character by what its controls move: the line that fits the heights of all motions that
-have a name best, robustly, and the scale that fits how far they lie from the mirror plane.  What a single control's
-motion says does not decide where it is expected, and a name on the wrong side is overruled by the motion.
+The names of controls say what they do (`usdrigui.conventions`), and each action has a place on a
+canonical face.  The canonical face is laid over the character by what its controls move: the line
+that fits the heights of all motions that have a name best, robustly, and the scale that fits how
+far they lie from the mirror plane.  What a single control's motion says does not decide where it is
+expected, and a name on the wrong side is overruled by the motion.
 """
 
 from __future__ import annotations
@@ -21,7 +23,8 @@ from usdrigui.model import Flags, Floats, Motion, Record, Symmetry, Trajectories
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
 _SPAN = 0.5
-"""Least spread of their heights, in distances of the pupils: controls of the mouth alone say nothing of the brows."""
+"""Least spread of their heights, in distances of the pupils: controls of the mouth alone say
+nothing of the brows."""
 _ACROSS = 0.2
 """Distance from the middle, in the same units, from which a place says something of the width."""
 _NEAR = 0.7
@@ -48,12 +51,14 @@ class Expectation(Record):
     """Of the region around it, in distances of the pupils."""
 
     def regions(self, points: Floats) -> tuple[Flags, Flags]:
-        """(p,) which of points (p, 3) in root space lie near the place, and which in the region around it."""
+        """(p,) which of points (p, 3) in root space lie near the place, and which in the region
+        around it."""
         apart = self.distance(points)
         return np.asarray(apart <= _NEAR * self.radius), np.asarray(apart <= self.radius)
 
     def distance(self, points: Floats) -> Floats:
-        """(p,) of points (p, 3) in root space from the expected place, in distances of the pupils."""
+        """(p,) of points (p, 3) in root space from the expected place, in distances of the
+        pupils."""
         flat = (points - self.origin) @ self.axes.T / self.scale
         if self.both_sides:
             flat[:, 0] = np.abs(flat[:, 0])
@@ -63,13 +68,20 @@ class Expectation(Record):
 def expectations(
     trajectories: Trajectories, symmetry: Symmetry, views: Views, meanings: Sequence[Meaning | None]
 ) -> tuple[Expectation | None, ...]:
-    """(controls,) where each control is expected; None where its name says nothing or too few names do.
+    """(controls,) where each control is expected; None where its name says nothing or too few names
+    do.
 
     `meanings` (controls,) as read from the names of the rig's controls.
     """
     placed = [(m, meanings[m.control]) for m in trajectories.motions]
-    known = [(m, each.action, each.action.place) for m, each in placed if each is not None and each.action.place]
-    middles = np.array([_middle(trajectories, symmetry, views, motion) for motion, *_ in known]).reshape(-1, 2)
+    known = [
+        (m, each.action, each.action.place)
+        for m, each in placed
+        if each is not None and each.action.place
+    ]
+    middles = np.array(
+        [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
+    ).reshape(-1, 2)
     places = np.array([place for *_, place in known]).reshape(-1, 2)
     fit = _fit(middles, places) if symmetry.normal.any() else None
     if fit is None:
@@ -87,32 +99,39 @@ def expectations(
 
 
 def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
-    """(2,) scale across and upright, and height of the eyes, that lay the canonical `places` (c, 2) on the `middles`
-    (c, 2) of the motions; each place counts once.  None where they say too little."""
+    """(2,) scale across and upright, and height of the eyes, that lay the canonical `places` (c, 2)
+    on the `middles` (c, 2) of the motions; each place counts once.  None where they say too
+    little."""
     each, which = np.unique(places, axis=0, return_inverse=True)
-    typical = np.array([np.median(np.abs(middles[which == i]), axis=0) for i in range(len(each))]).reshape(-1, 2)
+    typical = np.array(
+        [np.median(np.abs(middles[which == i]), axis=0) for i in range(len(each))]
+    ).reshape(-1, 2)
     heights = np.array([np.median(middles[which == i, 1]) for i in range(len(each))])
     if len(each) < _LEAST or np.ptp(each[:, 1]) < _SPAN:
         return None
     upright, height = _line_through(each[:, 1], heights)
     wide = (np.abs(each[:, 0]) > _ACROSS) & (typical[:, 0] > 0.0)
-    across = float(np.median(typical[wide, 0] / np.abs(each[wide, 0]))) if wide.any() else float(upright)
+    across = (
+        float(np.median(typical[wide, 0] / np.abs(each[wide, 0]))) if wide.any() else float(upright)
+    )
     return (np.array([across, upright]), float(height)) if upright > 0.0 else None
 
 
 def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
-    """Slope, the median over all pairs of points, and value at 0 of a line (P. K. Sen, 1968); what scipy.stats has for
-    it takes a second to import."""
+    """Slope, the median over all pairs of points, and value at 0 of a line (P. K. Sen, 1968); what
+    scipy.stats has for it takes a second to import."""
     later, earlier = np.nonzero(x[:, None] > x)
     slope = float(np.median((y[later] - y[earlier]) / (x[later] - x[earlier])))
     return slope, float(np.median(y) - slope * np.median(x))
 
 
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
-    """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the two lobes of a
-    symmetric motion that of one) and height, scene units."""
+    """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
+    two lobes of a symmetric motion that of one) and height, scene units."""
     seen = views.anywhere[motion.points]
-    weight = trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
+    weight = (
+        trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
+    )
     weight = weight / max(float(weight.sum()), 1e-300)
     points = trajectories.base[motion.points]
     apart = plane_distance(points, symmetry)

@@ -1,4 +1,5 @@
-"""What the configuration sets for each control, whether it goes by its old name or by its new one."""
+"""What the configuration sets for each control, whether it goes by its old name or by its new
+one."""
 
 from __future__ import annotations
 
@@ -10,21 +11,27 @@ from usdrigui.settings import ControlSettings, Settings
 
 
 def control_overrides(rig: Rig, settings: Settings) -> tuple[ControlSettings, ...]:
-    """(controls,) the configuration's part for every control of `rig`; defaults where it sets nothing."""
+    """(controls,) the configuration's part for every control of `rig`; defaults where it sets
+    nothing."""
     renamed = {each.rename: each for each in settings.controls.values() if each.rename}
     plain = ControlSettings()
-    found = {c.name: renamed.get(c.name) or settings.controls.get(c.name, plain) for c in rig.controls}
+    found = {
+        c.name: renamed.get(c.name) or settings.controls.get(c.name, plain) for c in rig.controls
+    }
     for members in settings.groups.groups.values():
         anchors = {found[name].anchor for name in members if name in found} - {""}
         if len(anchors) == 1:
             # One element has one anchor: fixing a member fixes the group.
             anchor = min(anchors)
-            found |= {name: replace(found[name], anchor=anchor) for name in members if name in found}
+            found |= {
+                name: replace(found[name], anchor=anchor) for name in members if name in found
+            }
     return tuple(found[c.name] for c in rig.controls)
 
 
 def control_index(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[str, int]:
-    """Index of every control by its name, and by the name that `controls`, of the configuration, replaced."""
+    """Index of every control by its name, and by the name that `controls`, of the configuration,
+    replaced."""
     index = {control.name: i for i, control in enumerate(rig.controls)}
     for old, override in controls.items():
         if override.rename in index:

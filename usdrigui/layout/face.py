@@ -1,4 +1,5 @@
-"""A character's face as measured: what the stages that place elements read, and terms of other packages too."""
+"""A character's face as measured: what the stages that place elements read, and terms of other
+packages too."""
 
 from __future__ import annotations
 

@@ -18,13 +18,18 @@ _LEVEL = 1e-3
 
 
 def fitted_glyph(
-    face: Face, overrides: Sequence[ControlSettings], anchor: Anchor, members: Sequence[Member], reflected: bool
+    face: Face,
+    overrides: Sequence[ControlSettings],
+    anchor: Anchor,
+    members: Sequence[Member],
+    reflected: bool,
 ) -> Glyph | None:
-    """The glyph of an element: that of the first of its controls' `overrides` that names one; None where none does.
+    """The glyph of an element: that of the first of its controls' `overrides` that names one; None
+    where none does.
 
-    Its up axis is the anchor's normal, its Y axis as upright as the surface allows, and the sphere around it is
-    `glyph_size` handle widths wide, or as wide as the longest track is long.  `reflected` swaps left and right,
-    so that the elements of a pair are mirror images.
+    Its up axis is the anchor's normal, its Y axis as upright as the surface allows, and the sphere
+    around it is `glyph_size` handle widths wide, or as wide as the longest track is long.
+    `reflected` swaps left and right, so that the elements of a pair are mirror images.
     """
     override = next((each for each in overrides if each.glyph), None)
     if override is None:

@@ -17,12 +17,18 @@ def is_step_of(name: str, other: str) -> bool:
 
 
 def element_name(controls: Sequence[str], known: Collection[str]) -> str:
-    """Name of the element of some controls: theirs, joined so that no other of the controls `known` have that name.
+    """Name of the element of some controls: theirs, joined so that no other of the controls `known`
+    have that name.
 
-    Of ``smile`` and ``50`` it is ``smile_50``, and ``smile+50`` where there is a control ``smile_50``.
+    Of ``smile`` and ``50`` it is ``smile_50``, and ``smile+50`` where there is a control
+    ``smile_50``.
     """
     joined = {between: between.join(controls) for between in BETWEEN}
-    clear = (name for between, name in joined.items() if len(controls) == 1 or _readings(name, between, known) < 2)
+    clear = (
+        name
+        for between, name in joined.items()
+        if len(controls) == 1 or _readings(name, between, known) < 2
+    )
     return next(clear, joined[BETWEEN[-1]])
 
 
@@ -37,19 +43,25 @@ def _readings(name: str, between: str, known: Collection[str]) -> int:
 
 
 def common_label(labels: list[str]) -> str:
-    """One label for controls that share an element: what they have in common, and what tells them apart.
+    """One label for controls that share an element: what they have in common, and what tells them
+    apart.
 
-    ``eyeLookIn_L`` and ``eyeLookOut_L`` become ``eyeLook In/Out L``; labels with nothing in common are
-    joined by slashes.
+    ``eyeLookIn_L`` and ``eyeLookOut_L`` become ``eyeLook In/Out L``; labels with nothing in common
+    are joined by slashes.
     """
     if len(labels) == 1:
         return labels[0]
     parts = [_WORDS.findall(label) for label in labels]
     least = min(len(words) for words in parts)
     head = next((i for i in range(least) if len({words[i] for words in parts}) > 1), least)
-    tail = next((i for i in range(least - head) if len({words[-1 - i] for words in parts}) > 1), least - head)
+    tail = next(
+        (i for i in range(least - head) if len({words[-1 - i] for words in parts}) > 1),
+        least - head,
+    )
     middles = ["".join(words[head : len(words) - tail]).strip("_-. ") for words in parts]
     if not (head or tail) or not all(middles):
         return " / ".join(labels)
     ends = "".join(parts[0][:head]), "".join(parts[0][len(parts[0]) - tail :] if tail else [])
-    return " ".join(each for each in (ends[0].strip("_-. "), "/".join(middles), ends[1].strip("_-. ")) if each)
+    return " ".join(
+        each for each in (ends[0].strip("_-. "), "/".join(middles), ends[1].strip("_-. ")) if each
+    )

@@ -24,7 +24,8 @@ _RIM_SEEN = 3
 
 @dataclass(frozen=True, eq=False)
 class Frame(Record):
-    """The face's own frame: what is cast in it does not depend on where and how large the character is.
+    """The face's own frame: what is cast in it does not depend on where and how large the character
+    is.
 
     Rays that graze an edge are decided by rounding; cast in scene coordinates, a turned or scaled
     character would get other candidates.
@@ -46,7 +47,8 @@ class Frame(Record):
 
 @dataclass(frozen=True, eq=False)
 class Views(Record):
-    """The directions from which a layout is judged, and the points seen from each at the base pose."""
+    """The directions from which a layout is judged, and the points seen from each at the base
+    pose."""
 
     ahead: Floats
     """(3,) unit direction in which the face looks."""
@@ -56,7 +58,8 @@ class Views(Record):
     visible: Flags
     """(v, n)."""
     caster: Caster | None
-    """Casts rays at the visible meshes, in the face's own frame; None when occlusion is switched off."""
+    """Casts rays at the visible meshes, in the face's own frame; None when occlusion is switched
+    off."""
     frame: Frame
 
     @property
@@ -65,11 +68,13 @@ class Views(Record):
         return np.asarray(self.visible.any(axis=0))
 
     def flat_direction(self, space: str) -> Floats | None:
-        """(3,) direction to the viewer of a layout in ``view`` space, which is flat; none in ``object`` space."""
+        """(3,) direction to the viewer of a layout in ``view`` space, which is flat; none in
+        ``object`` space."""
         return self.directions[0] if space == "view" else None
 
     def one_sided(self, normal: Floats) -> bool:
-        """Whether the only view looks across the plane of symmetry, of which it may see one side only."""
+        """Whether the only view looks across the plane of symmetry, of which it may see one side
+        only."""
         return len(self.directions) == 1 and abs(float(self.directions[0] @ normal)) > _ACROSS
 
 
@@ -83,9 +88,10 @@ def find_views(
 ) -> Views:
     """The views that `view` names (see `CandidateSettings.view`) and what they see.
 
-    `camera` is the direction to the viewer of the camera that `view` names by its prim path; it must be
-    given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every point of a
-    visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be understood.
+    `camera` is the direction to the viewer of the camera that `view` names by its prim path; it
+    must be given then.  Points of hidden meshes are seen from nowhere.  Without `occlusion` every
+    point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
+    understood.
     """
     ahead = front_of(rig.up, trajectories, symmetry.normal)
     directions = _directions(view, ahead, rig.up, camera)
@@ -95,7 +101,9 @@ def find_views(
         return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
     points, normals = frame.points(trajectories.base), frame.directions(trajectories.normals)
     caster = make_caster(points[mesh_triangles(rig.meshes, visible_only=True)])
-    seen = [visible_from(caster, points, normals, frame.directions(toward)) for toward in directions]
+    seen = [
+        visible_from(caster, points, normals, frame.directions(toward)) for toward in directions
+    ]
     return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster, frame)
 
 
@@ -107,26 +115,36 @@ def _frame(trajectories: Trajectories, symmetry: Symmetry, ahead: Floats, up: Fl
     return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), trajectories.face_size)
 
 
-def mostly_hidden(views: Views, tracks: Floats, normals: Floats, depth: float, share: float = 0.5) -> Flags:
-    """(p,) tracks (p, k, 3) of which more than `share` lies inside or behind the model from every view.
+def mostly_hidden(
+    views: Views, tracks: Floats, normals: Floats, depth: float, share: float = 0.5
+) -> Flags:
+    """(p,) tracks (p, k, 3) of which more than `share` lies inside or behind the model from every
+    view.
 
-    A track sinks by `depth` before it counts as hidden: lids slide under their fold and are grabbed all
-    the same.  `normals` (p, 3) are those of the anchors.  False throughout without occlusion.
+    A track sinks by `depth` before it counts as hidden: lids slide under their fold and are grabbed
+    all the same.  `normals` (p, 3) are those of the anchors.  False throughout without occlusion.
     """
     hidden = np.full(len(tracks), views.caster is not None)
     if views.caster is not None:
         for direction in views.directions:
             ask = np.flatnonzero(hidden)
-            lifted, outward = views.frame.points(tracks[ask] + depth * direction), views.frame.directions(normals[ask])
-            hidden[ask] = hidden_share(views.caster, lifted, outward, views.frame.directions(direction)) > share
+            lifted, outward = (
+                views.frame.points(tracks[ask] + depth * direction),
+                views.frame.directions(normals[ask]),
+            )
+            hidden[ask] = (
+                hidden_share(views.caster, lifted, outward, views.frame.directions(direction))
+                > share
+            )
     return hidden
 
 
 def clear_handles(views: Views, base: Floats, normals: Floats, width: float) -> Flags:
-    """(n,) points `base` (n, 3) at which a handle of this width can be seen: some view that sees the point sees it not
-    edge-on, and at least three of four places on the handle's rim.
+    """(n,) points `base` (n, 3) at which a handle of this width can be seen: some view that sees
+    the point sees it not edge-on, and at least three of four places on the handle's rim.
 
-    A point in the fold of a lid is seen through the gap; the handle on it is not.  All points seen without occlusion.
+    A point in the fold of a lid is seen through the gap; the handle on it is not.  All points seen
+    without occlusion.
     """
     if views.caster is None:
         return views.anywhere

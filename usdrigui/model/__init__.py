@@ -1,11 +1,12 @@
 """The records that the stages hand to each other; numpy only, read-only throughout.
 
-    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
+    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout →
+    Sdf.Layer
 
-Coordinates: unless a field says otherwise, positions are in the space of the SkelRoot ("root space"),
-column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector convention
-(``p' = p @ M``).  *Point* means an index into the concatenation of all meshes' points, in the order
-of `Rig.meshes`; *local* point means an index into one mesh.
+Coordinates: unless a field says otherwise, positions are in the space of the SkelRoot ("root
+space"), column ``(x, y, z)`` triples in scene units.  Matrices are 4x4 in USD's row-vector
+convention (``p' = p @ M``).  *Point* means an index into the concatenation of all meshes' points,
+in the order of `Rig.meshes`; *local* point means an index into one mesh.
 """
 
 from __future__ import annotations

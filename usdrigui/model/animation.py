@@ -9,7 +9,8 @@ from usdrigui.model.record import Floats, Record
 
 @dataclass(frozen=True, eq=False)
 class Clip(Record):
-    """What USD evaluates of the animation, one frame where nothing moves; empty arrays where nothing is authored."""
+    """What USD evaluates of the animation, one frame where nothing moves; empty arrays where
+    nothing is authored."""
 
     times: Floats
     """(f,) time codes."""

@@ -10,8 +10,8 @@ from usdrigui.model.record import Indices, Record
 Status = Literal["optimal", "stopped"]
 
 GAP_FLOOR = 1e-3
-"""Cost below which gaps are no longer relative: a thousandth of what one element's place is worth. Without it the
-gap of a problem whose best cost is zero could never close."""
+"""Cost below which gaps are no longer relative: a thousandth of what one element's place is worth.
+Without it the gap of a problem whose best cost is zero could never close."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,12 +26,14 @@ class Assignment(Record):
     status: Status
     """``optimal`` when the relative gap is within the setting, up to rounding; else ``stopped``."""
     in_play: float
-    """cost minus the sum over variables of their least linear cost: what the choice can change (>= 0)."""
+    """cost minus the sum over variables of their least linear cost: what the choice can change (>=
+    0)."""
     method: str
     """What ran last: ``bounds`` where nothing was left for a solver, or the solver's name."""
     closed_by: str
-    """The method that proved the gap, or the limit that kept it from that: ``time limit``, ``work limit``,
-    ``memory limit`` or ``interrupt``.  Empty where the method ended without a proof, as the paper's does."""
+    """The method that proved the gap, or the limit that kept it from that: ``time limit``, ``work
+    limit``, ``memory limit`` or ``interrupt``.  Empty where the method ended without a proof, as
+    the paper's does."""
     steps: tuple[Step, ...] = ()
 
     @property

@@ -10,11 +10,20 @@ from usdrigui.model.rig import LeftOff
 
 ElementKind = Literal["slider", "patch", "fan"]
 Category = Literal[
-    "", "global", "hidden", "composite", "viseme", "emotion", "identity", "interior", "combination", "requested"
+    "",
+    "global",
+    "hidden",
+    "composite",
+    "viseme",
+    "emotion",
+    "identity",
+    "interior",
+    "combination",
+    "requested",
 ]
-"""Why a control does not stand on the face: it moves the face as a whole, only affects geometry hidden in all views,
-repeats what others do, stands with its family, or the configuration says so; empty for a control that is to stand
-there."""
+"""Why a control does not stand on the face: it moves the face as a whole, only affects geometry
+hidden in all views, repeats what others do, stands with its family, or the configuration says so;
+empty for a control that is to stand there."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,13 +43,13 @@ class CandidateSet(Record):
     points: Indices
     """(p,) points, ascending."""
     cost: Floats
-    """(p,) linear cost besides displacement and overlap (occlusion, plane, locality...), >= 0, in the
-    units of the objective."""
+    """(p,) linear cost besides displacement and overlap (occlusion, plane, locality...), >= 0, in
+    the units of the objective."""
     coverage: float
     """Share of the visible places of the face that it moves."""
     sources: Indices
-    """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control is shown
-    at a visible proxy of a hidden region."""
+    """(p,) point whose trajectory is drawn at each of `points`: the same point, unless the control
+    is shown at a visible proxy of a hidden region."""
     category: Category = ""
     off_face_reason: str = ""
     """Why it does not stand on the face; else empty."""
@@ -53,26 +62,30 @@ class Group:
     name: str
     kind: ElementKind
     controls: tuple[int, ...]
-    """Indices into `Rig.controls`, in the element's order; opposed controls stand next to each other."""
+    """Indices into `Rig.controls`, in the element's order; opposed controls stand next to each
+    other."""
     opposed: tuple[tuple[int, int], ...]
     """Pairs of `controls` that are the two ends of one axis (negative, positive)."""
     mirror: tuple[int, ...]
-    """The twins of `controls` in the same order, if the element is one of a symmetric pair; else empty."""
+    """The twins of `controls` in the same order, if the element is one of a symmetric pair; else
+    empty."""
     reason: str
     """Why they are grouped; empty for a single control."""
     category: Category = ""
     """That of its controls; a group with a category goes to the board whatever the costs."""
     images: tuple[tuple[int, ...], ...] = ()
-    """The controls of every further copy under the symmetry, in the same order: `mirror` for a pair, n - 1
-    tuples for an n-fold orbit."""
+    """The controls of every further copy under the symmetry, in the same order: `mirror` for a
+    pair, n - 1 tuples for an n-fold orbit."""
     image_names: tuple[str, ...] = ()
     """Names that the configuration gives to those copies; empty strings where it gives none."""
     inner: tuple[str, ...] = ()
-    """Names of the groups that are shown in place of this one when it is opened; none unless it is coarse."""
+    """Names of the groups that are shown in place of this one when it is opened; none unless it is
+    coarse."""
     part: bool = False
     """True for a slider of its own of controls that another, coarse, group holds too."""
     states: frozenset[int] = frozenset({0})
-    """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse group opened."""
+    """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse
+    group opened."""
 
     @property
     def all_controls(self) -> frozenset[int]:
@@ -86,16 +99,19 @@ class Group:
 
     @property
     def doubled(self) -> bool:
-        """Whether it is its own mirror image and has a copy on either side, of the same controls."""
+        """Whether it is its own mirror image and has a copy on either side, of the same
+        controls."""
         return bool(self.images) and set(self.mirror) == set(self.controls)
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:
-        """Positions in `controls` of each axis: one control, or the negative and the positive end of a signed axis."""
+        """Positions in `controls` of each axis: one control, or the negative and the positive end
+        of a signed axis."""
         return axes_of(len(self.controls), self.opposed)
 
 
 def axes_of(count: int, opposed: tuple[tuple[int, int], ...]) -> tuple[tuple[int, ...], ...]:
-    """The axes of `count` controls: each pair of `opposed` is one, every other control one of its own."""
+    """The axes of `count` controls: each pair of `opposed` is one, every other control one of its
+    own."""
     ends = {end: pair for pair in opposed for end in pair}
     return tuple(sorted({ends.get(i, (i,)) for i in range(count)}, key=min))

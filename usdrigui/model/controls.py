@@ -15,7 +15,8 @@ class Control(Record):
     """One rig parameter (paper: c_j)."""
 
     name: str
-    """Unique in the rig: the token, ``joint:rx`` or the pose's name, after renaming by the config."""
+    """Unique in the rig: the token, ``joint:rx`` or the pose's name, after renaming by the
+    config."""
     label: str
     """For people; the name unless the config gives another."""
     kind: ControlKind
@@ -33,11 +34,11 @@ class Drive(Record):
     """What a control sets, as a piecewise linear function of its value.
 
     At value v the control adds to the base pose: blend-shape weights, joint rotations (as rotation
-    vectors about the joint's own axes), translations and logarithms of scales.  A base transform with
-    linear part S R (stretch, rotation) and translation t becomes ``exp(scales) S exp(rotations) R`` and
-    ``t + translations``, which is what a SkelAnimation holds.  Between keys all are interpolated linearly
-    (rotation vectors too: with two keys that is slerp), beyond the ends they are extrapolated.  All rows
-    are zero where the value is the default.
+    vectors about the joint's own axes), translations and logarithms of scales.  A base transform
+    with linear part S R (stretch, rotation) and translation t becomes ``exp(scales) S
+    exp(rotations) R`` and ``t + translations``, which is what a SkelAnimation holds.  Between keys
+    all are interpolated linearly (rotation vectors too: with two keys that is slerp), beyond the
+    ends they are extrapolated.  All rows are zero where the value is the default.
     """
 
     values: Floats
@@ -82,7 +83,8 @@ class Joint(Record):
     rest: Floats
     """(4, 4) local restTransforms entry."""
     base: Floats
-    """(4, 4) local transform in the base pose (the rest transform unless a time or pose was chosen)."""
+    """(4, 4) local transform in the base pose (the rest transform unless a time or pose was
+    chosen)."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,8 @@ from usdrigui.model.rig import Glyph, LeftOff
 
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
-"""What a person may decide about an element: its point; on the character or beside it; which controls share it."""
+"""What a person may decide about an element: its point; on the character or beside it; which
+controls share it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +42,11 @@ class Layout(Record):
     weights: tuple[tuple[str, float], ...] = field(default=())
     """Settings of the objective that the cost depends on, by name."""
     parts: tuple[LayoutPart, ...] = ()
-    """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are those of its main part,
-    and the costs are sums."""
+    """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are
+    those of its main part, and the costs are sums."""
     variant_path: str = ""
-    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty without."""
+    """Path of the SkelRoot with the variants in which the layout stands, ``/Char{LOD=low}``; empty
+    without."""
 
     def handle_width_of(self, element: Element) -> float:
         """Diameter of the handle of an element: that of its part."""
@@ -95,20 +97,24 @@ class Element(Record):
     glyph: Glyph | None = None
     """Drawn as its handle; None for the usual shape."""
     reversed: tuple[int, ...] = ()
-    """Positions of members that mirror those of `mirror` with the opposite sign: both go both ways."""
+    """Positions of members that mirror those of `mirror` with the opposite sign: both go both
+    ways."""
     inner: tuple[str, ...] = ()
-    """Names of its members: the elements that are shown in its place when it is opened.  None unless it is coarse."""
+    """Names of its members: the elements that are shown in its place when it is opened.  None
+    unless it is coarse."""
     pinned: tuple[Decision, ...] = ()
     """Decisions of a person that hold whenever the layout is made again."""
     pinned_position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing without ``anchor``."""
+    """Of the anchor at rest, in root space, on the rig for which they were made; means nothing
+    without ``anchor``."""
     part: str = ""
-    """The part of the character to which it belongs: ``face``, ``hands``, ``feet``, ``body`` or one of the
-    configuration's; empty where a layer does not say."""
+    """The part of the character to which it belongs: ``face``, ``hands``, ``feet``, ``body`` or one
+    of the configuration's; empty where a layer does not say."""
 
     @property
     def axes(self) -> tuple[tuple[int, ...], ...]:
-        """Positions of the members of each axis: one control, or the negative and the positive end of a signed axis."""
+        """Positions of the members of each axis: one control, or the negative and the positive end
+        of a signed axis."""
         return axes_of(len(self.members), self.opposed)
 
     @property
@@ -148,4 +154,5 @@ class Anchor(Record):
     normal: Floats
     """(3,) unit; the direction in which the element faces."""
     on_board: bool
-    """True when the element stands on the board and takes from the point its joint influences only."""
+    """True when the element stands on the board and takes from the point its joint influences
+    only."""

@@ -22,7 +22,8 @@ class RigMesh(Record):
     face_indices: Indices
     """Local point indices."""
     left_handed: bool
-    """Whether faces turn clockwise seen from outside *in root space*: a mirroring transform turns them round."""
+    """Whether faces turn clockwise seen from outside *in root space*: a mirroring transform turns
+    them round."""
     visible: bool
     """False when the visibility or the purpose hides it from a default render."""
     subdivision: str
@@ -32,11 +33,13 @@ class RigMesh(Record):
     skin: Skin | None
     shapes: tuple[Shape, ...]
     topology_hash: str
-    """Hex digest of point count, face counts and face indices: changes when point indices mean others."""
+    """Hex digest of point count, face counts and face indices: changes when point indices mean
+    others."""
     subsets: tuple[Subset, ...] = ()
     """GeomSubsets, for locality."""
     colours: Floats | None = None
-    """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor displayColor tells."""
+    """(n, 3) linear colours from 0 to 1 at the points; None where neither a material nor
+    displayColor tells."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,12 +55,13 @@ class Subset(Record):
 class Shape(Record):
     """What one blend-shape token does to one mesh.
 
-    The offset of a point at weight w is piecewise linear in w through the origin and `weights`, and is
-    extrapolated beyond the ends along the first and last pieces, as UsdSkelBlendShapeQuery does.
+    The offset of a point at weight w is piecewise linear in w through the origin and `weights`, and
+    is extrapolated beyond the ends along the first and last pieces, as UsdSkelBlendShapeQuery does.
     """
 
     channel: int
-    """Index of the weight that drives it, into `Rig.channels`; several shapes of a mesh may share it."""
+    """Index of the weight that drives it, into `Rig.channels`; several shapes of a mesh may share
+    it."""
     path: str
     """Prim path of the BlendShape."""
     weights: Floats
@@ -84,11 +88,17 @@ class Skin(Record):
 
     @cached_property
     def by_joint(self) -> tuple[Indices, Floats, Indices, Indices]:
-        """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the joints that
-        have any (j,), and where each begins (j + 1,).  A point appears once per joint."""
+        """The same influences, without zeros, sorted by joint: local points (m,), weights (m,), the
+        joints that have any (j,), and where each begins (j + 1,).  A point appears once per
+        joint."""
         count = max(1, len(self.joints))
         points, slots = np.nonzero(self.weights)
         keys, place = np.unique(self.joints[points, slots] * count + points, return_inverse=True)
         weights = np.bincount(place, self.weights[points, slots], len(keys)).astype(np.float64)
         joints, starts = np.unique(keys // count, return_index=True)
-        return keys % count, weights, joints.astype(np.int64), np.append(starts, len(keys)).astype(np.int64)
+        return (
+            keys % count,
+            weights,
+            joints.astype(np.int64),
+            np.append(starts, len(keys)).astype(np.int64),
+        )

@@ -27,18 +27,21 @@ class Trajectories(Record):
     places: Indices
     """(n,) index of the first point at the same position: points split at seams share one place."""
     areas: Floats
-    """(n,) area of the surface around each place; zero for points that are not the first of a place."""
+    """(n,) area of the surface around each place; zero for points that are not the first of a
+    place."""
     motions: tuple[Motion, ...]
     """One per control that moves something; others stand in `left_off`."""
     face_size: float
     """Height along `Rig.up` of the region moved by the local controls: the unit of handle sizes."""
     typical_length: float
-    """Median over local controls of the largest arc length (design: l0), the unit of displacement."""
+    """Median over local controls of the largest arc length (design: l0), the unit of
+    displacement."""
     left_off: tuple[LeftOff, ...]
     issues: tuple[Issue, ...] = ()
     """Tiny and duplicate controls: kept, but worth knowing."""
     excluded: tuple[Motion, ...] = ()
-    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face controls."""
+    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face
+    controls."""
 
     def motion_of(self, control: int) -> Motion:
         """The motion of a control, which must move something."""
@@ -60,11 +63,11 @@ class Motion(Record):
     arc_length: Floats
     """(p,) length of each polyline from minimum to maximum."""
     owned: Floats | None = None
-    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control stands where
-    it moves most."""
+    """(p,) how much of each point the joint of the control owns, in [0, 1]; None where the control
+    stands where it moves most."""
     common: Floats | None = None
-    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make all of it as well);
-    None where that does not count."""
+    """(p,) how common the displacement of each point is, from 0 (its own) to 1 (other controls make
+    all of it as well); None where that does not count."""
 
     @property
     def peak(self) -> float:
@@ -74,7 +77,8 @@ class Motion(Record):
     def stands_on(self, among: Flags | None = None) -> Flags:
         """(p,) the points where the control may stand: those that its joint owns most, or all.
 
-        `among` (p,) are the points that count; none of them is of the joint where its skin is hidden: then all may.
+        `among` (p,) are the points that count; none of them is of the joint where its skin is
+        hidden: then all may.
         """
         among = np.ones(len(self.points), dtype=bool) if among is None else among
         if self.owned is None or not among.any() or float(self.owned[among].max()) <= 0.0:
@@ -82,13 +86,20 @@ class Motion(Record):
         return among & (self.owned >= _STANDS * float(self.owned[among].max()))
 
     def on_own_skin(self) -> Motion:
-        """The motion of the skin that the joint of the control owns, by how much it owns of each point, and so the same
-        for every axis of the joint; the whole motion where no joint does."""
+        """The motion of the skin that the joint of the control owns, by how much it owns of each
+        point, and so the same for every axis of the joint; the whole motion where no joint does."""
         if self.owned is None:
             return self
         own = self.owned >= _OWN * float(self.owned.max(initial=0.0))
         points, offsets = self.points[own], self.offsets[:, own]
-        return replace(self, points=points, offsets=offsets, arc_length=self.owned[own], owned=None, common=None)
+        return replace(
+            self,
+            points=points,
+            offsets=offsets,
+            arc_length=self.owned[own],
+            owned=None,
+            common=None,
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,4 +118,5 @@ class Symmetry(Record):
     sources: tuple[str, ...]
     """(controls,) how each twin was decided: ``config``, ``geometry``, ``name`` or empty."""
     reversed: Flags
-    """(controls,) True where the mirror image is the twin going the other way: one rises as the other falls."""
+    """(controls,) True where the mirror image is the twin going the other way: one rises as the
+    other falls."""

@@ -14,17 +14,18 @@ from usdrigui.model.record import Flags, Floats, Indices, Record
 class LayoutProblem(Record):
     """Choose one label per variable so that the total cost is least (paper eq. 2-5).
 
-    cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair cost
-    of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or +inf if any
-    two handles are nearer than `separation`; a variable on the board has no pair costs, and neither have
-    two variables that are never visible together.  `extra`
-    adds explicit non-negative pair costs on top.  Nothing else is part of the problem.
+    cost = sum of linear costs + sum over unordered pairs of variables of their pair cost.  The pair
+    cost of two candidates is ``overlap.weight`` times the sum of phi over all pairs of copies, or
+    +inf if any two handles are nearer than `separation`; a variable on the board has no pair costs,
+    and neither have two variables that are never visible together.  `extra` adds explicit
+    non-negative pair costs on top.  Nothing else is part of the problem.
     """
 
     variables: tuple[Variable, ...]
     overlap: Overlap
     separation: float
-    """Scene units; > 0. Tiny (coincidence) where only "one element per point" is asked (paper eq. 4)."""
+    """Scene units; > 0. Tiny (coincidence) where only "one element per point" is asked (paper eq.
+    4)."""
     unit_cost: float
     """Cost of one unit of displacement (lambda); informs displays, not part of the problem."""
     extra: tuple[ExtraPairs, ...] = ()
@@ -33,7 +34,9 @@ class LayoutProblem(Record):
     def together(self) -> Flags:
         """(variables, variables) whether two elements are ever visible together."""
         states = [each.states for each in self.variables]
-        found = np.array([[bool(one & other) for other in states] for one in states], dtype=np.bool_)
+        found = np.array(
+            [[bool(one & other) for other in states] for one in states], dtype=np.bool_
+        )
         return found.reshape(len(states), len(states))
 
 
@@ -57,10 +60,11 @@ class Variable(Record):
     off_face_cost: float
     """Linear cost of label -1; +inf when the element must stay on the face."""
     displacement: Floats
-    """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective: part of `cost`
-    already; a weight for those who sample candidates."""
+    """(R,) displacement of each candidate (paper: d), all copies, in the units of the objective:
+    part of `cost` already; a weight for those who sample candidates."""
     states: frozenset[int] = frozenset({0})
-    """States of the layout in which the element is visible; two elements without a common one do not interact."""
+    """States of the layout in which the element is visible; two elements without a common one do
+    not interact."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +88,8 @@ class Overlap(Record):
 
 @dataclass(frozen=True, eq=False)
 class ExtraPairs(Record):
-    """Explicit pair costs between the candidates of two variables (a < b), added to the overlap's."""
+    """Explicit pair costs between the candidates of two variables (a < b), added to the
+    overlap's."""
 
     first: int
     second: int
@@ -96,7 +101,8 @@ class ExtraPairs(Record):
 
 @dataclass(frozen=True, eq=False)
 class Choice(Record):
-    """What the labels of one variable mean: anchors and drawn points of every copy of the element."""
+    """What the labels of one variable mean: anchors and drawn points of every copy of the
+    element."""
 
     group: int
     """Index into the groups."""

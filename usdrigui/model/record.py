@@ -31,7 +31,9 @@ def _array_fields(record: Any) -> tuple[str, ...]:
     """Names of the fields that may hold arrays: all but those annotated as a single plain value."""
     plain = {"str", "int", "float", "bool", "Drive", "ControlKind", "ElementKind", "Side"}
     return tuple(
-        each.name for each in fields(record) if each.type not in plain and not str(each.type).startswith("Literal")
+        each.name
+        for each in fields(record)
+        if each.type not in plain and not str(each.type).startswith("Literal")
     )
 
 

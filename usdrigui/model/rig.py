@@ -39,9 +39,11 @@ class Rig(Record):
     glyphs: Mapping[str, Glyph] = field(default_factory=dict)
     """Shapes that the configuration wants drawn as handles, by the name that it gives them."""
     excluded: tuple[Control, ...] = ()
-    """Controls that the configuration leaves out; what they move still tells how large the face is."""
+    """Controls that the configuration leaves out; what they move still tells how large the face
+    is."""
     variant_path: str = ""
-    """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``; empty without."""
+    """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``;
+    empty without."""
 
     @cached_property
     def control_names(self) -> frozenset[str]:
@@ -50,7 +52,8 @@ class Rig(Record):
 
     @cached_property
     def shapes_by_channel(self) -> Mapping[int, tuple[tuple[int, Shape], ...]]:
-        """(mesh index, shape) of every shape that a channel drives; channels without shapes are absent."""
+        """(mesh index, shape) of every shape that a channel drives; channels without shapes are
+        absent."""
         found: dict[int, tuple[tuple[int, Shape], ...]] = {}
         for index, mesh in enumerate(self.meshes):
             for shape in mesh.shapes:
@@ -77,12 +80,14 @@ class Glyph(Record):
     """As the configuration names it."""
     form: Literal["curve", "mesh"]
     points: Floats
-    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a sphere of radius 1 about
-    the origin.  In `Element.glyph`: offsets from the handle's centre in the base pose; root space, scene units."""
+    """(q, 3).  In `Rig.glyphs`: x to the viewer's right, y up, z out of the face, in a sphere of
+    radius 1 about the origin.  In `Element.glyph`: offsets from the handle's centre in the base
+    pose; root space, scene units."""
     counts: Indices
     """(f,) points of each polyline or polygon."""
     indices: Indices
-    """(sum of counts,) into `points`; polygons counter-clockwise from outside, polylines one after the other."""
+    """(sum of counts,) into `points`; polygons counter-clockwise from outside, polylines one after
+    the other."""
 
 
 @dataclass(frozen=True, slots=True)

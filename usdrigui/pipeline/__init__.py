@@ -1,10 +1,11 @@
 """The line from USD in to USD out, and what can be asked of its two ends.
 
-    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout → Sdf.Layer
+    Usd.Stage → Rig → Trajectories → Candidates → Groups → LayoutProblem → Assignment → Layout →
+    Sdf.Layer
 
-`process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer back, `check` and
-`diff` review layers, `convert` writes one of an earlier format anew.  Nothing here prints; what a run has to say is in
-the record that it returns.
+`process` lays out and writes, `inspect` stops before the search, `load_layer` reads a written layer
+back, `check` and `diff` review layers, `convert` writes one of an earlier format anew.  Nothing
+here prints; what a run has to say is in the record that it returns.
 """
 
 from __future__ import annotations

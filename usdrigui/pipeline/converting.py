@@ -1,4 +1,5 @@
-"""convert(): a layout layer of an earlier format as process would write it today, with the decisions that it holds."""
+"""convert(): a layout layer of an earlier format as process would write it today, with the
+decisions that it holds."""
 
 from __future__ import annotations
 
@@ -10,23 +11,33 @@ from usdrigui.model import Layout, Rig
 from usdrigui.pipeline.targets import check_replaceable, check_target, make_folder
 from usdrigui.pipeline.variants import selecting
 from usdrigui.settings import OutputSettings, Settings
-from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import (
+    read_layer_isolated,
+    read_layouts_isolated,
+    read_rigs_isolated,
+)
 from usdrigui.usd.reader_records import LayoutsResult, ReadResult
 from usdrigui.usd.safe_write import State, Transaction
 
 
 def convert(layer: Path, target: Path, settings: Settings) -> State:
-    """Write the layouts of a layer, whatever its format, to `target`, which may be the layer itself.
+    """Write the layouts of a layer, whatever its format, to `target`, which may be the layer
+    itself.
 
-    Raises RigUIError: SOURCE_MISSING, LAYOUT_STALE (the source is another character now), CONVERT_COMPOSED (another
-    layer brings the layout in, or a part of it), FILE_TARGET and all that reading and writing can raise.
+    Raises RigUIError: SOURCE_MISSING, LAYOUT_STALE (the source is another character now),
+    CONVERT_COMPOSED (another layer brings the layout in, or a part of it), FILE_TARGET and all that
+    reading and writing can raise.
     """
     own = read_layer_isolated(layer, settings)
     chosen = [selecting(settings, each) for each in own.variants] or [settings]
     layouts = [read_layouts_isolated(layer, each) for each in chosen]
     origins = [path for each in layouts for path in each.composed_from.values()]
     if origins or not own.ours:
-        raise refuse("CONVERT_COMPOSED", str(layer), f"has its layout from {next(iter(origins), 'another layer')}")
+        raise refuse(
+            "CONVERT_COMPOSED",
+            str(layer),
+            f"has its layout from {next(iter(origins), 'another layer')}",
+        )
     if not layouts[0].source:
         raise refuse("SOURCE_MISSING", str(layer), "does not sublayer any asset")
     source = Path(layouts[0].source)
@@ -39,12 +50,16 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     make_folder(target)
     with Transaction([file.path for each in reads for file in each.sources]) as files:
         output = OutputSettings(bare=not own.sublayers)
-        state = write_layout(list(laid.values()), source, target, output, reads[0].metadata, write=files.stage)
+        state = write_layout(
+            list(laid.values()), source, target, output, reads[0].metadata, write=files.stage
+        )
         files.commit()
     return state
 
 
-def _pairs(layouts: Sequence[LayoutsResult], reads: Sequence[ReadResult], source: Path) -> Iterator[tuple[Rig, Layout]]:
+def _pairs(
+    layouts: Sequence[LayoutsResult], reads: Sequence[ReadResult], source: Path
+) -> Iterator[tuple[Rig, Layout]]:
     """Every layout with its character, in each of the variants."""
     for found, read in zip(layouts, reads, strict=True):
         rigs = {rig.root: rig for rig in read.rigs}
@@ -52,7 +67,8 @@ def _pairs(layouts: Sequence[LayoutsResult], reads: Sequence[ReadResult], source
 
 
 def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:
-    """The character of a layout, if it still has the controls that the layout knows; raises LAYOUT_STALE."""
+    """The character of a layout, if it still has the controls that the layout knows; raises
+    LAYOUT_STALE."""
     rig = rigs.get(layout.root)
     if rig is None:
         raise refuse("LAYOUT_STALE", layout.root, f"{source} has no such character any more")

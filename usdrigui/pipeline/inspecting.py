@@ -14,7 +14,14 @@ from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Motion, Rig
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import Divided, ProblemInputs, build_problem, divided, issues_of, part_problem
+from usdrigui.pipeline.stages import (
+    Divided,
+    ProblemInputs,
+    build_problem,
+    divided,
+    issues_of,
+    part_problem,
+)
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 
@@ -29,7 +36,8 @@ def inspect(
 ) -> Inspection:
     """What the stages before the search find out about `asset`; writes nothing.
 
-    `animations` tell how its controls are used, `like`, the layout of another character, which control is which there.
+    `animations` tell how its controls are used, `like`, the layout of another character, which
+    control is which there.
     """
     clock = Clock(progress)
     with clock.stage("read"):
@@ -44,9 +52,16 @@ def inspect(
         issues += issues_of(parts)
         facts = _facts(character, parts)
         if clips:
-            whole = parts[0] if len(parts) == 1 else build_problem(rig, settings, clock, source.cameras)
+            whole = (
+                parts[0] if len(parts) == 1 else build_problem(rig, settings, clock, source.cameras)
+            )
             uses, odd = animation.animation_facts(
-                whole.face, whole.candidates, whole.similarity, whole.requests, whole.settings, clips
+                whole.face,
+                whole.candidates,
+                whole.similarity,
+                whole.requests,
+                whole.settings,
+                clips,
             )
             facts = replace(facts, animation=uses)
             issues += odd
@@ -74,7 +89,9 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
     found = [_found(inputs) for inputs in parts]
     of_control = {control: each for each in found for control in each.motions}
     remarks: dict[str, list[str]] = {}
-    for note in dict.fromkeys((*rig.left_off, *(note for inputs in parts for note in inputs.left_off))):
+    for note in dict.fromkeys(
+        (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
+    ):
         remarks.setdefault(note.control, []).append(note.reason)
     for odd in dict.fromkeys(each for inputs in parts for each in inputs.face.trajectories.issues):
         remarks.setdefault(odd.path, []).append(odd.message)
@@ -91,17 +108,28 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         ),
         groups=tuple(line for inputs in parts for line in _group_lines(inputs)),
         likeness=_likeness(parts[0]),
-        parts=tuple(PartFacts(each.part.part, len(each.motions), each.part.face.handle_width) for each in found),
+        parts=tuple(
+            PartFacts(each.part.part, len(each.motions), each.part.face.handle_width)
+            for each in found
+        ),
     )
 
 
-def _control(rig: Rig, index: int, own: _Found | None, first: _Found, remarks: Sequence[str]) -> ControlFacts:
+def _control(
+    rig: Rig, index: int, own: _Found | None, first: _Found, remarks: Sequence[str]
+) -> ControlFacts:
     """One control; without a motion it is told of by the `first` part, and is of none."""
     control, told = rig.controls[index], own or first
-    chosen, motion, symmetry = told.sets.get(index), told.motions.get(index), told.part.face.symmetry
+    chosen, motion, symmetry = (
+        told.sets.get(index),
+        told.motions.get(index),
+        told.part.face.symmetry,
+    )
     flags = list(remarks)
     if chosen is not None and chosen.category:
-        flags.append("on the board by request" if chosen.category == "requested" else chosen.category)
+        flags.append(
+            "on the board by request" if chosen.category == "requested" else chosen.category
+        )
     typical = told.part.face.trajectories.typical_length
     return ControlFacts(
         control=control.name,
@@ -114,7 +142,9 @@ def _control(rig: Rig, index: int, own: _Found | None, first: _Found, remarks: S
         points=0 if motion is None else len(motion.points),
         coverage=0.0 if chosen is None else chosen.coverage,
         peak=0.0 if motion is None else float(motion.arc_length.max()) / typical,
-        twin=told.part.twin_names.get(control.name, "self" if symmetry.twins[index] == index else ""),
+        twin=told.part.twin_names.get(
+            control.name, "self" if symmetry.twins[index] == index else ""
+        ),
         twin_source=symmetry.sources[index],
         flags=tuple(flags),
         part=told.part.part if own is not None else "",
@@ -129,11 +159,13 @@ def _likeness(inputs: ProblemInputs) -> Likeness | None:
 def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
     names = [control.name for control in inputs.face.rig.controls]
     return tuple(
-        f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)} ({group.reason})"
+        f"{group.kind} {group.name}: {', '.join(names[each] for each in group.controls)}"
+        f" ({group.reason})"
         for group in inputs.placement.groups
         if len(group.controls) > 1
     ) + tuple(
-        f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one element"
+        f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one"
+        " element"
         for found in suggested_groups(
             inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings
         )

@@ -15,14 +15,29 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, refuse
-from usdrigui.examples import ExampleLayers, Examples, as_sibling, followed, read_examples, rigs_over
+from usdrigui.examples import (
+    ExampleLayers,
+    Examples,
+    as_sibling,
+    followed,
+    read_examples,
+    rigs_over,
+)
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.progress import Clock, Watch
-from usdrigui.pipeline.stages import LaidPart, divided, issues_of, joined, joined_assignment, layout_of, part_problem
+from usdrigui.pipeline.stages import (
+    LaidPart,
+    divided,
+    issues_of,
+    joined,
+    joined_assignment,
+    layout_of,
+    part_problem,
+)
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import stage_layer
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
@@ -53,10 +68,11 @@ def process(
 ) -> Report:
     """Lay out every character of `asset` and write the layer.
 
-    Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled during the
-    search, which then ends with the best layout so far; `examples` are existing layouts and animations to
-    use; `read` are further files behind the settings, which no output replaces; `extras` stages more files, such as
-    the report, in one transaction with the layer.  Raises `usdrigui.errors.RigUIError`; then nothing has been written.
+    Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled
+    during the search, which then ends with the best layout so far; `examples` are existing layouts
+    and animations to use; `read` are further files behind the settings, which no output replaces;
+    `extras` stages more files, such as the report, in one transaction with the layer.  Raises
+    `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = Clock(progress)
     target = output if output is not None else default_output(asset)
@@ -65,19 +81,24 @@ def process(
     with clock.stage("read"):
         readings, plain = _readings(asset, settings, layers)
         for each in readings:
-            _check_character(asset, target, each.source, each.settings, over_base=layers.base is not None)
+            _check_character(
+                asset, target, each.source, each.settings, over_base=layers.base is not None
+            )
         check_replaceable(target, settings, asset if output is None else None)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
     with Transaction(_never_replaced(target, settings, readings, layers, read)) as files:
         if not dry_run:
-            # The best layout is found: a request to stop finds nothing to cut short, and must not break into USD.
+            # The best layout is found: a request to stop finds nothing to cut short, and must not
+            # break into USD.
             with clock.stage("write", can_stop=True):
                 pairs = [(reading.references.base, report) for reading, report in laid]
                 outcome = stage_layer(files, asset, target, settings, readings[0].source, pairs)
         sources = _sources(readings)
-        report = _report(asset, "" if dry_run else str(target), outcome, reports, clock, settings, sources, plain)
+        report = _report(
+            asset, "" if dry_run else str(target), outcome, reports, clock, settings, sources, plain
+        )
         if extras is not None:
             extras(report, files)
         bases = [each.references.base for each in readings if each.references.base]
@@ -105,19 +126,27 @@ def process_stage(
     with clock.stage("read"):
         sets = in_memory.read_open_variants(stage, settings) if settings.read.each_variant else {}
         readings, plain = _read_each(
-            settings, sets, lambda chosen: Reading(chosen, in_memory.read_open_rigs(stage, chosen), Examples())
+            settings,
+            sets,
+            lambda chosen: Reading(chosen, in_memory.read_open_rigs(stage, chosen), Examples()),
         )
     sources = [each.source for each in readings]
-    found = [name for each in sources for name in (*each.layouts, *(f"{at}/{SCOPE}" for at in each.composed_from))]
+    found = [
+        name
+        for each in sources
+        for name in (*each.layouts, *(f"{at}/{SCOPE}" for at in each.composed_from))
+    ]
     if found:
         raise refuse("SOURCE_IS_LAYOUT", str(root.identifier), f"has the layout {found[0]}")
     reports = [report for _, report in _laid_out(readings, clock, stop)]
     laid = [(each.rig, each.layout) for each in reports]
     report = _report(Path(root.identifier), "", "in memory", reports, clock, settings, (), plain)
-    return replace(report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata))
+    return replace(
+        report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata)
+    )
 
 
-# --- what is read ------------------------------------------------------------------------------------
+# --- what is read ---------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,11 +158,18 @@ class Reading:
     references: Examples
 
 
-def _readings(asset: Path, settings: Settings, layers: ExampleLayers) -> tuple[list[Reading], tuple[Issue, ...]]:
-    """The asset in each of the variants that are to be laid out; and what says of the others that they are left off."""
+def _readings(
+    asset: Path, settings: Settings, layers: ExampleLayers
+) -> tuple[list[Reading], tuple[Issue, ...]]:
+    """The asset in each of the variants that are to be laid out; and what says of the others that
+    they are left off."""
     if layers.base is not None:
         if settings.read.each_variant:
-            raise refuse("CONFIG_VALUE", "--base", "adds to the variant that the shot selects, and to no other")
+            raise refuse(
+                "CONFIG_VALUE",
+                "--base",
+                "adds to the variant that the shot selects, and to no other",
+            )
         return _read_over(asset, settings, layers), ()
     sets = read_variants_isolated(asset, settings) if settings.read.each_variant else {}
     return _read_each(settings, sets, functools.partial(_read, asset, layers))
@@ -153,23 +189,33 @@ def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
 
 
 def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Reading]:
-    """A shot and its base; where that has a layout for each variant, once for the characters of each selection."""
+    """A shot and its base; where that has a layout for each variant, once for the characters of
+    each selection."""
     found = _read(shot, layers, settings)
     assert found.references.base is not None
-    sets = frozenset[str]().union(*(asset_selections(each.variant_path) for each in found.references.base.layouts))
+    sets = frozenset[str]().union(
+        *(asset_selections(each.variant_path) for each in found.references.base.layouts)
+    )
     if not sets:
         return [found]
     alike: dict[tuple[tuple[str, str], ...], list[Rig]] = {}
     for rig in found.source.rigs:
         path = with_sets(found.source.variant_paths[rig.root], sets)
-        alike.setdefault(tuple(asset_selections(path).items()), []).append(replace(rig, variant_path=path))
+        alike.setdefault(tuple(asset_selections(path).items()), []).append(
+            replace(rig, variant_path=path)
+        )
     return [_of_variant(found, layers, dict(chosen), rigs) for chosen, rigs in alike.items()]
 
 
-def _of_variant(found: Reading, layers: ExampleLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]) -> Reading:
-    """Some characters of a shot, over the layout that the base has for the variants that they select."""
+def _of_variant(
+    found: Reading, layers: ExampleLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]
+) -> Reading:
+    """Some characters of a shot, over the layout that the base has for the variants that they
+    select."""
     source = replace(found.source, rigs=tuple(rigs))
-    return Reading(found.settings, source, read_examples(layers, variants.selecting(found.settings, chosen)))
+    return Reading(
+        found.settings, source, read_examples(layers, variants.selecting(found.settings, chosen))
+    )
 
 
 def _check_above(readings: Sequence[Reading]) -> None:
@@ -177,15 +223,21 @@ def _check_above(readings: Sequence[Reading]) -> None:
     for name in readings[0].settings.read.variants:
         rigs = [rig for each in readings for rig in each.source.rigs]
         if not any(name in asset_selections(rig.variant_path) for rig in rigs):
-            raise refuse("VARIANT_BELOW", rigs[0].root, f"the variant set {name} is neither on it nor above it")
+            raise refuse(
+                "VARIANT_BELOW",
+                rigs[0].root,
+                f"the variant set {name} is neither on it nor above it",
+            )
 
 
 def _sources(readings: Sequence[Reading]) -> tuple[SourceFile, ...]:
     """Every file that composed the asset in some variant, the asset first."""
-    return tuple({each.path: each for reading in readings for each in reading.source.sources}.values())
+    return tuple(
+        {each.path: each for reading in readings for each in reading.source.sources}.values()
+    )
 
 
-# --- what is laid out --------------------------------------------------------------------------------
+# --- what is laid out -----------------------------------------------------------------------------
 
 
 def _laid_out(
@@ -206,7 +258,9 @@ def _laid_out(
 
 def _beside(report: CharacterReport, first: CharacterReport) -> CharacterReport:
     """What a variant keeps of the first one is no history of its own."""
-    return replace(report, difference=None, matchings={first.layout.variant_path: report.matchings["previous"]})
+    return replace(
+        report, difference=None, matchings={first.layout.variant_path: report.matchings["previous"]}
+    )
 
 
 def _report(
@@ -238,23 +292,36 @@ def _never_replaced(
     layers: ExampleLayers,
     more: Sequence[Path],
 ) -> tuple[Path, ...]:
-    """Every file that the run has read, but for the layout that its layer succeeds: `check_replaceable` has seen it."""
+    """Every file that the run has read, but for the layout that its layer succeeds:
+    `check_replaceable` has seen it."""
     parts = [Path(each.path) for each in _sources(readings)]
     earlier = [each for each in (layers.fixed, layers.previous) if each is not None]
-    succeeded = {os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))}
+    succeeded = {
+        os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))
+    }
     others = [Path(each.path) for found in readings for each in found.references.sources]
     read = (*parts, *others, *layers.animations, *more)
-    return tuple(each for each in read if not (os.path.realpath(each) in succeeded and same_file(each, target)))
+    return tuple(
+        each
+        for each in read
+        if not (os.path.realpath(each) in succeeded and same_file(each, target))
+    )
 
 
-def _check_character(asset: Path, target: Path, source: ReadResult, settings: Settings, *, over_base: bool) -> None:
-    """Refuse what was laid out already, unless the new layer adds to that layout or stands by itself (decision 105).
+def _check_character(
+    asset: Path, target: Path, source: ReadResult, settings: Settings, *, over_base: bool
+) -> None:
+    """Refuse what was laid out already, unless the new layer adds to that layout or stands by
+    itself (decision 105).
 
-    Raises SOURCE_IS_LAYOUT, SOURCE_HAS_LAYOUT, and ATTACH_CYCLE for a target that is a part of the asset.
+    Raises SOURCE_IS_LAYOUT, SOURCE_HAS_LAYOUT, and ATTACH_CYCLE for a target that is a part of the
+    asset.
     """
     if source.layouts:
         below = f"stands over {source.below}" if source.below else "stands over nothing else"
-        raise refuse("SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}")
+        raise refuse(
+            "SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}"
+        )
     if settings.output.bare:
         return
     if any(os.path.realpath(target) == each.path for each in source.sources):
@@ -262,7 +329,9 @@ def _check_character(asset: Path, target: Path, source: ReadResult, settings: Se
     for rig in source.rigs:
         if rig.root in source.composed_from and not over_base:
             raise refuse(
-                "SOURCE_HAS_LAYOUT", rig.root, f"{asset} brings in its layout from {source.composed_from[rig.root]}"
+                "SOURCE_HAS_LAYOUT",
+                rig.root,
+                f"{asset} brings in its layout from {source.composed_from[rig.root]}",
             )
 
 
@@ -288,7 +357,9 @@ def _lay_out(
     layout = joined(laid)
     existing = examples.existing(rig)
     if existing is not None:
-        layout = existing_layout.combined(existing, existing_layout.uniquify_names(layout, existing))
+        layout = existing_layout.combined(
+            existing, existing_layout.uniquify_names(layout, existing)
+        )
     previous = examples.previous.get(rig.root)
     if previous is None:
         return _account(laid, layout, existing)
@@ -301,7 +372,9 @@ def _changes(laid: Sequence[LaidPart], previous: Layout, layout: Layout) -> Diff
     improved: dict[str, float] = {}
     for each in laid:
         inputs = each.inputs
-        improved |= improvements(inputs.face, inputs.requests, inputs.placement, each.assignment.labels)
+        improved |= improvements(
+            inputs.face, inputs.requests, inputs.placement, each.assignment.labels
+        )
     return difference(previous, layout, improved, laid[0].inputs.matchings["previous"])
 
 
@@ -315,10 +388,14 @@ def _account(
     parts = [each.inputs for each in laid]
     rig = parts[0].face.rig
     peaks = {
-        rig.controls[each.control].name: each.peak for inputs in parts for each in inputs.face.trajectories.motions
+        rig.controls[each.control].name: each.peak
+        for inputs in parts
+        for each in inputs.face.trajectories.motions
     }
     twins = {control: twin for inputs in parts for control, twin in inputs.twin_names.items()}
-    explained_by = {control: others for inputs in parts for control, others in inputs.explained_by.items()}
+    explained_by = {
+        control: others for inputs in parts for control, others in inputs.explained_by.items()
+    }
     rows = rows_of(rig, layout, peaks, twins, explained_by)
     added = _added(existing, layout)
     nothing = () if existing is None or added else (_nothing_added(layout),)
@@ -326,9 +403,15 @@ def _account(
         root=rig.root,
         rig=rig,
         layout=layout,
-        assignment=joined_assignment([each.assignment for each in laid], [inputs.part for inputs in parts]),
+        assignment=joined_assignment(
+            [each.assignment for each in laid], [inputs.part for inputs in parts]
+        ),
         rows=rows,
-        notes=tuple(dict.fromkeys(note for each in parts for note in each.left_off if note.control in layout.controls)),
+        notes=tuple(
+            dict.fromkeys(
+                note for each in parts for note in each.left_off if note.control in layout.controls
+            )
+        ),
         issues=(*issues_of(parts), *unexplained, *nothing),
         difference=changes,
         added=added,
@@ -342,12 +425,21 @@ def _part_row(laid: LaidPart) -> PartRow:
     controls = [motion.control for motion in laid.inputs.face.trajectories.motions]
     names = tuple(laid.inputs.face.rig.controls[control].name for control in controls)
     on_it = frozenset().union(*(element.controls for element in elements))
-    return PartRow(laid.inputs.part, names, len(on_it), laid.layout.handle_width, laid.layout.view, laid.assignment)
+    return PartRow(
+        laid.inputs.part,
+        names,
+        len(on_it),
+        laid.layout.handle_width,
+        laid.layout.view,
+        laid.assignment,
+    )
 
 
 def _added(existing: Layout | None, layout: Layout) -> frozenset[str]:
     """Names of the elements that do not stand in another layer."""
-    return frozenset(e.name for e in layout.elements[len(existing.elements) if existing is not None else 0 :])
+    return frozenset(
+        e.name for e in layout.elements[len(existing.elements) if existing is not None else 0 :]
+    )
 
 
 def _nothing_added(layout: Layout) -> Issue:

@@ -1,4 +1,5 @@
-"""Layers that exist: load_layer() reads one back, check() tells whether it still fits, diff() what changed."""
+"""Layers that exist: load_layer() reads one back, check() tells whether it still fits, diff() what
+changed."""
 
 from __future__ import annotations
 
@@ -51,11 +52,15 @@ class LayerReview:
     """By SkelRoot."""
     seconds: tuple[tuple[str, float], ...]
     faults: tuple[Issue, ...] = ()
-    """Layouts whose character is gone; of a source asset, which has no layout, all that is wrong with its shapes."""
+    """Layouts whose character is gone; of a source asset, which has no layout, all that is wrong
+    with its shapes."""
 
     def __repr__(self) -> str:
         counts = Counter(each.severity for each in self.issues)
-        told = ", ".join(f"{number} {severity}" for severity, number in counts.items()) or "no findings"
+        told = (
+            ", ".join(f"{number} {severity}" for severity, number in counts.items())
+            or "no findings"
+        )
         return f"<LayerReview {self.layer}: {len(self.characters)} characters, {told}>"
 
     @property
@@ -84,9 +89,9 @@ class LayerDifference:
 def load_layer(layer: Path, settings: Settings) -> Loaded:
     """The layouts of a stage and their characters as it composes them, for viewers and checks.
 
-    `layer` is a layout layer over its character, an asset with its layout inside, a shot of several, flattened or
-    packed.  Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING, LAYOUT_STALE where the stage lacks one of the characters,
-    and everything that reading an asset can raise.
+    `layer` is a layout layer over its character, an asset with its layout inside, a shot of
+    several, flattened or packed.  Raises RigUIError LAYOUT_MISSING, SOURCE_MISSING, LAYOUT_STALE
+    where the stage lacks one of the characters, and everything that reading an asset can raise.
     """
     try:
         loaded, stale = _loaded(layer, settings)
@@ -94,7 +99,9 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
         beside = default_output(layer)
         if error.issue.code == "LAYOUT_MISSING" and beside.is_file():
             raise refuse(
-                "LAYOUT_MISSING", str(layer), f"{error.issue.message}; {beside} beside it is a layout"
+                "LAYOUT_MISSING",
+                str(layer),
+                f"{error.issue.message}; {beside} beside it is a layout",
             ) from error
         raise
     if stale:
@@ -109,21 +116,27 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
     gone = sorted(layouts.keys() - {rig.root for rig, _ in characters})
-    stale = tuple(issue("LAYOUT_STALE", root, f"{layer} has no such character any more") for root in gone)
+    stale = tuple(
+        issue("LAYOUT_STALE", root, f"{layer} has no such character any more") for root in gone
+    )
     files = tuple(Path(each.path) for each in read.sources)
     return Loaded(characters, found.source, read.cameras, files), stale
 
 
 def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
-    """Whether the layouts of a stage fit their characters as the stage composes them, and how good they are.
+    """Whether the layouts of a stage fit their characters as the stage composes them, and how good
+    they are.
 
-    Works on layers from any tool or hand; writes nothing.  Raises RigUIError where the stage cannot be read.
+    Works on layers from any tool or hand; writes nothing.  Raises RigUIError where the stage cannot
+    be read.
     """
     clock = Clock(progress)
     if not settings.read.each_variant:
         return _checked(layer, settings, clock)
     reviews, plain = variants.in_each_variant(
-        settings, read_variants_isolated(layer, settings), lambda chosen: _checked(layer, chosen, clock)
+        settings,
+        read_variants_isolated(layer, settings),
+        lambda chosen: _checked(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
     faults = dict.fromkeys((*(fault for each in reviews for fault in each.faults), *plain))
@@ -137,7 +150,9 @@ def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
         except RigUIError as error:
             if settings.read.each_variant:
                 raise
-            return LayerReview(str(layer), (), clock.seconds, _source_faults(layer, settings, error))
+            return LayerReview(
+                str(layer), (), clock.seconds, _source_faults(layer, settings, error)
+            )
     return _review_of(str(layer), loaded, stale, settings, clock)
 
 
@@ -150,15 +165,21 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     return Loaded(tuple((rig, by_root[rig.root]) for rig in read.rigs), "", read.cameras, ())
 
 
-def review(name: str, loaded: Loaded, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
+def review(
+    name: str, loaded: Loaded, settings: Settings, *, progress: Watch | None = None
+) -> LayerReview:
     """As `check`, of layouts that are read already; `name` is what the review calls them."""
     return _review_of(name, loaded, (), settings, Clock(progress))
 
 
-def _review_of(name: str, loaded: Loaded, stale: tuple[Issue, ...], settings: Settings, clock: Clock) -> LayerReview:
+def _review_of(
+    name: str, loaded: Loaded, stale: tuple[Issue, ...], settings: Settings, clock: Clock
+) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        reviews.append((rig.variant_path or rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras)))
+        reviews.append(
+            (rig.variant_path or rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras))
+        )
     return LayerReview(name, tuple(reviews), clock.seconds, stale)
 
 
@@ -172,14 +193,21 @@ def _reviewed(
         inputs = part_problem(character, part, (), clock)
         with clock.stage("review"):
             own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
-            found.append(review_stage.review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, own))
+            found.append(
+                review_stage.review(
+                    inputs.face, inputs.candidates, inputs.requests, inputs.settings, own
+                )
+            )
     return review_stage.joined(found)
 
 
 def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
-    """The elements of a part, told by their first control; the first part has those of controls that move nothing."""
+    """The elements of a part, told by their first control; the first part has those of controls
+    that move nothing."""
     index = {control.name: i for i, control in enumerate(character.rig.controls)}
-    others = frozenset[int]().union(*(each.controls for each in character.parts if each is not part))
+    others = frozenset[int]().union(
+        *(each.controls for each in character.parts if each is not part)
+    )
 
     def own(element: Element) -> bool:
         control = index.get(element.members[0].control, -1)
@@ -187,18 +215,23 @@ def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
 
     elements = tuple(element for element in layout.elements if own(element))
     widths = {each.name: each.handle_width for each in layout.parts}
-    return replace(layout, elements=elements, handle_width=widths.get(part.name, layout.handle_width))
+    return replace(
+        layout, elements=elements, handle_width=widths.get(part.name, layout.handle_width)
+    )
 
 
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:
-    """What is wrong with a source asset; raises the refusal of its layout again if it holds nothing at all."""
+    """What is wrong with a source asset; raises the refusal of its layout again if it holds nothing
+    at all."""
     if refusal.issue.code != "LAYOUT_MISSING":
         raise refusal
     found = read_faults_isolated(asset, settings)
     if found.empty:
         raise refusal
     try:
-        issues = tuple(each for rig in read_rigs_isolated(asset, settings).rigs for each in rig.issues)
+        issues = tuple(
+            each for rig in read_rigs_isolated(asset, settings).rigs for each in rig.issues
+        )
     except RigUIError as error:
         issues = (error.issue,)
     known = {(each.code, each.path) for each in found.issues}
@@ -206,15 +239,18 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
 
 
 def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
-    """What changed between two layout layers, character by character; reads only the layers, not their rigs.
+    """What changed between two layout layers, character by character; reads only the layers, not
+    their rigs.
 
-    Of the variants of `read.each_variant` each by itself, as far as the second layer has a layout in it.  Raises
-    RigUIError where a layer cannot be read.
+    Of the variants of `read.each_variant` each by itself, as far as the second layer has a layout
+    in it.  Raises RigUIError where a layer cannot be read.
     """
     if not settings.read.each_variant:
         return _difference(before, after, settings)
     each, _ = variants.in_each_variant(
-        settings, read_variants_isolated(after, settings), lambda chosen: _difference(before, after, chosen)
+        settings,
+        read_variants_isolated(after, settings),
+        lambda chosen: _difference(before, after, chosen),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
@@ -223,7 +259,8 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
 
 def _difference(before: Path, after: Path, settings: Settings) -> LayerDifference:
     old, new = (
-        {each.root: each for each in read_layouts_isolated(layer, settings).layouts} for layer in (before, after)
+        {each.root: each for each in read_layouts_isolated(layer, settings).layouts}
+        for layer in (before, after)
     )
     shared = [(old[root], new[root]) for root in new if root in old]
     found = tuple(

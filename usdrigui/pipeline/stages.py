@@ -1,6 +1,7 @@
 """divided() and part_problem(): from a rig to the layout problems of its parts.
 
-    Rig → Trajectories → Parts → Symmetry → Views → Classification → Face → Candidates → Groups → PlacementProblem
+    Rig → Trajectories → Parts → Symmetry → Views → Classification → Face → Candidates → Groups →
+    PlacementProblem
 
 The order of these stages is known here and nowhere else.
 """
@@ -16,7 +17,14 @@ from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.deform import posed
 from usdrigui.errors import Issue, RigUIError, meant, refuse
-from usdrigui.examples import Examples, OwnExamples, decisions, own_examples, prior_layout_of, with_fixed
+from usdrigui.examples import (
+    Examples,
+    OwnExamples,
+    decisions,
+    own_examples,
+    prior_layout_of,
+    with_fixed,
+)
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.classify.common_motion import with_common_motion
@@ -98,7 +106,8 @@ class ProblemInputs:
     base_values: Floats
     """(controls,) the base pose."""
     matchings: Mapping[str, Matching] = field(default_factory=dict)
-    """By ``fixed``, ``previous`` and ``like``: which control of that layout is which of this rig."""
+    """By ``fixed``, ``previous`` and ``like``: which control of that layout is which of this
+    rig."""
     asked: Settings | None = None
     """The settings as given, before any layout fixed more; None where no layout did."""
     pins: Pins = field(default_factory=Pins)
@@ -108,15 +117,30 @@ class ProblemInputs:
     def issues(self) -> tuple[Issue, ...]:
         """Findings about the rig and its controls."""
         unexplained = (found for each in self.classification for found in each.issues)
-        renamed = (found for which, each in self.matchings.items() for found in matching_issues(which, each))
-        return (*self.face.rig.issues, *self.face.trajectories.issues, *unexplained, *renamed, *self.pins.issues)
+        renamed = (
+            found
+            for which, each in self.matchings.items()
+            for found in matching_issues(which, each)
+        )
+        return (
+            *self.face.rig.issues,
+            *self.face.trajectories.issues,
+            *unexplained,
+            *renamed,
+            *self.pins.issues,
+        )
 
     @property
     def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:
         """Names of the controls that others explain, to those and how far each of them goes."""
-        names = [self.face.rig.controls[motion.control].name for motion in self.face.trajectories.motions]
+        names = [
+            self.face.rig.controls[motion.control].name for motion in self.face.trajectories.motions
+        ]
         told = zip(names, self.classification, strict=True)
-        return {name: tuple((names[i], amount) for i, amount in each.explained_by) for name, each in told}
+        return {
+            name: tuple((names[i], amount) for i, amount in each.explained_by)
+            for name, each in told
+        }
 
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
@@ -165,7 +189,8 @@ def divided(
     cameras: Mapping[str, Floats] | None = None,
     examples: Examples | None = None,
 ) -> Divided:
-    """A character with its trajectories and its parts: what the problems of all parts are built from."""
+    """A character with its trajectories and its parts: what the problems of all parts are built
+    from."""
     clock, examples = clock or Clock(), examples or Examples()
     camera = _camera(rig, settings.candidates.view, cameras or {})
     base_values = _base_values(rig, settings)
@@ -182,16 +207,30 @@ def divided(
         parts = divide(rig, found, settings)
         symmetry = None
         if len(parts) > 1:
-            symmetry = symmetry_at_pose(rig, found, displacement_fields(found), settings, base_values)
+            symmetry = symmetry_at_pose(
+                rig, found, displacement_fields(found), settings, base_values
+            )
     return Divided(
-        rig, asked, settings, pins, base_values, found, parts, symmetry, camera, own, existing, examples.clips
+        rig,
+        asked,
+        settings,
+        pins,
+        base_values,
+        found,
+        parts,
+        symmetry,
+        camera,
+        own,
+        existing,
+        examples.clips,
     )
 
 
 def part_problem(
     character: Divided, part: Part, neighbours: Sequence[Element] = (), clock: Clock | None = None
 ) -> ProblemInputs:
-    """The layout problem of one part; `neighbours` are the elements of the parts that are laid out already."""
+    """The layout problem of one part; `neighbours` are the elements of the parts that are laid out
+    already."""
     rig, settings, found = character.rig, character.settings, character.trajectories
     if len(character.parts) > 1:
         found = of_controls(rig, found, part.controls, part.excluded, settings.trajectories)
@@ -205,7 +244,15 @@ def part_problem(
         fixed = with_pins(settings, pins)
         try:
             inputs = problem_at(
-                rig, found, fixed, values, references, clock, character.camera, part.name, character.symmetry
+                rig,
+                found,
+                fixed,
+                values,
+                references,
+                clock,
+                character.camera,
+                part.name,
+                character.symmetry,
             )
         except RigUIError as error:
             fewer = pins.without(error)
@@ -213,7 +260,9 @@ def part_problem(
                 raise
             pins = fewer
         else:
-            return replace(inputs, matchings=character.examples.matchings, asked=character.asked, pins=pins)
+            return replace(
+                inputs, matchings=character.examples.matchings, asked=character.asked, pins=pins
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -249,8 +298,10 @@ def problem_at(
     part: str = FACE,
     whole: Symmetry | None = None,
 ) -> ProblemInputs:
-    """The layout problem at a base pose (controls,) whose trajectories are found; `camera` (3,) is the direction to the
-    viewer of the camera that ``candidates.view`` names, `whole` the symmetry of the character whose part this is."""
+    """The layout problem at a base pose (controls,) whose trajectories are found; `camera` (3,) is
+    the direction to the viewer of the camera that ``candidates.view`` names, `whole` the symmetry
+    of the character whose part this is.
+    """
     clock = clock or Clock()
     measured = measure(rig, found, settings, base_values, references, clock, camera, part, whole)
     face, requests, alike = measured.face, measured.requests, measured.similarity
@@ -262,7 +313,15 @@ def problem_at(
         groups = with_levels(rig, groups, settings.levels, requests.existing_names)
         placement = placement_problem(face, candidates, groups, requests, settings)
     return ProblemInputs(
-        part, face, alike, requests, measured.classification, settings, candidates, placement, base_values
+        part,
+        face,
+        alike,
+        requests,
+        measured.classification,
+        settings,
+        candidates,
+        placement,
+        base_values,
     )
 
 
@@ -289,7 +348,9 @@ def measure(
             if whole is not None and not symmetry.normal.any():
                 symmetry = about_plane_of(rig, found, fields, whole, settings)
     with clock.stage("candidates"):
-        views = find_views(rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera)
+        views = find_views(
+            rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera
+        )
         requests = _requests(rig, found, symmetry, settings, references)
         expected = expectations(found, symmetry, views, requests.names.meanings)
         requests = replace(requests, names=replace(requests.names, expected=expected))
@@ -317,7 +378,9 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
         inputs.part,
     )
     rig, asked = inputs.face.rig, inputs.asked or inputs.settings
-    return with_decisions(found, rig, posed(rig, None).points, asked, inputs.pins, inputs.requests.overrides)
+    return with_decisions(
+        found, rig, posed(rig, None).points, asked, inputs.pins, inputs.requests.overrides
+    )
 
 
 def joined(laid: Sequence[LaidPart]) -> Layout:
@@ -374,7 +437,9 @@ def _requests(
 ) -> Requests:
     """The configuration and the existing layouts, as what they ask of each control."""
     overrides = with_twins(rig, found, symmetry, control_overrides(rig, settings))
-    overrides = animation.weighted(rig, symmetry, overrides, references.clips, settings.animation.weight)
+    overrides = animation.weighted(
+        rig, symmetry, overrides, references.clips, settings.animation.weight
+    )
     names = [control.name for control in rig.controls]
     told = meanings(names) if settings.candidates.conventions else (None,) * len(names)
     return Requests(

@@ -16,7 +16,8 @@ _USD_SUFFIXES = (*_LAYER_SUFFIXES, ".usdz")
 
 
 def default_output(asset: Path) -> Path:
-    """``char.usda`` → ``char.rigui.usda``, beside it.  Raises SOURCE_NOT_A_FILE for a folder without a name."""
+    """``char.usda`` → ``char.rigui.usda``, beside it.  Raises SOURCE_NOT_A_FILE for a folder
+    without a name."""
     if not asset.name:
         raise refuse("SOURCE_NOT_A_FILE", str(asset), "is a folder")
     return asset.with_name(asset.stem + ".rigui.usda")
@@ -25,7 +26,8 @@ def default_output(asset: Path) -> Path:
 def write_file(content: bytes, target: Path, read: Iterable[Path | str]) -> State:
     """Write a report, picture or page all or nothing; `read` are the files that the run has read.
 
-    Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a character.
+    Raises FILE_TARGET for one of those and for a USD file, so that no slip of the hand replaces a
+    character.
     """
     with Transaction(read) as files:
         state = stage_file(files, content, target)
@@ -41,16 +43,22 @@ def stage_file(files: Transaction, content: bytes, target: Path) -> State:
 
 
 def check_outputs(targets: Iterable[Path | None], read: Iterable[Path | str] = ()) -> None:
-    """Refuse outputs that are USD files, or files that the run reads, by whatever name; raises FILE_TARGET."""
+    """Refuse outputs that are USD files, or files that the run reads, by whatever name; raises
+    FILE_TARGET."""
     given = [each for each in targets if each is not None]
     for target in given:
-        if {target.suffix.lower(), Path(os.path.realpath(target)).suffix.lower()} & {*_USD_SUFFIXES}:
-            raise refuse("FILE_TARGET", str(target), "output is not USD; use another file extension")
+        if {target.suffix.lower(), Path(os.path.realpath(target)).suffix.lower()} & {
+            *_USD_SUFFIXES
+        }:
+            raise refuse(
+                "FILE_TARGET", str(target), "output is not USD; use another file extension"
+            )
     check_not_read(given, read)
 
 
 def check_target(asset: Path, target: Path) -> None:
-    """Refuse to write over the asset, and to a file that is not named as a layer; raises FILE_TARGET."""
+    """Refuse to write over the asset, and to a file that is not named as a layer; raises
+    FILE_TARGET."""
     if same_file(target, asset):
         raise refuse("FILE_TARGET", str(target), "is the source itself, which is never written")
     if target.suffix not in _LAYER_SUFFIXES:
@@ -58,25 +66,31 @@ def check_target(asset: Path, target: Path) -> None:
 
 
 def check_replaceable(target: Path, settings: Settings, asset: Path | None = None) -> None:
-    """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a slip of the hand.
+    """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a
+    slip of the hand.
 
-    An asset with its layout attached, a shot over one and a layer of corrections hold work that cannot be made again.
-    With `asset`, whose default name the target is, it must not be the layout of another file either: ``char.usdc`` and
-    ``char.usda`` share that name.  A layout whose source is gone may be replaced.  Raises FILE_TARGET.
+    An asset with its layout attached, a shot over one and a layer of corrections hold work that
+    cannot be made again. With `asset`, whose default name the target is, it must not be the layout
+    of another file either: ``char.usdc`` and ``char.usda`` share that name.  A layout whose source
+    is gone may be replaced.  Raises FILE_TARGET.
     """
     if not target.is_file() or not target.stat().st_size or not os.access(target, os.W_OK):
         return  # writing will refuse what may not be written
     try:
         existing = read_layer_isolated(target, settings)
     except RigUIError as error:
-        raise refuse("FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}") from error
+        raise refuse(
+            "FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}"
+        ) from error
     if not existing.ours:
         raise refuse("FILE_TARGET", str(target), "exists and is no layout layer that process wrote")
     if asset is None or not existing.sublayers:
         return
     source = target.parent / existing.sublayers[0]
     if source.is_file() and not source.samefile(asset):
-        raise refuse("FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}")
+        raise refuse(
+            "FILE_TARGET", str(target), f"is the layout of {source.name}, not of {asset.name}"
+        )
 
 
 def make_folder(target: Path) -> None:

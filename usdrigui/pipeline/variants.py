@@ -14,13 +14,15 @@ from usdrigui.usd.variant_paths import unknown_set
 T = TypeVar("T")
 
 _PLAIN = ("SKELROOT_MISSING", "CONTROLS_MISSING", "LAYOUT_MISSING", "VARIANT_UNKNOWN")
-"""What a variant without a character, or without a layout, is refused for; combinations need not all be there."""
+"""What a variant without a character, or without a layout, is refused for; combinations need not
+all be there."""
 
 
 def in_each_variant(
     settings: Settings, sets: Mapping[str, tuple[str, ...]], act: Callable[[Settings], T]
 ) -> tuple[list[T], tuple[Issue, ...]]:
-    """What is found in each variant, and that the others are left off, as they have no character or no layout.
+    """What is found in each variant, and that the others are left off, as they have no character or
+    no layout.
 
     Raises what `act` raises for another reason, or everywhere, and as `each_variant`.
     """
@@ -38,17 +40,24 @@ def in_each_variant(
 
 
 def each_variant(settings: Settings, sets: Mapping[str, tuple[str, ...]]) -> Iterator[Settings]:
-    """The settings with each combination of variants of `read.each_variant` selected; as they are without any.
+    """The settings with each combination of variants of `read.each_variant` selected; as they are
+    without any.
 
-    `sets`: all variants by the name of their set.  Raises VARIANT_UNKNOWN for a set that is not there.
+    `sets`: all variants by the name of their set.  Raises VARIANT_UNKNOWN for a set that is not
+    there.
     """
     read = settings.read
     for name in read.each_variant:
         if name not in sets:
             raise unknown_set(name, sets)
-    choices = [sets[name] if name not in read.variants else (read.variants[name],) for name in read.each_variant]
+    choices = [
+        sets[name] if name not in read.variants else (read.variants[name],)
+        for name in read.each_variant
+    ]
     for chosen in itertools.product(*choices):
-        yield selecting(settings, {**read.variants, **dict(zip(read.each_variant, chosen, strict=True))})
+        yield selecting(
+            settings, {**read.variants, **dict(zip(read.each_variant, chosen, strict=True))}
+        )
 
 
 def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
@@ -57,10 +66,13 @@ def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
 
 
 def left_off(error: RigUIError, settings: Settings) -> Issue:
-    """That the variant selected is left off, as it has no character; raises the error again where it is another."""
+    """That the variant selected is left off, as it has no character; raises the error again where
+    it is another."""
     if not settings.read.each_variant or error.issue.code not in _PLAIN:
         raise error
-    return issue("VARIANT_LEFT_OFF", selection(settings), f"{error.issue.code}: {error.issue.message}")
+    return issue(
+        "VARIANT_LEFT_OFF", selection(settings), f"{error.issue.code}: {error.issue.message}"
+    )
 
 
 def selection(settings: Settings) -> str:

@@ -22,7 +22,8 @@ def stage_layer(
     source: ReadResult,
     laid: Sequence[tuple[LayoutsResult | None, CharacterReport]],
 ) -> Outcome:
-    """Stage the layer among the files of the run; each character comes with the layout that it adds to, if any.
+    """Stage the layer among the files of the run; each character comes with the layout that it adds
+    to, if any.
 
     Raises RigUIError.
     """
@@ -33,7 +34,9 @@ def stage_layer(
     if over:
         return _staged_over(files, over, asset, target, settings, source)
     pairs = [(character.rig, character.layout) for _, character in laid]
-    return layer.write_layout(pairs, asset, target, settings.output, source.metadata, write=files.stage)
+    return layer.write_layout(
+        pairs, asset, target, settings.output, source.metadata, write=files.stage
+    )
 
 
 def _staged_over(

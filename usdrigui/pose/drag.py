@@ -1,22 +1,27 @@
 """Control values from the drag of a handle in the plane of the screen.
 
-Everything is two-dimensional, in pixels, x to the right and y down: a client projects an element's tracks as
-they are at the pose of the moment (`evaluate.elements_at`) and says how far the pointer has moved.
+Everything is two-dimensional, in pixels, x to the right and y down: a client projects an element's
+tracks as they are at the pose of the moment (`evaluate.elements_at`) and says how far the pointer
+has moved.
 
-* An element has axes (`Element.axes`): one control, or two opposed controls that are the negative and the
-  positive end of one signed axis.  The *coordinate* of a single control goes from 0 at its minimum to 1 at its
-  maximum; that of an opposed pair from -1 through 0 to 1, and only one of its ends is away from its default.
+* An element has axes (`Element.axes`): one control, or two opposed controls that are the negative
+  and the positive end of one signed axis.  The *coordinate* of a single control goes from 0 at its
+  minimum to 1 at its maximum; that of an opposed pair from -1 through 0 to 1, and only one of its
+  ends is away from its default.
 * The handle stands at its place in the base pose plus the sum of its axes' moves, each a polyline.
-* One or two axes: every two pieces of their polylines span a parallelogram.  The handle goes to the point
-  nearest to where the pointer wants it, downhill from the parallelogram in which it is: a curved track does
-  not jump from one branch to another, unless the other is nearer by far.
-* Three and more axes (a fan): only two *arms*, next to each other by angle and less than 180 degrees apart, are
-  away from the base pose together (paper section 4.2).  The nearest such pair wins, the one in use a tie.
-* A slider seen from its end has no length on the screen: it is given one, `LEAST` pixels, along what is left
-  of its direction, or else upward.  Of several axes, one seen from its end keeps its value.
+* One or two axes: every two pieces of their polylines span a parallelogram.  The handle goes to the
+  point nearest to where the pointer wants it, downhill from the parallelogram in which it is: a
+  curved track does not jump from one branch to another, unless the other is nearer by far.
+* Three and more axes (a fan): only two *arms*, next to each other by angle and less than 180
+  degrees apart, are away from the base pose together (paper section 4.2).  The nearest such pair
+  wins, the one in use a tie.
+* A slider seen from its end has no length on the screen: it is given one, `LEAST` pixels, along
+  what is left of its direction, or else upward.  Of several axes, one seen from its end keeps its
+  value.
 
-numpy only, and nothing of the package: this very file is part of the Blender extension.  viewer/src/drag.js is
-the same in JavaScript; tests/drag_vectors.json holds both to the same answers.
+numpy only, and nothing of the package: this very file is part of the Blender extension.
+viewer/src/drag.js is the same in JavaScript; tests/drag_vectors.json holds both to the same
+answers.
 """
 
 from __future__ import annotations
@@ -30,14 +35,17 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 LEAST = 24.0
-"""Pixels that a track is given for dragging when it is shorter than a quarter of this on the screen."""
+"""Pixels that a track is given for dragging when it is shorter than a quarter of this on the
+screen."""
 _FARTHER = 2.0
-"""A handle leaves its branch of a curved track for another that is this many times nearer to the pointer..."""
+"""A handle leaves its branch of a curved track for another that is this many times nearer to the
+pointer..."""
 _STRAY = 4.0
 """...and this many pixels besides."""
 _STAY = 0.02
-"""Pixels that a whole range costs: decides between axes that lie on one line.  Where a range moves the handle by
-L pixels, it falls short of the pointer by the share _STAY^2 / (L^2 + _STAY^2): never by more than _STAY / 2."""
+"""Pixels that a whole range costs: decides between axes that lie on one line.  Where a range moves
+the handle by L pixels, it falls short of the pointer by the share _STAY^2 / (L^2 + _STAY^2): never
+by more than _STAY / 2."""
 _TIE = 1.02
 _SAME = 1e-9
 """Coordinates nearer to each other than this are one."""
@@ -45,7 +53,8 @@ _SAME = 1e-9
 
 @dataclass(frozen=True)
 class End:
-    """One control on its axis: its value goes from `off` to `far` while the coordinate goes from 0 to `sign`."""
+    """One control on its axis: its value goes from `off` to `far` while the coordinate goes from 0
+    to `sign`."""
 
     member: int
     sign: float
@@ -62,7 +71,11 @@ class End:
 
     def share(self, value: float) -> float:
         """How far from `off` towards `far` a value is, within 0 and 1."""
-        return min(max((value - self.off) / (self.far - self.off), 0.0), 1.0) if self.far != self.off else 0.0
+        return (
+            min(max((value - self.off) / (self.far - self.off), 0.0), 1.0)
+            if self.far != self.off
+            else 0.0
+        )
 
 
 @dataclass(frozen=True)
@@ -112,28 +125,37 @@ def begin_drag(
 ) -> Drag:
     """Take hold of an element of m members.
 
-    ``tracks[i]`` (k_i, 2) are pixels at the control values ``values[i]`` (k_i,), ascending; ``axes`` are positions
-    of members: one, or the negative and the positive end.  ``ranges`` (m, 3) are minimum, default and maximum of
-    each control, ``base`` (m,) and ``current`` (m,) its values in the base pose and now.  Raises ValueError for
-    records that do not fit together or are not finite.
+    ``tracks[i]`` (k_i, 2) are pixels at the control values ``values[i]`` (k_i,), ascending;
+    ``axes`` are positions of members: one, or the negative and the positive end.  ``ranges`` (m, 3)
+    are minimum, default and maximum of each control, ``base`` (m,) and ``current`` (m,) its values
+    in the base pose and now.  Raises ValueError for records that do not fit together or are not
+    finite.
     """
     lines, knots = _checked(tracks, values)
     limits, home, now = (np.array(each, dtype=np.float64) for each in (ranges, base, current))
     if limits.shape != (len(lines), 3) or home.shape != (len(lines),) or now.shape != home.shape:
-        raise ValueError("a member needs one value in the base pose and now, and three that say its range")
+        raise ValueError(
+            "a member needs one value in the base pose and now, and three that say its range"
+        )
     if sorted(i for members in axes for i in members) != list(range(len(lines))):
         raise ValueError("every member belongs to one axis")
     if not (np.isfinite(limits).all() and np.isfinite(home).all() and np.isfinite(now).all()):
         raise ValueError("values must be finite")
-    drawn, free = _long_enough([_axis(_ends(members, limits, home), lines, knots) for members in axes])
-    start = [sum(end.sign * end.share(float(now[end.member])) for end in axis.ends) for axis in drawn]
+    drawn, free = _long_enough(
+        [_axis(_ends(members, limits, home), lines, knots) for members in axes]
+    )
+    start = [
+        sum(end.sign * end.share(float(now[end.member])) for end in axis.ends) for axis in drawn
+    ]
     return Drag(drawn, free, np.array(start), now)
 
 
 def drag_to(drag: Drag, at: ArrayLike, moved: ArrayLike) -> Floats:
-    """(axes,) coordinates for a handle that is to be ``moved`` (2,) pixels from where it was at the start.
+    """(axes,) coordinates for a handle that is to be ``moved`` (2,) pixels from where it was at the
+    start.
 
-    ``at`` (axes,) are the coordinates of the moment: those of the last move, `Drag.start` for the first.
+    ``at`` (axes,) are the coordinates of the moment: those of the last move, `Drag.start` for the
+    first.
     """
     last, goal = np.array(at, dtype=np.float64), np.array(moved, dtype=np.float64)
     if last.shape != (len(drag.axes),) or goal.shape != (2,) or not np.isfinite(goal).all():
@@ -159,7 +181,7 @@ def values_at(drag: Drag, at: ArrayLike) -> Floats:
     return found
 
 
-# --- axes --------------------------------------------------------------------------------------------
+# --- axes -----------------------------------------------------------------------------------------
 
 
 def _ends(members: Sequence[int], ranges: Floats, home: Floats) -> tuple[End, ...]:
@@ -189,8 +211,11 @@ def _axis(ends: tuple[End, ...], tracks: list[Floats], values: list[Floats]) -> 
 
 
 def _long_enough(axes: list[Axis]) -> tuple[tuple[Axis, ...], tuple[int, ...]]:
-    """The axes, stretched where all are too short on the screen to be followed, and which of them follow."""
-    lengths = np.array([np.linalg.norm(np.diff(axis.points, axis=0), axis=1).sum() for axis in axes])
+    """The axes, stretched where all are too short on the screen to be followed, and which of them
+    follow."""
+    lengths = np.array(
+        [np.linalg.norm(np.diff(axis.points, axis=0), axis=1).sum() for axis in axes]
+    )
     longest = float(lengths.max())
     if longest >= 0.25 * LEAST:
         return tuple(axes), tuple(np.flatnonzero(lengths >= 0.25 * LEAST).tolist())
@@ -211,7 +236,7 @@ def _straightened(axis: Axis) -> Axis:
     return replace(axis, points=LEAST * share[:, None] * direction)
 
 
-# --- the nearest point -------------------------------------------------------------------------------
+# --- the nearest point ----------------------------------------------------------------------------
 
 
 _NONE = Axis((), np.array([0.0, 1.0]), np.zeros((2, 2)), 0.0)
@@ -229,15 +254,20 @@ def _nearest(u: Axis, v: Axis, start: Floats, last: Floats, goal: Floats) -> tup
 
 
 def _cells(u: Axis, v: Axis, start: Floats, goal: Floats) -> tuple[Floats, Floats]:
-    """Distance (k - 1, l - 1) and coordinates (k - 1, l - 1, 2) of the nearest point of every parallelogram.
+    """Distance (k - 1, l - 1) and coordinates (k - 1, l - 1, 2) of the nearest point of every
+    parallelogram.
 
-    Minimises |r + x a + y b|^2 over 0 <= x, y <= 1 in pixels and, times `_STAY`, in coordinates from the start:
-    strictly convex, so its minimum is the one without bounds, or else lies on one of the four sides.
+    Minimises |r + x a + y b|^2 over 0 <= x, y <= 1 in pixels and, times `_STAY`, in coordinates
+    from the start: strictly convex, so its minimum is the one without bounds, or else lies on one
+    of the four sides.
     """
     a, b = _steps(u, 0)[:, None], _steps(v, 1)[None]
     r = np.empty((a.shape[0], b.shape[1], 4))
     r[..., :2] = u.points[:-1, None] + v.points[None, :-1] - goal
-    r[..., 2], r[..., 3] = _STAY * (u.at[:-1, None] - start[0]), _STAY * (v.at[None, :-1] - start[1])
+    r[..., 2], r[..., 3] = (
+        _STAY * (u.at[:-1, None] - start[0]),
+        _STAY * (v.at[None, :-1] - start[1]),
+    )
     aa, bb, ab, ra, rb = ((p * q).sum(axis=-1) for p, q in ((a, a), (b, b), (a, b), (r, a), (r, b)))
     aa, bb = np.broadcast_to(aa, ab.shape), np.broadcast_to(bb, ab.shape)
     area = np.maximum(aa * bb - ab**2, 1e-300)
@@ -247,7 +277,13 @@ def _cells(u: Axis, v: Axis, start: Floats, goal: Floats) -> tuple[Floats, Float
     away = np.linalg.norm(r + x[..., None] * a + y[..., None] * b, axis=-1)
     best = np.argmin(away, axis=0)[None]
     x, y, away = (np.take_along_axis(each, best, axis=0)[0] for each in (x, y, away))
-    at = np.stack([_between(u.at[:-1, None], u.at[1:, None], x), _between(v.at[None, :-1], v.at[None, 1:], y)], axis=-1)
+    at = np.stack(
+        [
+            _between(u.at[:-1, None], u.at[1:, None], x),
+            _between(v.at[None, :-1], v.at[None, 1:], y),
+        ],
+        axis=-1,
+    )
     return away, at
 
 
@@ -274,13 +310,20 @@ def _downhill(away: Floats, i: int, j: int) -> tuple[int, int]:
 
 
 def _on_fan(axes: list[Axis], start: Floats, last: Floats, goal: Floats) -> Floats:
-    """(axes,) coordinates: the nearest of all pairs of neighbouring arms, all other axes in the base pose."""
+    """(axes,) coordinates: the nearest of all pairs of neighbouring arms, all other axes in the
+    base pose."""
     home = np.array([axis.base for axis in axes])
-    in_use = {(i, bool(last[i] > home[i])) for i in range(len(axes)) if abs(last[i] - home[i]) > _SAME}
+    in_use = {
+        (i, bool(last[i] > home[i])) for i in range(len(axes)) if abs(last[i] - home[i]) > _SAME
+    }
     best, least = last, np.inf
-    for pair in sorted(_pairs(axes), key=lambda each: not in_use <= {(i, arm.at[-1] > home[i]) for i, arm in each}):
+    for pair in sorted(
+        _pairs(axes), key=lambda each: not in_use <= {(i, arm.at[-1] > home[i]) for i, arm in each}
+    ):
         chosen = [i for i, _ in pair]
-        rest = sum((axes[i].point(home[i]) for i in range(len(axes)) if i not in chosen), np.zeros(2))
+        rest = sum(
+            (axes[i].point(home[i]) for i in range(len(axes)) if i not in chosen), np.zeros(2)
+        )
         now = np.array([np.clip(last[i], arm.at[0], arm.at[-1]) for i, arm in pair])
         found, away = _nearest(pair[0][1], pair[1][1], start[chosen], now, goal - rest)
         if away * _TIE + 1e-6 < least:
@@ -290,7 +333,8 @@ def _on_fan(axes: list[Axis], start: Floats, last: Floats, goal: Floats) -> Floa
 
 
 def _pairs(axes: list[Axis]) -> list[tuple[tuple[int, Axis], tuple[int, Axis]]]:
-    """Arms, each with its axis, that are next to each other by angle and less than 180 degrees apart."""
+    """Arms, each with its axis, that are next to each other by angle and less than 180 degrees
+    apart."""
     arms = [(i, arm) for i, axis in enumerate(axes) for arm in axis.arms()]
     angle = np.array([_angle(arm, axes[i].point(axes[i].base)) for i, arm in arms])
     order = np.argsort(angle, kind="stable").tolist()
@@ -309,7 +353,7 @@ def _angle(arm: Axis, origin: Floats) -> float:
     return float(np.arctan2(y, x))
 
 
-# --- polylines ---------------------------------------------------------------------------------------
+# --- polylines ------------------------------------------------------------------------------------
 
 
 def _on(points: Floats, knots: Floats, value: float) -> Floats:
@@ -323,7 +367,9 @@ def _piece(knots: Floats, value: float) -> int:
     return int(np.clip(np.searchsorted(knots, value, side="right") - 1, 0, len(knots) - 2))
 
 
-def _checked(tracks: Sequence[ArrayLike], values: Sequence[ArrayLike]) -> tuple[list[Floats], list[Floats]]:
+def _checked(
+    tracks: Sequence[ArrayLike], values: Sequence[ArrayLike]
+) -> tuple[list[Floats], list[Floats]]:
     lines = [np.array(each, dtype=np.float64) for each in tracks]
     knots = [np.array(each, dtype=np.float64) for each in values]
     if not lines or len(lines) != len(knots):
@@ -331,5 +377,7 @@ def _checked(tracks: Sequence[ArrayLike], values: Sequence[ArrayLike]) -> tuple[
     for line, at in zip(lines, knots, strict=True):
         fits = line.shape == (len(at), 2) and len(at) > 1 and np.isfinite(line).all()
         if not (fits and (np.diff(at) > 0.0).all()):
-            raise ValueError("a track needs two or more finite places (k, 2) at ascending values (k,)")
+            raise ValueError(
+                "a track needs two or more finite places (k, 2) at ascending values (k,)"
+            )
     return lines, knots

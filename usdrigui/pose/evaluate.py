@@ -1,12 +1,12 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
-An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's own;
-its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or where
-`Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that carries the
-face) and its handle slides along the tracks.  What stands on the board is one board and stays in one
-piece: no control of any element there moves it.  These are the rules of the written layer, where tracks and
-handles are gprims that UsdSkel deforms; better than a gprim can, tracks here also follow other controls
-of the joints that their own control turns.  numpy only.
+An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's
+own; its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or
+where `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that
+carries the face) and its handle slides along the tracks.  What stands on the board is one board and
+stays in one piece: no control of any element there moves it.  These are the rules of the written
+layer, where tracks and handles are gprims that UsdSkel deforms; better than a gprim can, tracks
+here also follow other controls of the joints that their own control turns.  numpy only.
 """
 
 from __future__ import annotations
@@ -68,30 +68,48 @@ class Poser(Record):
     """`anchors` all on one joint, for static elements."""
     still_base: Posed
     board: Indices
-    """Controls of the elements on the board that turn or move joints, as indices into `Rig.controls`."""
+    """Controls of the elements on the board that turn or move joints, as indices into
+    `Rig.controls`."""
 
 
 def prepare(rig: Rig, layout: Layout) -> Poser:
     """Match a layout with its rig.
 
-    Raises RigUIError LAYOUT_STALE when the layout was made for another version of the character: a mesh
-    or a control is missing, or the topology has changed.
+    Raises RigUIError LAYOUT_STALE when the layout was made for another version of the character: a
+    mesh or a control is missing, or the topology has changed.
     """
     points = np.array([_anchor_point(rig, element) for element in layout.elements], dtype=np.int64)
     anchors, rows = subset(rig, points)
     names = {control.name: index for index, control in enumerate(rig.controls)}
     owned = tuple(_controls(names, element) for element in layout.elements)
     if len(layout.base_values) != len(rig.controls):
-        raise refuse("LAYOUT_STALE", layout.root, "the base pose has another number of controls than the character")
+        raise refuse(
+            "LAYOUT_STALE",
+            layout.root,
+            "the base pose has another number of controls than the character",
+        )
     base, still, still_base = posed(anchors, layout.base_values), anchors, None
     if any(element.adapt == "static" for element in layout.elements):
-        still = on_one_joint(anchors, rows[[not element.anchor.on_board for element in layout.elements]])
+        still = on_one_joint(
+            anchors, rows[[not element.anchor.on_board for element in layout.elements]]
+        )
         still_base = posed(still, layout.base_values)
-    return Poser(rig, layout, anchors, rows, owned, base, still, still_base or base, _board(rig, layout, owned))
+    return Poser(
+        rig,
+        layout,
+        anchors,
+        rows,
+        owned,
+        base,
+        still,
+        still_base or base,
+        _board(rig, layout, owned),
+    )
 
 
 def evaluate(poser: Poser, values: ArrayLike | None = None) -> PosedLayout:
-    """Everything at control ``values`` (controls,), in the order of `Rig.controls`; None for the base pose.
+    """Everything at control ``values`` (controls,), in the order of `Rig.controls`; None for the
+    base pose.
 
     Raises RigUIError POSE_VALUE for values that are not finite or of another number.
     """
@@ -104,15 +122,21 @@ def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     whole = posed(poser.anchors, values)
     still = whole if poser.still is poser.anchors else posed(poser.still, values)
     board = _board_at(poser, whole, still, values)
-    return tuple(_element(poser, index, whole, still, board, values) for index in range(len(poser.rows)))
+    return tuple(
+        _element(poser, index, whole, still, board, values) for index in range(len(poser.rows))
+    )
 
 
 def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None) -> Floats:
-    """(controls,) values of a pose given by control names; the rest from `base`, or at their defaults.
+    """(controls,) values of a pose given by control names; the rest from `base`, or at their
+    defaults.
 
-    Raises RigUIError POSE_CONTROL for a name that the rig lacks, POSE_VALUE for what is not a number.
+    Raises RigUIError POSE_CONTROL for a name that the rig lacks, POSE_VALUE for what is not a
+    number.
     """
-    values = np.array([control.default for control in rig.controls] if base is None else base, dtype=np.float64)
+    values = np.array(
+        [control.default for control in rig.controls] if base is None else base, dtype=np.float64
+    )
     names = {control.name: index for index, control in enumerate(rig.controls)}
     for name, value in pose.items():
         if name not in names:
@@ -125,7 +149,9 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
     """``values`` as (controls,) floats; raises RigUIError POSE_VALUE for a wrong number or NaN."""
     at = np.array(values, dtype=np.float64)
     if at.shape != (len(rig.controls),):
-        raise refuse("POSE_VALUE", rig.root, f"a pose has {len(rig.controls)} values, not {at.shape}")
+        raise refuse(
+            "POSE_VALUE", rig.root, f"a pose has {len(rig.controls)} values, not {at.shape}"
+        )
     if not np.isfinite(at).all():
         name = rig.controls[int(np.flatnonzero(~np.isfinite(at))[0])].name
         raise refuse("POSE_VALUE", name, "the value is not finite")
@@ -137,7 +163,9 @@ def _element(
 ) -> PosedElement:
     element, row = poser.layout.elements[index], int(poser.rows[index])
     static = element.adapt == "static"
-    skin, before, at = (poser.still, poser.still_base, still) if static else (poser.anchors, poser.base, whole)
+    skin, before, at = (
+        (poser.still, poser.still_base, still) if static else (poser.anchors, poser.base, whole)
+    )
     others = board[static] if element.anchor.on_board else _others(poser, skin, index, at, values)
     base = before.points[row]
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
@@ -153,13 +181,20 @@ def _element(
     normal = element.anchor.normal @ np.linalg.pinv(carry).T
     glyph = np.zeros((0, 3))
     if element.glyph is not None:
-        held = carry if _detached(element) else _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+        held = (
+            carry
+            if _detached(element)
+            else _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+        )
         glyph = handle + element.glyph.points @ held
-    return PosedElement(tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30), glyph)
+    return PosedElement(
+        tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30), glyph
+    )
 
 
 def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -> Posed:
-    """The anchors on a skin with the element's own controls at the base pose and all others at `values`."""
+    """The anchors on a skin with the element's own controls at the base pose and all others at
+    `values`."""
     owned, base_values = poser.owned[index], poser.layout.base_values
     away = owned[values[owned] != base_values[owned]]
     if not len(away):
@@ -170,7 +205,8 @@ def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -
         without = values.copy()
         without[owned] = base_values[owned]
         return posed(skin, without)
-    # Shapes of different channels add up and leave the skin alone: taking them back is a few additions.
+    # Shapes of different channels add up and leave the skin alone: taking them back is a few
+    # additions.
     points = whole.points.copy()
     for j in away.tolist():
         moved, offsets = _taken_back(skin, whole, j, float(values[j]), float(base_values[j]))
@@ -178,17 +214,23 @@ def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -
     return replace(whole, points=points)
 
 
-def _taken_back(rig: Rig, held: Posed, control: int, value: float, base: float) -> tuple[Indices, Singles]:
-    """Points that one control moves by shapes (p,), and their way (p, 3) as it goes from its value to base."""
+def _taken_back(
+    rig: Rig, held: Posed, control: int, value: float, base: float
+) -> tuple[Indices, Singles]:
+    """Points that one control moves by shapes (p,), and their way (p, 3) as it goes from its value
+    to base."""
     alone = np.array([each.default for each in rig.controls])
     alone[control] = value
-    without = replace(held, weights=held.weights - (channel_state(rig, alone)[0] - rig.base_weights))
+    without = replace(
+        held, weights=held.weights - (channel_state(rig, alone)[0] - rig.base_weights)
+    )
     points, offsets = sweep(rig, without, control, np.array([base, value]))
     return points, offsets[0] - offsets[1]
 
 
 def _board_at(poser: Poser, whole: Posed, still: Posed, values: Floats) -> tuple[Posed, Posed]:
-    """The anchors on their own skin and on one joint as the board goes: none of its own controls turns a joint."""
+    """The anchors on their own skin and on one joint as the board goes: none of its own controls
+    turns a joint."""
     base_values = poser.layout.base_values
     if np.array_equal(values[poser.board], base_values[poser.board]):
         return whole, still
@@ -199,7 +241,8 @@ def _board_at(poser: Poser, whole: Posed, still: Posed, values: Floats) -> tuple
 
 
 def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Floats]:
-    """Where a position goes with its map (4, 3) alone, and the (3, 3) map of offsets from it (row vectors)."""
+    """Where a position goes with its map (4, 3) alone, and the (3, 3) map of offsets from it (row
+    vectors)."""
     carry = np.linalg.pinv(before[:3]) @ now[:3]
     return (position - before[3]) @ carry + now[3], carry
 
@@ -224,7 +267,7 @@ def _along(values: Floats, track: Floats, value: float) -> Floats:
     return np.asarray((1.0 - share) * track[piece] + share * track[piece + 1])
 
 
-# --- matching ----------------------------------------------------------------------------------------
+# --- matching -------------------------------------------------------------------------------------
 
 
 def _anchor_point(rig: Rig, element: Element) -> int:
@@ -232,21 +275,35 @@ def _anchor_point(rig: Rig, element: Element) -> int:
     anchor = element.anchor
     for start, mesh in zip(rig.starts.tolist(), rig.meshes, strict=False):
         if mesh.path == anchor.mesh:
-            if mesh.topology_hash != anchor.topology_hash or not 0 <= anchor.point < len(mesh.points):
-                raise refuse("LAYOUT_STALE", mesh.path, f"its topology is not that which {element.name} is anchored to")
+            if mesh.topology_hash != anchor.topology_hash or not 0 <= anchor.point < len(
+                mesh.points
+            ):
+                raise refuse(
+                    "LAYOUT_STALE",
+                    mesh.path,
+                    f"its topology is not that which {element.name} is anchored to",
+                )
             return int(start) + anchor.point
-    raise refuse("LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist")
+    raise refuse(
+        "LAYOUT_STALE", anchor.mesh, f"the mesh that {element.name} is anchored to does not exist"
+    )
 
 
 def _board(rig: Rig, layout: Layout, owned: Sequence[Indices]) -> Indices:
     """Controls of the elements on the board that drive joints."""
-    beside = [own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.on_board]
+    beside = [
+        own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.on_board
+    ]
     controls = sorted({control for own in beside for control in own.tolist()})
-    return np.array([each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64)
+    return np.array(
+        [each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64
+    )
 
 
 def _controls(names: Mapping[str, int], element: Element) -> Indices:
     for member in element.members:
         if member.control not in names:
-            raise refuse("LAYOUT_STALE", member.control, f"the control of {element.name} does not exist")
+            raise refuse(
+                "LAYOUT_STALE", member.control, f"the control of {element.name} does not exist"
+            )
     return np.array([names[member.control] for member in element.members], dtype=np.int64)

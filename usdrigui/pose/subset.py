@@ -1,4 +1,5 @@
-"""A rig cut down to a few of its points, and the joints that carry these, so that they can be posed quickly."""
+"""A rig cut down to a few of its points, and the joints that carry these, so that they can be posed
+quickly."""
 
 from __future__ import annotations
 
@@ -12,8 +13,9 @@ from usdrigui.model import Control, Drive, Flags, Indices, Rig, RigMesh, Shape
 def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
     """The rig with only ``points`` (q,) of its meshes, and the row (q,) of each in what remains.
 
-    Controls and channels keep their places; meshes without any of the points, joints that carry none of them,
-    what controls do elsewhere, faces and the clip are left out.  Points may repeat and come in any order.
+    Controls and channels keep their places; meshes without any of the points, joints that carry
+    none of them, what controls do elsewhere, faces and the clip are left out.  Points may repeat
+    and come in any order.
     """
     starts = rig.starts
     kept, rows = np.unique(np.asarray(points, dtype=np.int64), return_inverse=True)
@@ -26,7 +28,8 @@ def subset(rig: Rig, points: Indices) -> tuple[Rig, Indices]:
 
 
 def _with_drives(rig: Rig) -> Rig:
-    """The rig with only the joints that its meshes' points hang on, and what its controls do to these points."""
+    """The rig with only the joints that its meshes' points hang on, and what its controls do to
+    these points."""
     kept = np.zeros(len(rig.joints), dtype=bool)
     for mesh in rig.meshes:
         if mesh.skin is not None:
@@ -42,7 +45,11 @@ def _with_drives(rig: Rig) -> Rig:
         if stays
     )
     meshes = tuple(
-        mesh if mesh.skin is None else replace(mesh, skin=replace(mesh.skin, joints=place[mesh.skin.joints]))
+        (
+            mesh
+            if mesh.skin is None
+            else replace(mesh, skin=replace(mesh.skin, joints=place[mesh.skin.joints]))
+        )
         for mesh in rig.meshes
     )
     acting = np.zeros(len(rig.channels), dtype=bool)
@@ -52,7 +59,8 @@ def _with_drives(rig: Rig) -> Rig:
 
 
 def _acting(control: Control, acting: Flags, place: Indices) -> Control:
-    """The control with its ``acting`` (channels,) and the joints whose ``place`` (joints,) is not -1."""
+    """The control with its ``acting`` (channels,) and the joints whose ``place`` (joints,) is not
+    -1."""
     drive = control.drive
     stays, weighs = place[drive.joints] >= 0, acting[drive.channels]
     if stays.all() and weighs.all() and not len(drive.joints):
@@ -74,10 +82,18 @@ def _part(mesh: RigMesh, kept: Indices) -> RigMesh:
     skin = mesh.skin
     if skin is not None:
         skin = replace(skin, joints=skin.joints[kept], weights=skin.weights[kept])
-    shapes = tuple(shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points))
+    shapes = tuple(
+        shape for shape in (_shape_part(each, kept) for each in mesh.shapes) if len(shape.points)
+    )
     none = np.zeros(0, dtype=np.int64)
     return replace(
-        mesh, points=mesh.points[kept], face_counts=none, face_indices=none, skin=skin, shapes=shapes, colours=None
+        mesh,
+        points=mesh.points[kept],
+        face_counts=none,
+        face_indices=none,
+        skin=skin,
+        shapes=shapes,
+        colours=None,
     )
 
 

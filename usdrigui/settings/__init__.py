@@ -1,7 +1,8 @@
 """Everything that a run can be told.
 
 Precedence, weakest first: defaults, preset, environment (``USDRIGUI_<PART>_<NAME>``), configuration
-file, command line.  Parts are plain dataclasses; `load` builds them from TOML and refuses unknown keys.
+file, command line.  Parts are plain dataclasses; `load` builds them from TOML and refuses unknown
+keys.
 """
 
 from __future__ import annotations

@@ -16,7 +16,8 @@ _VIEWS = ("", "front", "side")
 
 
 def check_bounds(settings: Settings, faults: Faults) -> None:
-    """Collects RigUIError CONFIG_VALUE, naming the key, for numbers outside their bounds and a view that is none."""
+    """Collects RigUIError CONFIG_VALUE, naming the key, for numbers outside their bounds and a view
+    that is none."""
     view = settings.candidates.view
     if view not in _VIEWS and not view.startswith("/"):
         with faults.collected():
@@ -43,12 +44,15 @@ def _check(key: str, value: float | None, least: float, largest: float) -> None:
 
 
 def view_angles(view: str) -> tuple[float, float]:
-    """Azimuth (to the character's left) and elevation of a view ``AZ,EL``, degrees; raises CONFIG_VALUE for none."""
+    """Azimuth (to the character's left) and elevation of a view ``AZ,EL``, degrees; raises
+    CONFIG_VALUE for none."""
     try:
         azimuth, elevation = map(float, view.split(","))
     except ValueError:
         azimuth = elevation = math.nan
     if not (math.isfinite(azimuth) and math.isfinite(elevation)):
-        what = f"{view!r} is neither front, side, AZ,EL nor a camera's prim path{meant(view, _VIEWS)}"
+        what = (
+            f"{view!r} is neither front, side, AZ,EL nor a camera's prim path{meant(view, _VIEWS)}"
+        )
         raise refuse("CONFIG_VALUE", "candidates.view", what)
     return azimuth, elevation

@@ -15,7 +15,8 @@ _TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
 
 
 def editor_schema() -> dict[str, Any]:
-    """A JSON Schema (draft 7, which TOML editors read) of ``CHAR.rigui.toml``, from the table of settings."""
+    """A JSON Schema (draft 7, which TOML editors read) of ``CHAR.rigui.toml``, from the table of
+    settings."""
     return {
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "Configuration of usdrigui",
@@ -25,7 +26,9 @@ def editor_schema() -> dict[str, Any]:
 
 def _part(part: Any) -> dict[str, Any]:
     hints = typing.get_type_hints(part)
-    known = {each.name: _setting(each, about, hints[each.name]) for each, about in settings_in(part)}
+    known = {
+        each.name: _setting(each, about, hints[each.name]) for each, about in settings_in(part)
+    }
     inner = {name: _schema(hint) for name, hint in hints.items() if name not in known}
     return {"type": "object", "additionalProperties": False, "properties": {**inner, **known}}
 

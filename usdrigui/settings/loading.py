@@ -1,4 +1,5 @@
-"""load(): settings from nested tables, every key and type checked against the parts; document(): the way back."""
+"""load(): settings from nested tables, every key and type checked against the parts; document():
+the way back."""
 
 from __future__ import annotations
 
@@ -23,16 +24,21 @@ _EARLIER_VALUES = {"beside": "board"}
 
 
 def load(
-    *sources: Mapping[str, Any], preset: str = "default", environment: Mapping[str, str] | None = None
+    *sources: Mapping[str, Any],
+    preset: str = "default",
+    environment: Mapping[str, str] | None = None,
 ) -> Settings:
     """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
 
-    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is wrong is told at once.
+    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is wrong is told
+    at once.
     """
     if preset not in PRESETS:
         hint = meant(preset, PRESETS)
         known = " and ".join(sorted(PRESETS))
-        raise refuse("CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {known}{hint}")
+        raise refuse(
+            "CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {known}{hint}"
+        )
     settings, faults = Settings(), Faults()
     for source in (PRESETS[preset], from_environment(environment or {}), *sources):
         settings = _merged(settings, source, "", faults)
@@ -42,7 +48,8 @@ def load(
 
 
 def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) -> Any:
-    """`base` (a settings dataclass) with the sound keys of `source` replaced, checked against the annotations."""
+    """`base` (a settings dataclass) with the sound keys of `source` replaced, checked against the
+    annotations."""
     hints = typing.get_type_hints(type(base))
     changed: dict[str, Any] = {}
     for given, value in source.items():
@@ -51,7 +58,11 @@ def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) ->
         with faults.collected():
             if key not in hints:
                 hint = meant(key, hints)
-                what = f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(hints)}"
+                what = (
+                    f"there is no setting of this name{hint}"
+                    if hint
+                    else f"known here: {', '.join(hints)}"
+                )
                 raise refuse("CONFIG_UNKNOWN_KEY", path, what)
             changed[key] = _converted(getattr(base, key), hints[key], value, path, faults)
     return replace(base, **changed)
@@ -66,11 +77,18 @@ def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -
     if origin is tuple:
         if not isinstance(value, (list, tuple)):
             raise refuse("CONFIG_VALUE", path, f"expected a list, got {value!r}")
-        return tuple(_converted(None, arguments[0], item, f"{path}[{i}]", faults) for i, item in enumerate(value))
+        return tuple(
+            _converted(None, arguments[0], item, f"{path}[{i}]", faults)
+            for i, item in enumerate(value)
+        )
     if origin is Literal:
         value = _EARLIER_VALUES.get(value, value) if isinstance(value, str) else value
         if value not in arguments:
-            raise refuse("CONFIG_VALUE", path, f"expected one of {', '.join(map(repr, arguments))}, got {value!r}")
+            raise refuse(
+                "CONFIG_VALUE",
+                path,
+                f"expected one of {', '.join(map(repr, arguments))}, got {value!r}",
+            )
         return value
     if origin in (types.UnionType, typing.Union):
         hint = next(each for each in arguments if each is not type(None))
@@ -120,7 +138,8 @@ def _plain(value: Any) -> Any:
 
 
 def load_beside(path: Path) -> Settings:
-    """The settings that the commands would take for an asset or its layout: the environment, and ``CHAR.rigui.toml``.
+    """The settings that the commands would take for an asset or its layout: the environment, and
+    ``CHAR.rigui.toml``.
 
     Raises RigUIError CONFIG_...
     """

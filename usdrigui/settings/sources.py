@@ -22,7 +22,9 @@ def read_toml(path: Path) -> dict[str, Any]:
         with path.open("rb") as stream:
             return tomllib.load(stream)
     except OSError as error:
-        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}") from error
+        raise refuse(
+            "FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}"
+        ) from error
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise refuse("CONFIG_SYNTAX", str(path), str(error)) from error
     except RecursionError:
@@ -30,7 +32,8 @@ def read_toml(path: Path) -> dict[str, Any]:
 
 
 def environment_settings() -> dict[str, str]:
-    """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a part of `Settings`."""
+    """The environment variables that set something: ``USDRIGUI_<PART>_...`` with a part of
+    `Settings`."""
     parts = {each.name.upper() for each in fields(Settings)}
     return {
         name: value
@@ -40,7 +43,8 @@ def environment_settings() -> dict[str, str]:
 
 
 def from_environment(environment: Mapping[str, str]) -> dict[str, Any]:
-    """``USDRIGUI_SOLVE_GAP=1e-3`` as ``{"solve": {"gap": 0.001}}``; values are TOML literals or plain words.
+    """``USDRIGUI_SOLVE_GAP=1e-3`` as ``{"solve": {"gap": 0.001}}``; values are TOML literals or
+    plain words.
 
     Raises RigUIError CONFIG_UNKNOWN_KEY.
     """

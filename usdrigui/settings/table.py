@@ -7,8 +7,8 @@ from dataclasses import Field, dataclass, field, fields
 from typing import Any, Literal
 
 Level = Literal["user", "expert", "paper"]
-"""``user``: somebody sees its effect in a layout; ``expert``: limits and thresholds of the stages; ``paper``: what only
-the preset ``paper`` needs."""
+"""``user``: somebody sees its effect in a layout; ``expert``: limits and thresholds of the stages;
+``paper``: what only the preset ``paper`` needs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,8 @@ class About:
     doc: str
     unit: str
     bounds: tuple[float, float] | None
-    """Least and largest value of a number; what lies outside has no meaning and would only fail later."""
+    """Least and largest value of a number; what lies outside has no meaning and would only fail
+    later."""
     level: Level
     was: str
     """An earlier name, still read; empty if it has none."""

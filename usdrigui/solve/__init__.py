@@ -23,10 +23,10 @@ def solve(
 ) -> Assignment:
     """Choose a label for every variable by the method that the settings name.
 
-    `progress` is told of every better layout or bound; `stop` is asked now and then, and when it says true
-    the best layout so far comes back with its honest gap.  Raises RigUIError SOLVE_INFEASIBLE when no
-    layout is allowed, SOLVE_TOO_LARGE when the method cannot enumerate the problem, SOLVE_EXTRA
-    when the method's package is not installed.
+    `progress` is told of every better layout or bound; `stop` is asked now and then, and when it
+    says true the best layout so far comes back with its honest gap.  Raises RigUIError
+    SOLVE_INFEASIBLE when no layout is allowed, SOLVE_TOO_LARGE when the method cannot enumerate the
+    problem, SOLVE_EXTRA when the method's package is not installed.
     """
     budget = Budget(settings, progress, stop)
     if settings.method == "paper":

@@ -1,9 +1,10 @@
-"""An exact search of our own for what HiGHS does not close with its share of the work: dense crowds.
+"""An exact search of our own for what HiGHS does not close with its share of the work: dense
+crowds.
 
-Depth first.  A node is a smaller problem of the same kind.  Dual ascent, the tests of labels and pairs, and dominance
-make it smaller still; variables with one label left are folded into the costs of the others.  It branches on a variable
-with few labels that took part in many failures (F. Boussemart et al., "Boosting systematic search by weighting
-constraints", 2004).
+Depth first.  A node is a smaller problem of the same kind.  Dual ascent, the tests of labels and
+pairs, and dominance make it smaller still; variables with one label left are folded into the costs
+of the others.  It branches on a variable with few labels that took part in many failures (F.
+Boussemart et al., "Boosting systematic search by weighting constraints", 2004).
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution, re
 ONE_BY_ONE = 8
 """Labels of a variable up to which a node tries them one by one; beyond, it parts them in two."""
 LIKELY = 0.25
-"""Excess at which a label counts 1/e where labels are parted, as a share of the distance to the cutoff."""
+"""Excess at which a label counts 1/e where labels are parted, as a share of the distance to the
+cutoff."""
 
 
 class _Node(NamedTuple):
@@ -39,11 +41,14 @@ class _Branch(NamedTuple):
     """No layout of these costs less."""
 
 
-def branch_and_bound(problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget) -> Solution:
-    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
+def branch_and_bound(
+    problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget
+) -> Solution:
+    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
+    none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  The bound of a search that `budget`
-    stops holds.
+    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  The bound of a
+    search that `budget` stops holds.
     """
     return _Search(problem, linear, pairs, cutoff, budget).solved()
 
@@ -51,7 +56,9 @@ def branch_and_bound(problem: ReducedProblem, linear: Floats, pairs: Floats, cut
 class _Search:
     """Nodes that are open, and which variables made others fail."""
 
-    def __init__(self, problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget) -> None:
+    def __init__(
+        self, problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget
+    ) -> None:
         self._whole, self._cutoff, self._budget = problem, cutoff, budget
         self._linear, self._pairs = linear, pairs + pairs.T
         without_messages = np.where(np.isinf(problem.matrix()), np.inf, pairs)
@@ -76,7 +83,8 @@ class _Search:
         return Solution(min(bound, self._cutoff), self._best, figures)
 
     def _branches(self, node: _Node) -> list[_Branch]:
-        """The branches of a node that bounds do not close, the likeliest last; a layout that is found is kept."""
+        """The branches of a node that bounds do not close, the likeliest last; a layout that is
+        found is kept."""
         left = self._tested(node)
         if left is None:
             np.add.at(self._failures, node.variables, 1.0 / np.diff(node.problem.start))
@@ -94,11 +102,14 @@ class _Search:
             alive = np.ones(len(left.costs), dtype=bool)
             alive[mine] = False
             alive[mine.start + part] = True
-            found.append(_Branch(node._replace(problem=left), alive, float(bounds[mine][part].min())))
+            found.append(
+                _Branch(node._replace(problem=left), alive, float(bounds[mine][part].min()))
+            )
         return sorted(found, key=lambda each: -each.bound)
 
     def _tested(self, node: _Node) -> ReducedProblem | None:
-        """The problem of a node after ascent, tests and dominance; None when no layout below the cutoff is left."""
+        """The problem of a node after ascent, tests and dominance; None when no layout below the
+        cutoff is left."""
         problem = node.problem
         self._budget.spend(50 + len(problem.costs) ** 2 // 16 + len(problem.costs) ** 3 // 1024)
         if not problem.count:
@@ -116,7 +127,9 @@ class _Search:
     def _undominated(self, left: ReducedProblem, fixed: Indices) -> Flags:
         mine = left.labels
         linear = self._linear[mine] + self._pairs[np.ix_(mine, fixed)].sum(axis=1)
-        return undominated(left.start, linear, self._pairs[np.ix_(mine, mine)], np.isinf(left.both_ways()))
+        return undominated(
+            left.start, linear, self._pairs[np.ix_(mine, mine)], np.isinf(left.both_ways())
+        )
 
     def _keep(self, node: _Node, left: ReducedProblem) -> None:
         """Remember a layout below the cutoff, which becomes the next one."""
@@ -127,7 +140,8 @@ class _Search:
 
 
 def _parts(excess: Floats, scale: float) -> list[Indices]:
-    """The labels of a variable one by one, or in two parts that are as likely: neighbours are next to each other."""
+    """The labels of a variable one by one, or in two parts that are as likely: neighbours are next
+    to each other."""
     if len(excess) <= ONE_BY_ONE:
         return [np.array([at]) for at in range(len(excess))]
     weight = np.cumsum(np.exp(-excess / max(scale, EPSILON)))
@@ -136,7 +150,8 @@ def _parts(excess: Floats, scale: float) -> list[Indices]:
 
 
 def _folded(node: _Node, alive: Flags) -> _Node:
-    """A node with the labels that are alive; variables with one are folded into the costs of the others."""
+    """A node with the labels that are alive; variables with one are folded into the costs of the
+    others."""
     left = node.problem.restricted(alive)
     single = np.diff(left.start) == 1
     fixed = single[left.owner]

@@ -32,9 +32,9 @@ class Progress:
 class Budget:
     """Counts the work of one run and says when to stop; the only object of a solver that changes.
 
-    Work is counted in pair evaluations (and, for searches, in table entries read), so that a run stopped
-    by `SolveSettings.work_limit` is the same on every machine.  The clock is read only for a time limit
-    and for the seconds of the report.
+    Work is counted in pair evaluations (and, for searches, in table entries read), so that a run
+    stopped by `SolveSettings.work_limit` is the same on every machine.  The clock is read only for
+    a time limit and for the seconds of the report.
     """
 
     def __init__(
@@ -53,7 +53,8 @@ class Budget:
         self._tell = progress
         self._asked = stop
         self.limit = ""
-        """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or ``interrupt``."""
+        """What stopped the run: ``work limit``, ``time limit``, ``memory limit`` or
+        ``interrupt``."""
         self._began = time.monotonic()
         self._step_began = self._began
 
@@ -74,9 +75,11 @@ class Budget:
         return limit - self.seconds if limit > 0 else np.inf
 
     def part(self, share: float) -> Budget:
-        """A budget over a share of what is left of the limits, for one of several problems solved in sequence.
+        """A budget over a share of what is left of the limits, for one of several problems solved
+        in sequence.
 
-        Its work must be counted here with `spend` when it is done: what it leaves goes to those that follow.
+        Its work must be counted here with `spend` when it is done: what it leaves goes to those
+        that follow.
         """
         limits = replace(self.settings, work_limit=int(share * self.work_left))
         if self.settings.time_limit > 0:
@@ -117,8 +120,8 @@ class Budget:
     def cutoff(self) -> float:
         """Solutions that cost at least this much need not be looked for.
 
-        A little below the best cost: discarding them leaves ``min(cutoff, bound of the rest)`` as the bound of
-        the whole, which is within the gap that the settings ask for.
+        A little below the best cost: discarding them leaves ``min(cutoff, bound of the rest)`` as
+        the bound of the whole, which is within the gap that the settings ask for.
         """
         if not np.isfinite(self.cost):
             return self.ceiling
@@ -135,7 +138,11 @@ class Budget:
         """End a step: its figures and the time since the last one."""
         now = time.monotonic()
         self.steps.append(
-            Step(name, tuple((key, float(value)) for key, value in figures.items()), now - self._step_began)
+            Step(
+                name,
+                tuple((key, float(value)) for key, value in figures.items()),
+                now - self._step_began,
+            )
         )
         self._step_began = now
 

@@ -1,4 +1,5 @@
-"""Which controls are laid out together: the paper's clusters (section 4.2, rig parameter clustering)."""
+"""Which controls are laid out together: the paper's clusters (section 4.2, rig parameter
+clustering)."""
 
 from __future__ import annotations
 
@@ -17,14 +18,15 @@ PER_VARIABLE = 200
 
 
 def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> list[list[int]]:
-    """Partition of the variables into `count` clusters (fewer where there are fewer variables), largest first.
+    """Partition of the variables into `count` clusters (fewer where there are fewer variables),
+    largest first.
 
-    Starting from one cluster per variable, the two of least distance are merged until `count` are left.  The
-    distance of two controls is taken over all pairs of their candidates, from handle to handle (section 4.2
-    allows that for speed).  ``single`` merges by the nearest pair of controls, whose distance is the mean, so
-    that a control with few candidates is not near everything; ``sum`` merges by the sum over all pairs of
-    candidates of both clusters, as printed.  Variables without candidates on the face touch nothing and go
-    with the first cluster.
+    Starting from one cluster per variable, the two of least distance are merged until `count` are
+    left.  The distance of two controls is taken over all pairs of their candidates, from handle to
+    handle (section 4.2 allows that for speed).  ``single`` merges by the nearest pair of controls,
+    whose distance is the mean, so that a control with few candidates is not near everything;
+    ``sum`` merges by the sum over all pairs of candidates of both clusters, as printed.  Variables
+    without candidates on the face touch nothing and go with the first cluster.
     """
     placed = [at for at, each in enumerate(problem.variables) if len(each.cost)]
     homeless = [at for at, each in enumerate(problem.variables) if not len(each.cost)]
@@ -33,7 +35,9 @@ def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> 
     variables = [problem.variables[at] for at in placed]
     count = min(count, len(placed))
     parts = _by_nearest(variables, count) if method == "single" else _by_sums(variables, count)
-    found = sorted((sorted(placed[at] for at in part) for part in parts), key=lambda each: (-len(each), each))
+    found = sorted(
+        (sorted(placed[at] for at in part) for part in parts), key=lambda each: (-len(each), each)
+    )
     return [sorted(found[0] + homeless), *found[1:]]
 
 
@@ -47,7 +51,8 @@ def _by_nearest(variables: list[Variable], count: int) -> list[list[int]]:
 
 
 def _by_sums(variables: list[Variable], count: int) -> list[list[int]]:
-    """The printed formula: the distance of clusters is the sum over all pairs of their candidates."""
+    """The printed formula: the distance of clusters is the sum over all pairs of their
+    candidates."""
     sizes = np.array([len(each.cost) for each in variables], dtype=np.float64)
     distance = _mean_distances(variables) * np.outer(sizes, sizes)
     np.fill_diagonal(distance, np.inf)
@@ -63,7 +68,8 @@ def _by_sums(variables: list[Variable], count: int) -> list[list[int]]:
 
 
 def _mean_distances(variables: list[Variable]) -> Floats:
-    """(variables, variables) mean distance between the candidates' handles, of the nearest two copies.
+    """(variables, variables) mean distance between the candidates' handles, of the nearest two
+    copies.
 
     Estimated from evenly chosen candidates.
     """
@@ -72,6 +78,8 @@ def _mean_distances(variables: list[Variable]) -> Floats:
     for a, one in enumerate(spots):
         for b, other in enumerate(spots[:a]):
             found[a, b] = min(
-                cdist(one[:, i], other[:, j]).mean() for i in range(one.shape[1]) for j in range(other.shape[1])
+                cdist(one[:, i], other[:, j]).mean()
+                for i in range(one.shape[1])
+                for j in range(other.shape[1])
             )
     return found + found.T

@@ -1,12 +1,13 @@
-"""Labels that another label of their variable can always replace at no more cost (dead-end elimination).
+"""Labels that another label of their variable can always replace at no more cost (dead-end
+elimination).
 
 Label r of a variable goes when for some label s of it
 
     linear_s - linear_r + sum_u max_t (c_st - c_rt) <= 0,
 
-u over the other variables, t over the labels of u that a layout with r may use: whatever the others choose, s costs no
-more (J. Desmet et al., 1992; R. F. Goldstein, 1994).  A layout below the cutoff stays below it, so it still uses
-nothing that bounds exclude.
+u over the other variables, t over the labels of u that a layout with r may use: whatever the others
+choose, s costs no more (J. Desmet et al., 1992; R. F. Goldstein, 1994).  A layout below the cutoff
+stays below it, so it still uses nothing that bounds exclude.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ from usdrigui.solve.reduced_problem import NEVER
 def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) -> Flags:
     """(n,) labels that no other label of their variable can replace.
 
-    `start` (variables + 1,) is the first label of each variable; `linear` (n,) and `pairs` (n, n), the same both ways,
-    are what labels cost before any reparametrisation; `excluded` (n, n) are the pairs that no layout below the cutoff
-    uses.  Of labels that can replace each other one is kept.
+    `start` (variables + 1,) is the first label of each variable; `linear` (n,) and `pairs` (n, n),
+    the same both ways, are what labels cost before any reparametrisation; `excluded` (n, n) are the
+    pairs that no layout below the cutoff uses.  Of labels that can replace each other one is kept.
     """
     alive = np.ones(len(linear), dtype=bool)
     owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
@@ -38,8 +39,10 @@ def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) 
 
 
 def _undominated(linear: Floats, costs: Floats, used: Floats, first: Indices) -> Flags:
-    """Of one variable's m labels; `costs` and `used` (m, q) are what they cost with the labels of the others, of which
-    each variable begins at `first`; `used` is +inf for a pair that is excluded, which no replacement need pay for."""
+    """Of one variable's m labels; `costs` and `used` (m, q) are what they cost with the labels of
+    the others, of which each variable begins at `first`; `used` is +inf for a pair that is
+    excluded, which no replacement need pay for.
+    """
     alive = np.ones(len(linear), dtype=bool)
     for label in np.argsort(-linear, kind="stable"):
         alive[label] = False

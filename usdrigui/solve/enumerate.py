@@ -18,12 +18,16 @@ MOST = 4_000_000
 def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     """The best of all layouts.  Raises SOLVE_TOO_LARGE or SOLVE_INFEASIBLE."""
     labels = [
-        np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []).astype(np.int64)
+        np.append(
+            np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []
+        ).astype(np.int64)
         for each in problem.variables
     ]
     layouts = math.prod(len(each) for each in labels)
     if layouts > MOST or len(labels) > 32:
-        raise refuse("SOLVE_TOO_LARGE", "solve.method", f"{layouts} layouts to enumerate; at most {MOST}")
+        raise refuse(
+            "SOLVE_TOO_LARGE", "solve.method", f"{layouts} layouts to enumerate; at most {MOST}"
+        )
     total = np.zeros([1] * len(labels))
     for at, (each, mine) in enumerate(zip(problem.variables, labels, strict=True)):
         own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.off_face_cost)
@@ -39,7 +43,14 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     least = sum(float(_finite_least(each.cost, each.off_face_cost)) for each in problem.variables)
     chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
     return Assignment(
-        chosen, cost, cost, "optimal", max(0.0, cost - least), "enumerate", "enumerate", tuple(budget.steps)
+        chosen,
+        cost,
+        cost,
+        "optimal",
+        max(0.0, cost - least),
+        "enumerate",
+        "enumerate",
+        tuple(budget.steps),
     )
 
 
@@ -59,4 +70,6 @@ def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.n
 
 def _along(values: Floats, dimensions: int, *axes: int) -> Floats:
     """The array with its axes at the given places among `dimensions`."""
-    return values.reshape([values.shape[axes.index(at)] if at in axes else 1 for at in range(dimensions)])
+    return values.reshape(
+        [values.shape[axes.index(at)] if at in axes else 1 for at in range(dimensions)]
+    )

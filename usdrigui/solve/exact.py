@@ -1,4 +1,5 @@
-"""The whole problem with a proof: local search, sound reduction by bounds, search on what no bound decides."""
+"""The whole problem with a proof: local search, sound reduction by bounds, search on what no bound
+decides."""
 
 from __future__ import annotations
 
@@ -9,7 +10,15 @@ from usdrigui.model import Assignment, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below, assignment, forbidden_price
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import Labels, all_labels, cheapest, halve, in_play, selected, whole
+from usdrigui.solve.label_geometry import (
+    Labels,
+    all_labels,
+    cheapest,
+    halve,
+    in_play,
+    selected,
+    whole,
+)
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.partition import affordable_at_once
@@ -18,7 +27,8 @@ from usdrigui.solve.reduced_problem import Solution
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 HALVINGS = 6
-"""The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every variable."""
+"""The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every
+variable."""
 TRIES = 2
 """Attempts of large-neighbourhood search per variable."""
 HIGHS_SHARE = 0.01
@@ -26,16 +36,25 @@ HIGHS_SHARE = 0.01
 
 
 def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
-    """Best layout over every candidate of every variable, with a lower bound (paper eq. 2-5, unreduced).
+    """Best layout over every candidate of every variable, with a lower bound (paper eq. 2-5,
+    unreduced).
 
     Raises SOLVE_INFEASIBLE when no layout is allowed.
     """
     if budget.settings.method == "toulbar2":
         check_installed()
     labels = all_labels(problem)
-    empty = [each.name for each, best in zip(problem.variables, labels.best, strict=True) if not np.isfinite(best)]
+    empty = [
+        each.name
+        for each, best in zip(problem.variables, labels.best, strict=True)
+        if not np.isfinite(best)
+    ]
     if empty:
-        raise refuse("SOLVE_INFEASIBLE", "solve", f"no candidate and no place on the board for {', '.join(empty)}")
+        raise refuse(
+            "SOLVE_INFEASIBLE",
+            "solve",
+            f"no candidate and no place on the board for {', '.join(empty)}",
+        )
     if not problem.variables:
         budget.found("local search", cost=0.0, bound=0.0)
         return assignment(problem, labels, labels.label, budget, "bounds")
@@ -46,15 +65,17 @@ def solve_whole(problem: LayoutProblem, budget: Budget) -> Assignment:
     labels, incumbent = _first_layout(problem, labels, forbidden, budget)
     budget.note("local search", cost=incumbent.cost, labels=count, work=budget.work)
     left = reduce(problem, labels, budget, incumbent)
-    budget.note("reduce", **_figures(left), cost=incumbent.cost, bound=budget.bound, work=budget.work)
+    budget.note(
+        "reduce", **_figures(left), cost=incumbent.cost, bound=budget.bound, work=budget.work
+    )
     if left is not None and left.exact and not budget.closed() and not budget.stopped():
         method = _solve_reduced(labels, left, incumbent, budget)
     return assignment(problem, labels, labels.label[incumbent.chosen], budget, method)
 
 
 def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
-    """Give what is left to the solver that the settings name, and to branch and bound what HiGHS does not close with
-    its share of the work; the name of the last."""
+    """Give what is left to the solver that the settings name, and to branch and bound what HiGHS
+    does not close with its share of the work; the name of the last."""
     linear, pairs = left.label_set.cost[left.problem.labels], left.pairs.matrix()
     if budget.settings.method == "toulbar2":
         found = solve_by_toulbar2(left.problem, linear, pairs, budget.cutoff, budget)
@@ -68,7 +89,14 @@ def _solve_reduced(labels: Labels, left: Partition, incumbent: Incumbent, budget
     return _told("branch and bound", found, labels, left, incumbent, budget)
 
 
-def _told(method: str, found: Solution, labels: Labels, left: Partition, incumbent: Incumbent, budget: Budget) -> str:
+def _told(
+    method: str,
+    found: Solution,
+    labels: Labels,
+    left: Partition,
+    incumbent: Incumbent,
+    budget: Budget,
+) -> str:
     """Keep what a solver found and note its figures; its name."""
     if found.chosen is not None:
         incumbent.improve_from(left.representatives(labels, found.chosen))
@@ -90,7 +118,9 @@ def _figures(left: Partition | None) -> dict[str, float]:
     }
 
 
-def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> tuple[Labels, Incumbent]:
+def _first_layout(
+    problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget
+) -> tuple[Labels, Incumbent]:
     """A good layout, and the labels that a better one may use."""
     if affordable_at_once(labels, budget):
         incumbent = Incumbent(problem, labels, forbidden, budget)
@@ -103,11 +133,14 @@ def _first_layout(problem: LayoutProblem, labels: Labels, forbidden: float, budg
     return labels, incumbent
 
 
-def _roughly(problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> tuple[Labels, Indices]:
-    """The labels that a layout better than a rough one may use, and those among them that the rough one chooses.
+def _roughly(
+    problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget
+) -> tuple[Labels, Indices]:
+    """The labels that a layout better than a rough one may use, and those among them that the rough
+    one chooses.
 
-    What a label costs against all others is dear to work out where there are many, so a layout of few labels, far
-    apart, comes first: it rules out most of the others by their linear costs alone.
+    What a label costs against all others is dear to work out where there are many, so a layout of
+    few labels, far apart, comes first: it rules out most of the others by their linear costs alone.
     """
     rough = _cheapest_places(labels)
     incumbent = Incumbent(problem, selected(labels, rough), forbidden, budget)

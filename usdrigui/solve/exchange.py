@@ -40,8 +40,14 @@ def save_problem(path: Path, problem: LayoutProblem) -> None:
         "overlap": np.array([getattr(problem.overlap, name) for name in _OVERLAP]),
         "separation": np.array(problem.separation),
         "unit_cost": np.array(problem.unit_cost),
-        "off_face_cost": np.array([each.off_face_cost for each in problem.variables], dtype=np.float64),
-        "extra": np.array([(each.first, each.second) for each in problem.extra], dtype=np.int64).reshape(-1, 2),
+        "off_face_cost": np.array(
+            [each.off_face_cost for each in problem.variables], dtype=np.float64
+        ),
+        "extra": (
+            np.array([(each.first, each.second) for each in problem.extra], dtype=np.int64).reshape(
+                -1, 2
+            )
+        ),
     }
     for at, variable in enumerate(problem.variables):
         for name in _PER_VARIABLE:
@@ -59,10 +65,16 @@ def load_problem(path: Path) -> LayoutProblem:
     try:
         with np.load(path, allow_pickle=False) as arrays:
             if int(arrays["version"]) != VERSION:
-                raise refuse("PROBLEM_FILE", str(path), f"is of version {int(arrays['version'])}, not {VERSION}")
+                raise refuse(
+                    "PROBLEM_FILE",
+                    str(path),
+                    f"is of version {int(arrays['version'])}, not {VERSION}",
+                )
             return _problem(arrays)
     except OSError as error:
-        raise refuse("FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}") from error
+        raise refuse(
+            "FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}"
+        ) from error
     except (KeyError, ValueError, TypeError, EOFError, zipfile.BadZipFile) as error:
         raise refuse("PROBLEM_FILE", str(path), f"is no layout problem: {error}") from error
 
@@ -79,7 +91,9 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
             states=frozenset(arrays[f"states_{at}"].tolist()),
             **{key: arrays[f"{key}_{at}"] for key in _PER_VARIABLE},
         )
-        for at, (name, cost) in enumerate(zip(arrays["names"], arrays["off_face_cost"], strict=True))
+        for at, (name, cost) in enumerate(
+            zip(arrays["names"], arrays["off_face_cost"], strict=True)
+        )
     )
     extra = tuple(
         ExtraPairs(
@@ -93,20 +107,27 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
     )
     _check_extra(variables, extra)
     overlap = Overlap(**dict(zip(_OVERLAP, arrays["overlap"].tolist(), strict=True)))
-    return LayoutProblem(variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra)
+    return LayoutProblem(
+        variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra
+    )
 
 
 def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...]) -> None:
-    """Raises ValueError when explicit costs speak of no two variables, of no candidates (the board has no
-    pair costs), are negative, or speak of the same pair twice."""
+    """Raises ValueError when explicit costs speak of no two variables, of no candidates (the board
+    has no pair costs), are negative, or speak of the same pair twice."""
     for each in extra:
         if not 0 <= each.first < each.second < len(variables):
             raise ValueError(f"explicit costs between variables {each.first} and {each.second}")
-        for variable, labels in ((each.first, each.first_labels), (each.second, each.second_labels)):
+        for variable, labels in (
+            (each.first, each.first_labels),
+            (each.second, each.second_labels),
+        ):
             if ((labels < 0) | (labels >= len(variables[variable].cost))).any():
                 raise ValueError(f"explicit costs of labels that variable {variable} does not have")
         if not (each.costs >= 0).all():
             raise ValueError("explicit costs below zero")
         pairs = each.first_labels * len(variables[each.second].cost) + each.second_labels
         if len(np.unique(pairs)) < len(pairs):
-            raise ValueError(f"two explicit costs of one pair of variables {each.first} and {each.second}")
+            raise ValueError(
+                f"two explicit costs of one pair of variables {each.first} and {each.second}"
+            )

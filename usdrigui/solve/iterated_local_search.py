@@ -1,8 +1,8 @@
 """A good solution of few labels: iterated local search with all pair costs at hand.
 
-What `usdrigui.solve.local_search` does among all labels, by distances worked out as they are needed, takes a
-quarter of a millisecond a try once all costs are known: thousands of tries give bounds and tests a cutoff
-near the optimum.
+What `usdrigui.solve.local_search` does among all labels, by distances worked out as they are
+needed, takes a quarter of a millisecond a try once all costs are known: thousands of tries give
+bounds and tests a cutoff near the optimum.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ MOST = 8
 NOISE = 0.04
 """Mean cost by which a label put back may be worse than the best."""
 PAYING = 1e-3
-"""Added to what a variable pays when one is drawn: those that pay nothing are drawn seldom, not never."""
+"""Added to what a variable pays when one is drawn: those that pay nothing are drawn seldom, not
+never."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +70,11 @@ def label_costs(start: Indices, linear: Floats, pairs: PairCosts) -> LabelCosts:
     order = np.argsort(ends, kind="stable")
     row = np.searchsorted(ends[order], np.arange(pairs.count + 1))
     return LabelCosts(
-        start, linear, row, np.concatenate([pairs.second, pairs.first])[order], np.concatenate([costs, costs])[order]
+        start,
+        linear,
+        row,
+        np.concatenate([pairs.second, pairs.first])[order],
+        np.concatenate([costs, costs])[order],
     )
 
 
@@ -96,9 +101,14 @@ def iterated_local_search(costs: LabelCosts, first: Indices, budget: Budget) -> 
 
 
 def _run(
-    problem: LabelCosts, first: Indices, in_the_way: Flags, generator: np.random.Generator, budget: Budget
+    problem: LabelCosts,
+    first: Indices,
+    in_the_way: Flags,
+    generator: np.random.Generator,
+    budget: Budget,
 ) -> Indices:
-    """A run; `in_the_way` (n, variables) tells which labels cost anything for some label of each variable."""
+    """A run; `in_the_way` (n, variables) tells which labels cost anything for some label of each
+    variable."""
     least = np.minimum.reduceat(problem.linear, problem.start[:-1])
     here, costs = _descended(problem, first, problem.against(first))
     value = best_value = _value(problem, here, costs)
@@ -125,7 +135,9 @@ def _value(problem: LabelCosts, chosen: Indices, costs: Floats) -> float:
     return 0.5 * float(problem.linear[chosen].sum() + costs[chosen].sum())
 
 
-def _group(in_the_way: Flags, least: Floats, chosen: Indices, costs: Floats, generator: np.random.Generator) -> Indices:
+def _group(
+    in_the_way: Flags, least: Floats, chosen: Indices, costs: Floats, generator: np.random.Generator
+) -> Indices:
     """Variables to take out together: one that pays much, and some that stand where it wants to."""
     pays = np.maximum(costs[chosen] - least, 0.0) + PAYING
     drawn = np.cumsum(pays)
@@ -137,7 +149,11 @@ def _group(in_the_way: Flags, least: Floats, chosen: Indices, costs: Floats, gen
 
 
 def _put_back(
-    problem: LabelCosts, chosen: Indices, costs: Floats, group: Indices, generator: np.random.Generator
+    problem: LabelCosts,
+    chosen: Indices,
+    costs: Floats,
+    group: Indices,
+    generator: np.random.Generator,
 ) -> tuple[Indices, Floats]:
     """The group's variables chosen anew one after another, nearly the cheapest each."""
     chosen, costs = chosen.copy(), costs.copy()
@@ -145,14 +161,16 @@ def _put_back(
         problem.add(costs, int(taken), -1.0)
     for variable in generator.permutation(group):
         low, high = problem.start[variable], problem.start[variable + 1]
-        chosen[variable] = low + (costs[low:high] + generator.exponential(NOISE, high - low)).argmin()
+        chosen[variable] = (
+            low + (costs[low:high] + generator.exponential(NOISE, high - low)).argmin()
+        )
         problem.add(costs, int(chosen[variable]))
     return chosen, costs
 
 
 def _descended(problem: LabelCosts, chosen: Indices, costs: Floats) -> tuple[Indices, Floats]:
-    """The solution after the moves of single variables that gain most; `costs` (n,), against the others chosen, are
-    kept up to date in place."""
+    """The solution after the moves of single variables that gain most; `costs` (n,), against the
+    others chosen, are kept up to date in place."""
     chosen = chosen.copy()
     while True:
         gains = costs[chosen] - np.minimum.reduceat(costs, problem.start[:-1])

@@ -1,9 +1,10 @@
 """Candidates as arrays: the label_set of labels, and blocks of neighbouring labels bounded as one.
 
-A *label* here is one candidate of one variable, numbered through the whole problem.  A *block* is a set
-of labels of one variable that are treated as one: its cost is the least of theirs and its geometry a
-centre with radii, from which the distance of any two members of two blocks is bounded from above.  A
-block of one label has radius zero, so blocks and single candidates go through the same code.
+A *label* here is one candidate of one variable, numbered through the whole problem.  A *block* is a
+set of labels of one variable that are treated as one: its cost is the least of theirs and its
+geometry a centre with radii, from which the distance of any two members of two blocks is bounded
+from above.  A block of one label has radius zero, so blocks and single candidates go through the
+same code.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ from usdrigui.overlap import overlap_cost
 CHUNK = 32768
 """Distances of samples worked out at a time: the buffers stay in the processor's cache."""
 ROUNDING = 1e-12
-"""Share of costs and lengths by which rounding may be off: bounds leave so much room, exact ones none."""
+"""Share of costs and lengths by which rounding may be off: bounds leave so much room, exact ones
+none."""
 ALL = slice(None)
 """As indices of geometries: every one."""
 PAIRS = 65536
@@ -38,7 +40,8 @@ class LabelGeometry(Record):
     samples: Floats
     """(u, 3, n) positions along the drawn element; for blocks of their centres."""
     apart: Floats
-    """(2, n) mean and maximum, over the samples, of how far a member's sample is from the centre's at most."""
+    """(2, n) mean and maximum, over the samples, of how far a member's sample is from the centre's
+    at most."""
     handle: Floats
     """(3, n)."""
     handle_slack: Floats
@@ -64,34 +67,44 @@ class LabelGeometry(Record):
         )
 
     def slack(self, at: Indices | slice, samples: int) -> Floats:
-        """(q,) largest change of the distance to an element of so many samples when a member replaces the centre
-        of geometries `at`.
+        """(q,) largest change of the distance to an element of so many samples when a member
+        replaces the centre of geometries `at`.
 
-        Moving each sample by at most its own amount changes the sum over this element's samples by no more than
-        the sum of the amounts, and each of the other's nearest distances by no more than the largest.
+        Moving each sample by at most its own amount changes the sum over this element's samples by
+        no more than the sum of the amounts, and each of the other's nearest distances by no more
+        than the largest.
         """
         return self._weighed(self.apart[:, at], samples)
 
-    def extent(self, at: Indices | slice, other: LabelGeometry, reach: float, separation: float) -> Floats:
-        """(q,) such that members of two geometries interact only if the distance of the middles is below the sum of
-        both geometries' extents and the larger of `reach` and `separation`.
+    def extent(
+        self, at: Indices | slice, other: LabelGeometry, reach: float, separation: float
+    ) -> Floats:
+        """(q,) such that members of two geometries interact only if the distance of the middles is
+        below the sum of both geometries' extents and the larger of `reach` and `separation`.
 
-        The distance of two samples is at least that of the middles less what each is off its own; averaged over
-        the nearest ones, the mean of these counts for the own samples and the maximum for the other's.
+        The distance of two samples is at least that of the middles less what each is off its own;
+        averaged over the nearest ones, the mean of these counts for the own samples and the maximum
+        for the other's.
         """
-        radius, handle_radius = self._weighed(self.radius[:, at], len(other.samples)), self.handle_radius[at]
+        radius, handle_radius = (
+            self._weighed(self.radius[:, at], len(other.samples)),
+            self.handle_radius[at],
+        )
         of_samples = radius - max(0.0, separation - reach) / 2
         extent = np.maximum(of_samples, handle_radius - max(0.0, reach - separation) / 2)
         return np.asarray(extent + ROUNDING * (radius + handle_radius + max(reach, separation)))
 
     def _weighed(self, mean_and_most: Floats, samples: int) -> Floats:
         own = len(self.samples)
-        return np.asarray((own * mean_and_most[0] + samples * mean_and_most[1]) / max(own + samples, 1))
+        return np.asarray(
+            (own * mean_and_most[0] + samples * mean_and_most[1]) / max(own + samples, 1)
+        )
 
 
 @dataclass(frozen=True, eq=False)
 class LabelSet(Record):
-    """Labels or blocks of all variables, sorted by variable; those on the board have no geometry."""
+    """Labels or blocks of all variables, sorted by variable; those on the board have no
+    geometry."""
 
     count: int
     """Number of variables."""
@@ -133,18 +146,20 @@ class Blocks(Record):
         return np.diff(self.start)
 
 
-# --- labels ------------------------------------------------------------------------------------------
+# --- labels ---------------------------------------------------------------------------------------
 
 
 def all_labels(problem: LayoutProblem) -> Labels:
     """Every label of the problem that the board does not dominate.
 
-    A candidate that costs more than leaving the face can always be replaced by that, whose pair costs are
-    zero, so it is in no best solution.
+    A candidate that costs more than leaving the face can always be replaced by that, whose pair
+    costs are zero, so it is in no best solution.
     """
     variable, label, cost, best = [], [], [], []
     for index, each in enumerate(problem.variables):
-        kept = np.flatnonzero(each.cost < each.off_face_cost)  # at equal cost, the board is no worse
+        kept = np.flatnonzero(
+            each.cost < each.off_face_cost
+        )  # at equal cost, the board is no worse
         if np.isfinite(each.off_face_cost):
             kept = np.append(kept, -1)
         variable.append(np.full(len(kept), index))
@@ -156,11 +171,15 @@ def all_labels(problem: LayoutProblem) -> Labels:
     variables, chosen = np.concatenate([none, *variable]), np.concatenate([none, *label])
     start = np.searchsorted(variables, np.arange(len(problem.variables) + 1))
     geometries = _geometries(problem, chosen, start)
-    label_set = LabelSet(len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), geometries)
+    label_set = LabelSet(
+        len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), geometries
+    )
     return Labels(label_set, chosen, np.array(best))
 
 
-def _geometries(problem: LayoutProblem, labels: Indices, start: Indices) -> tuple[LabelGeometry, ...]:
+def _geometries(
+    problem: LayoutProblem, labels: Indices, start: Indices
+) -> tuple[LabelGeometry, ...]:
     """LabelGeometry of the labels, one set per (samples, copy)."""
     groups: dict[tuple[int, int], list[int]] = {}
     for index, each in enumerate(problem.variables):
@@ -175,7 +194,9 @@ def _geometries(problem: LayoutProblem, labels: Indices, start: Indices) -> tupl
             owner.append(spot)
             samples.append(problem.variables[index].samples[labels[spot], copy])
             handles.append(problem.variables[index].handles[labels[spot], copy])
-        found.append(_single(np.concatenate(owner), np.concatenate(samples), np.concatenate(handles)))
+        found.append(
+            _single(np.concatenate(owner), np.concatenate(samples), np.concatenate(handles))
+        )
     return tuple(each for each in found if len(each.owner))
 
 
@@ -186,13 +207,23 @@ def _single(owner: Indices, samples: Floats, handles: Floats) -> LabelGeometry:
     return _around(owner, positions, np.zeros(positions.shape[::2]), handle, np.zeros(len(owner)))
 
 
-def _around(owner: Indices, samples: Floats, apart: Floats, handle: Floats, handle_slack: Floats) -> LabelGeometry:
-    """LabelGeometry of (u, 3, n) samples and (3, n) handles, each with the ball that its members fill."""
+def _around(
+    owner: Indices, samples: Floats, apart: Floats, handle: Floats, handle_slack: Floats
+) -> LabelGeometry:
+    """LabelGeometry of (u, 3, n) samples and (3, n) handles, each with the ball that its members
+    fill."""
     middle = samples.mean(axis=0) if len(samples) else handle
     far = np.sqrt(np.square(samples - middle).sum(axis=1)) + apart
     handle_radius = np.sqrt(np.square(handle - middle).sum(axis=0)) + handle_slack
     return LabelGeometry(
-        owner, samples, _mean_and_most(apart), handle, handle_slack, middle, _mean_and_most(far), handle_radius
+        owner,
+        samples,
+        _mean_and_most(apart),
+        handle,
+        handle_slack,
+        middle,
+        _mean_and_most(far),
+        handle_radius,
     )
 
 
@@ -208,20 +239,25 @@ def selected(labels: Labels, kept: Indices) -> Labels:
     number[kept] = np.arange(len(kept))
     variable, cost = label_set.variable[kept], label_set.cost[kept]
     start = np.searchsorted(variable, np.arange(label_set.count + 1))
-    geometries = tuple(each.of(np.flatnonzero(number[each.owner] >= 0), number) for each in label_set.geometries)
+    geometries = tuple(
+        each.of(np.flatnonzero(number[each.owner] >= 0), number) for each in label_set.geometries
+    )
     best = np.minimum.reduceat(cost, start[:-1]) if len(cost) else labels.best
     kept_geometries = tuple(each for each in geometries if len(each.owner))
-    return Labels(LabelSet(label_set.count, variable, start, cost, kept_geometries), labels.label[kept], best)
+    return Labels(
+        LabelSet(label_set.count, variable, start, cost, kept_geometries), labels.label[kept], best
+    )
 
 
 def in_play(labels: Labels, cost: float) -> Indices:
-    """The labels that a layout of less than `cost` may use: all others at their cheapest, and no overlap."""
+    """The labels that a layout of less than `cost` may use: all others at their cheapest, and no
+    overlap."""
     label_set = labels.label_set
     spare = cost - float(labels.best.sum()) + ROUNDING * (1.0 + float(np.abs(labels.best).sum()))
     return np.flatnonzero(label_set.cost - labels.best[label_set.variable] <= spare)
 
 
-# --- blocks ------------------------------------------------------------------------------------------
+# --- blocks ---------------------------------------------------------------------------------------
 
 
 def whole(labels: Labels) -> Blocks:
@@ -256,7 +292,8 @@ def halve(labels: Labels, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indice
 
 
 def singled(labels: Labels, blocks: Blocks) -> tuple[Blocks, Indices]:
-    """The labels of the blocks one by one, neighbours next to each other; and the block each came from."""
+    """The labels of the blocks one by one, neighbours next to each other; and the block each came
+    from."""
     parent = np.arange(len(blocks.variable))
     while blocks.sizes.max(initial=1) > 1:
         blocks, came_from = halve(labels, blocks, blocks.sizes > 1)
@@ -287,11 +324,13 @@ def thinned(labels: Labels, blocks: Blocks, slack: Floats) -> Blocks:
 def member_slack(labels: Labels, blocks: Blocks, slack: Floats) -> Floats:
     """(members,) the slack of each member of the blocks, in their order.
 
-    The bound of a block counts the cost of its cheapest member; solutions that use another member cost more by what
-    that one costs more, all else being bounded for every member alike.
+    The bound of a block counts the cost of its cheapest member; solutions that use another member
+    cost more by what that one costs more, all else being bounded for every member alike.
     """
     cost = labels.label_set.cost[blocks.members]
-    more = cost - np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)  # 0 of the cheapest, exactly
+    more = cost - np.repeat(
+        np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes
+    )  # 0 of the cheapest, exactly
     return np.asarray(np.repeat(slack, blocks.sizes) - more)
 
 
@@ -300,7 +339,9 @@ def block_set(labels: Labels, blocks: Blocks) -> LabelSet:
     label_set = labels.label_set
     cost = np.minimum.reduceat(label_set.cost[blocks.members], blocks.start[:-1])
     start = np.searchsorted(blocks.variable, np.arange(label_set.count + 1))
-    geometries = tuple(_bounding(each, blocks, len(label_set.cost)) for each in label_set.geometries)
+    geometries = tuple(
+        _bounding(each, blocks, len(label_set.cost)) for each in label_set.geometries
+    )
     return LabelSet(label_set.count, blocks.variable, start, cost, geometries)
 
 
@@ -352,39 +393,52 @@ def _widest(label_set: LabelSet, blocks: Blocks, cut: Flags) -> Floats:
         first = np.flatnonzero(np.diff(owner, prepend=-1))
         sizes = np.diff(np.append(first, len(owner)))
         values = geometry.samples[:, :, place[chosen]].reshape(-1, len(owner))
-        width = np.maximum.reduceat(values, first, axis=-1) - np.minimum.reduceat(values, first, axis=-1)
+        width = np.maximum.reduceat(values, first, axis=-1) - np.minimum.reduceat(
+            values, first, axis=-1
+        )
         axis = np.repeat(width.argmax(axis=0), sizes)
         key[chosen] = values[axis, np.arange(len(owner))]
         pending[owner] = False
     return key
 
 
-# --- pairs -------------------------------------------------------------------------------------------
+# --- pairs ----------------------------------------------------------------------------------------
 
 
 def near_pairs(
     one: LabelGeometry, first: slice, other: LabelGeometry, reach: float, extra: float
 ) -> tuple[Indices, Indices]:
-    """Pairs of geometries (of ``one[first]`` and of `other`) that may be nearer than `reach`, or whose handles may
-    be nearer than `extra`; indices into the two sets, in order."""
-    limit = one.extent(first, other, reach, extra)[:, None] + other.extent(ALL, one, reach, extra) + max(reach, extra)
+    """Pairs of geometries (of ``one[first]`` and of `other`) that may be nearer than `reach`, or
+    whose handles may be nearer than `extra`; indices into the two sets, in order."""
+    limit = (
+        one.extent(first, other, reach, extra)[:, None]
+        + other.extent(ALL, one, reach, extra)
+        + max(reach, extra)
+    )
     apart = squared(one.middle[:, first, None], other.middle[:, None, :])
     rows, columns = np.nonzero(apart < np.square(limit))
     return rows + first.start, columns
 
 
 def pair_bounds(
-    one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices, overlap: Overlap, separation: float
+    one: LabelGeometry,
+    i: Indices,
+    other: LabelGeometry,
+    j: Indices,
+    overlap: Overlap,
+    separation: float,
 ) -> tuple[Floats, Flags]:
     """Least overlap cost between members of geometry ``i[q]`` of `one` and ``j[q]`` of `other`.
 
-    Returns the costs, +inf where all members' handles are nearer than the separation, and whether any
-    members can interact at all.  Exact for blocks of one label.
+    Returns the costs, +inf where all members' handles are nearer than the separation, and whether
+    any members can interact at all.  Exact for blocks of one label.
     """
     cost, near = np.zeros(len(i)), np.zeros(len(i), dtype=bool)
     for at in range(0, len(i), PAIRS):
         p, q = i[at : at + PAIRS], j[at : at + PAIRS]
-        extents = one.extent(p, other, overlap.reach, separation) + other.extent(q, one, overlap.reach, separation)
+        extents = one.extent(p, other, overlap.reach, separation) + other.extent(
+            q, one, overlap.reach, separation
+        )
         limit = extents + max(overlap.reach, separation)
         close = np.flatnonzero(squared(one.middle[:, p], other.middle[:, q]) < np.square(limit))
         p, q = p[close], q[close]
@@ -393,11 +447,14 @@ def pair_bounds(
         between = np.sqrt(squared(one.handle[:, p], other.handle[:, q]))
         handle_slack = one.handle_slack[p] + other.handle_slack[q]
         costs = overlap.weight * overlap_cost(apart + slack, overlap)
-        # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of it by rounding.
+        # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short
+        # of it by rounding.
         off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
         costs[between + handle_slack + off < separation] = np.inf
         cost[at + close] = costs
-        near[at + close] = (apart - slack < overlap.reach) | (between - handle_slack - off < separation)
+        near[at + close] = (apart - slack < overlap.reach) | (
+            between - handle_slack - off < separation
+        )
     return cost, near
 
 
@@ -409,7 +466,9 @@ def squared(a: Floats, b: Floats) -> Floats:
     return total
 
 
-def sample_distance(a: NDArray[np.float64], p: Indices, b: NDArray[np.float64], q: Indices) -> Floats:
+def sample_distance(
+    a: NDArray[np.float64], p: Indices, b: NDArray[np.float64], q: Indices
+) -> Floats:
     """`overlap.element_distance` of pairs of elements stored as (u, 3, n) and (v, 3, m) arrays."""
     found = np.empty(len(p))
     at_once = max(1, CHUNK // max(1, len(a) * len(b)))

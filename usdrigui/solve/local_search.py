@@ -1,8 +1,8 @@
 """Good layouts early: greedy insertion, coordinate descent, large-neighbourhood search.
 
-The state keeps, for every label of the problem, what it would cost against the labels chosen now, so that
-the best label of one variable is one pass over its candidates.  Everything is drawn from a seeded
-generator and counted in work, so the same problem gives the same layout.
+The state keeps, for every label of the problem, what it would cost against the labels chosen now,
+so that the best label of one variable is one pass over its candidates.  Everything is drawn from a
+seeded generator and counted in work, so the same problem gives the same layout.
 """
 
 from __future__ import annotations
@@ -38,17 +38,23 @@ class Neighbours:
         self._most = int(CACHE_SHARE * budget.settings.memory_limit * 2**20 / 16)
         overlap, separation = problem.overlap, problem.separation
         self._extents = [
-            [one.extent(ALL, other, overlap.reach, separation) for other in labels.label_set.geometries]
+            [
+                one.extent(ALL, other, overlap.reach, separation)
+                for other in labels.label_set.geometries
+            ]
             for one in labels.label_set.geometries
         ]
         """[a][b] (n,) extents of the geometries of set a against those of set b."""
         self._top = max(overlap.reach, separation)
-        self._place = [np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.label_set.geometries]
+        self._place = [
+            np.full(len(labels.label), -1, dtype=np.int64) for _ in labels.label_set.geometries
+        ]
         for place, geometry in zip(self._place, labels.label_set.geometries, strict=True):
             place[geometry.owner] = np.arange(len(geometry.owner))
 
     def of(self, label: int) -> tuple[Indices, Floats]:
-        """Labels of other variables with a pair cost against `label`, ascending, and the costs (+inf forbidden)."""
+        """Labels of other variables with a pair cost against `label`, ascending, and the costs
+        (+inf forbidden)."""
         if label in self._known:
             self._known.move_to_end(label)
             return self._known[label]
@@ -76,7 +82,12 @@ class Neighbours:
                     continue
                 self._budget.spend(len(near))
                 piece, _ = pair_bounds(
-                    one, np.full(len(near), at), other, near, self._problem.overlap, self._problem.separation
+                    one,
+                    np.full(len(near), at),
+                    other,
+                    near,
+                    self._problem.overlap,
+                    self._problem.separation,
                 )
                 cost[other.owner[near]] += piece
         if on_face:
@@ -154,7 +165,8 @@ class State:
         return float(self.label_set.cost[label] + self._pair[label]) if label >= 0 else np.inf
 
     def total(self) -> float:
-        """Cost of the layout, with a finite price on forbidden pairs; +inf while a variable has no label."""
+        """Cost of the layout, with a finite price on forbidden pairs; +inf while a variable has no
+        label."""
         if (self.chosen < 0).any():
             return np.inf
         return float(self.label_set.cost[self.chosen].sum() + 0.5 * self._pair[self.chosen].sum())
@@ -165,7 +177,8 @@ class State:
             self.place(variable, int(chosen[variable]))
 
     def refresh(self) -> None:
-        """Work the pair costs out anew: what was added and taken off again leaves its rounding behind."""
+        """Work the pair costs out anew: what was added and taken off again leaves its rounding
+        behind."""
         self._pair[:] = 0.0
         for label in self.chosen[self.chosen >= 0]:
             at, cost = self._neighbours.of(int(label))
@@ -179,7 +192,8 @@ class State:
         return [int(each) for each in np.flatnonzero(hit)]
 
     def rivals(self, variable: int) -> list[int]:
-        """Variables whose present labels have a pair cost against some label of the variable worth having."""
+        """Variables whose present labels have a pair cost against some label of the variable worth
+        having."""
         part = slice(self.label_set.start[variable], self.label_set.start[variable + 1])
         mine = self.label_set.cost[part]
         near = {*self.touching(variable)}
@@ -200,7 +214,9 @@ class State:
 class Incumbent:
     """The best layout so far, and the ways to a better one."""
 
-    def __init__(self, problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget) -> None:
+    def __init__(
+        self, problem: LayoutProblem, labels: Labels, forbidden: float, budget: Budget
+    ) -> None:
         self.neighbours = Neighbours(problem, labels, budget)
         self.state = State(labels, self.neighbours, forbidden)
         self.chosen = self.state.chosen.copy()
@@ -213,7 +229,10 @@ class Incumbent:
     def construct(self) -> None:
         """A first layout: the variables in order of what their best labels cost, then descent."""
         count = self.state.label_set.count
-        insert(self.state, np.argsort([self.state.best(each)[1] for each in range(count)], kind="stable"))
+        insert(
+            self.state,
+            np.argsort([self.state.best(each)[1] for each in range(count)], kind="stable"),
+        )
         self._settle(range(count))
 
     def start_from(self, chosen: Indices) -> None:
@@ -231,7 +250,8 @@ class Incumbent:
         return self.chosen
 
     def search(self, tries: int) -> None:
-        """Large-neighbourhood search: take a few rivals out, put them back in another order, descend."""
+        """Large-neighbourhood search: take a few rivals out, put them back in another order,
+        descend."""
         self.state.set(self.chosen)
         for attempt in range(tries):
             if attempt % 8 == 0 and (self._budget.stopped() or self._budget.closed()):
@@ -277,7 +297,9 @@ def descend(state: State, variables: Iterable[int], budget: Budget) -> None:
             return
         variable = queue.popleft()
         label, cost = state.best(variable)
-        budget.spend(1 + int(state.label_set.start[variable + 1] - state.label_set.start[variable]) // 64)
+        budget.spend(
+            1 + int(state.label_set.start[variable + 1] - state.label_set.start[variable]) // 64
+        )
         if cost < state.cost_of(variable) - SAME:
             before = state.touching(variable)
             state.place(variable, label)
@@ -285,7 +307,8 @@ def descend(state: State, variables: Iterable[int], budget: Budget) -> None:
 
 
 def _group(state: State, generator: np.random.Generator) -> list[int]:
-    """Variables to take out together: one that pays much, and others that stand or want to stand near it."""
+    """Variables to take out together: one that pays much, and others that stand or want to stand
+    near it."""
     regret = state.regret() + 1e-3
     seed = int(generator.choice(len(regret), p=regret / regret.sum()))
     wanted = int(generator.integers(2, 9))

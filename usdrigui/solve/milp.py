@@ -1,14 +1,16 @@
-"""The mixed-integer program of a reduced problem, solved by HiGHS: the only place that imports highspy.
+"""The mixed-integer program of a reduced problem, solved by HiGHS: the only place that imports
+highspy.
 
-HiGHS takes no integer quadratic problems, so pair costs are linearised: one column w_ab >= 0 for each two variables
-that interact, instead of one for each product.  For any label r of a the row
+HiGHS takes no integer quadratic problems, so pair costs are linearised: one column w_ab >= 0 for
+each two variables that interact, instead of one for each product.  For any label r of a the row
 
     w_ab >= sum_s c_rs x_s - sum_r' d_rr' x_r',    d_rr' = max_s (c_rs - c_r's)+,
 
-holds whichever label of a is chosen and is tight for r: the rows x_r + x_s - 1 <= y_rs (G. P. McCormick, 1976) added
-up and lifted.  Triplets have the same for their third-order costs.  Of these rows only those that a solution violates
-are added; what is excluded is stated by cliques of labels.  Every program relaxes the problem, so its dual bound is one
-of the problem, and a solution that violates no row is optimal.
+holds whichever label of a is chosen and is tight for r: the rows x_r + x_s - 1 <= y_rs (G. P.
+McCormick, 1976) added up and lifted.  Triplets have the same for their third-order costs.  Of these
+rows only those that a solution violates are added; what is excluded is stated by cliques of labels.
+Every program relaxes the problem, so its dual bound is one of the problem, and a solution that
+violates no row is optimal.
 """
 
 from __future__ import annotations
@@ -39,9 +41,11 @@ Row = tuple[Indices, Floats]
 
 
 def solve_milp(problem: ReducedProblem, cutoff: float, budget: Budget, work: int) -> Solution:
-    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
+    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
+    none.
 
-    Complete unless `budget` stops it, or so much `work` is done; the bound of a run that is stopped holds.
+    Complete unless `budget` stops it, or so much `work` is done; the bound of a run that is stopped
+    holds.
     """
     return _Program(problem, cutoff, budget, budget.work + work).solved()
 
@@ -55,7 +59,10 @@ class _Program:
         self._most = most
         self._problem, self._cutoff, self._budget = problem, cutoff, budget
         self._base = problem.bound()
-        self._tables = [_Table(problem, ends, len(problem.costs) + at) for at, ends in enumerate(_interacting(problem))]
+        self._tables = [
+            _Table(problem, ends, len(problem.costs) + at)
+            for at, ends in enumerate(_interacting(problem))
+        ]
         self._triplets = [
             _TripletTable(problem, each, len(problem.costs) + len(self._tables) + at)
             for at, each in enumerate(problem.messages)
@@ -65,7 +72,8 @@ class _Program:
         self._infinity = highspy.kHighsInf
         self._rows = 0
         self._stated: list[bytes] = []
-        """Rows added since the first, in order: HiGHS's tolerances let a solution violate them a little."""
+        """Rows added since the first, in order: HiGHS's tolerances let a solution violate them a
+        little."""
         self._nodes = 0
         self._bound = self._base
         self._lp_bound = self._base
@@ -96,7 +104,8 @@ class _Program:
         self._fixed_rows = self._rows
 
     def solved(self) -> Solution:
-        """Linear program, program with whole labels, rows, until nothing is violated or a limit is reached."""
+        """Linear program, program with whole labels, rows, until nothing is violated or a limit is
+        reached."""
         if self._linear():
             self._fix_labels()
             self._drop_slack_rows()
@@ -108,7 +117,11 @@ class _Program:
             "nodes": self._nodes,
             "cutoff": self._cutoff,
         }
-        return Solution(min(self._bound, self._limit), self._best[1], {"labels": len(self._problem.costs)} | figures)
+        return Solution(
+            min(self._bound, self._limit),
+            self._best[1],
+            {"labels": len(self._problem.costs)} | figures,
+        )
 
     def _linear(self) -> bool:
         """Solve the linear program with the rows that it violates; whether more is to be done."""
@@ -132,7 +145,8 @@ class _Program:
             self._add_violated(rows)
 
     def _whole(self) -> None:
-        """The same with whole labels; a solution that violates no row but those it knows is optimal."""
+        """The same with whole labels; a solution that violates no row but those it knows is
+        optimal."""
         import highspy
 
         count = len(self._problem.costs)
@@ -162,8 +176,8 @@ class _Program:
             event.interrupt()
 
     def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
-        """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told, so each call counts
-        as some."""
+        """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told,
+        so each call counts as some."""
         self._budget.spend(CALL * self._rows)
         if self._stopped():
             event.interrupt()
@@ -193,7 +207,9 @@ class _Program:
 
     def _lowered(self, value: float) -> float:
         """A bound of the program as one of the problem, less what rounding may have added."""
-        return self._base + value - TOLERANCE * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
+        return (
+            self._base + value - TOLERANCE * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
+        )
 
     def _raise(self, bound: float) -> None:
         if bound > self._bound:
@@ -203,7 +219,9 @@ class _Program:
     def _improve(self) -> None:
         """Remember the layout of a solution if its true cost is the least so far."""
         values = self._values()
-        chosen = np.array([each.start + int(values[each].argmax()) for each in self._problem.slices])
+        chosen = np.array(
+            [each.start + int(values[each].argmax()) for each in self._problem.slices]
+        )
         cost = self._problem.value(chosen)
         if cost < self._limit:
             self._best = (cost, chosen)
@@ -211,7 +229,7 @@ class _Program:
     def _values(self) -> Floats:
         return np.array(self._highs.getSolution().col_value)
 
-    # --- rows ------------------------------------------------------------------------------------------
+    # --- rows -------------------------------------------------------------------------------------
 
     def _violated(self) -> dict[bytes, Row]:
         """Rows that the solution violates and that are not stated yet, each once."""
@@ -243,7 +261,9 @@ class _Program:
         """Exclude the labels whose reduced costs reach the cutoff."""
         reduced_costs = np.array(self._solution.col_dual)[: len(self._problem.costs)]
         gone = np.flatnonzero(self._lp_bound + reduced_costs >= self._cutoff)
-        self._highs.changeColsBounds(len(gone), gone.astype(np.int32), np.zeros(len(gone)), np.zeros(len(gone)))
+        self._highs.changeColsBounds(
+            len(gone), gone.astype(np.int32), np.zeros(len(gone)), np.zeros(len(gone))
+        )
 
     def _drop_slack_rows(self) -> None:
         """Forget the added rows that do not hold the linear program's bound."""
@@ -269,7 +289,11 @@ class _Table:
         """The most violated rows of both directions."""
         found = []
         for side in self._sides:
-            over = side.costs @ values[side.theirs] - side.lifts @ values[side.mine] - values[self._column]
+            over = (
+                side.costs @ values[side.theirs]
+                - side.lifts @ values[side.mine]
+                - values[self._column]
+            )
             most = np.argsort(-over, kind="stable")[:PER_TABLE]
             found += [
                 _row(self._column, (side.theirs, -side.costs[at]), (side.mine, side.lifts[at]))
@@ -291,7 +315,8 @@ class _Lifted:
 
 
 class _TripletTable:
-    """The column of a triplet, and its rows: for two labels, lifted to all of their variables one after the other."""
+    """The column of a triplet, and its rows: for two labels, lifted to all of their variables one
+    after the other."""
 
     def __init__(self, problem: ReducedProblem, triplet: Triplet, column: int) -> None:
         self._column = column
@@ -344,8 +369,8 @@ def _costs_anything(costs: Floats) -> bool:
 
 
 def _cliques(problem: ReducedProblem) -> list[Indices]:
-    """Sets of labels of which a layout uses one at most, that hold all excluded pairs; grown greedily over several
-    variables, cheap labels first."""
+    """Sets of labels of which a layout uses one at most, that hold all excluded pairs; grown
+    greedily over several variables, cheap labels first."""
     open_ = np.isinf(problem.both_ways())
     apart = open_ | (problem.owner[:, None] == problem.owner)
     np.fill_diagonal(apart, False)
@@ -360,7 +385,8 @@ def _cliques(problem: ReducedProblem) -> list[Indices]:
 
 
 def _clique(label: int, apart: Flags, open_: Flags, excess: Floats) -> Indices:
-    """A clique from a label on: next the one that excludes most of its members in pairs not yet stated."""
+    """A clique from a label on: next the one that excludes most of its members in pairs not yet
+    stated."""
     members, candidates = [label], apart[label].copy()
     stated = open_[label].astype(np.float64) - excess
     while candidates.any():
@@ -378,7 +404,8 @@ _OPTIONS: dict[str, bool | int | float | str] = {
     "parallel": "off",
     "mip_rel_gap": 0.0,
     "mip_abs_gap": 1e-9,
-    # Local search has done what HiGHS's heuristics could; without them it is two to three times as quick.
+    # Local search has done what HiGHS's heuristics could; without them it is two to three times as
+    # quick.
     "mip_heuristic_effort": 0.0,
     "mip_heuristic_run_feasibility_jump": False,
     "mip_heuristic_run_rins": False,

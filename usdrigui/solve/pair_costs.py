@@ -1,7 +1,7 @@
 """Pair costs of blocks of candidates, kept up to date while blocks are split and discarded.
 
-Only pairs that can come within the reach of the overlap cost are held.  When a block is split, its near
-pairs become pairs of its halves; only those are worked out anew.
+Only pairs that can come within the reach of the overlap cost are held.  When a block is split, its
+near pairs become pairs of its halves; only those are worked out anew.
 """
 
 from __future__ import annotations
@@ -40,19 +40,31 @@ def near_blocks(problem: LayoutProblem, label_set: LabelSet, budget: Budget) -> 
             first, second = one.owner[i], other.owner[j]
             apart = label_set.variable[first] < label_set.variable[second]
             apart &= problem.together[label_set.variable[first], label_set.variable[second]]
-            found.append(_evaluated(problem, label_set, (a, b), first[apart], second[apart], budget))
+            found.append(
+                _evaluated(problem, label_set, (a, b), first[apart], second[apart], budget)
+            )
     return found
 
 
-def _near(problem: LayoutProblem, one: LabelGeometry, other: LabelGeometry) -> tuple[Indices, Indices]:
+def _near(
+    problem: LayoutProblem, one: LabelGeometry, other: LabelGeometry
+) -> tuple[Indices, Indices]:
     """Pairs of geometries that may interact, found a few rows at a time."""
     rows = max(1, AT_ONCE // max(len(other.owner), 1))
     pieces = [
-        near_pairs(one, slice(at, min(at + rows, len(one.owner))), other, problem.overlap.reach, problem.separation)
+        near_pairs(
+            one,
+            slice(at, min(at + rows, len(one.owner))),
+            other,
+            problem.overlap.reach,
+            problem.separation,
+        )
         for at in range(0, len(one.owner), rows)
     ]
     none = np.empty(0, dtype=np.int64)
-    return np.concatenate([none, *(i for i, _ in pieces)]), np.concatenate([none, *(j for _, j in pieces)])
+    return np.concatenate([none, *(i for i, _ in pieces)]), np.concatenate(
+        [none, *(j for _, j in pieces)]
+    )
 
 
 def refined(
@@ -63,12 +75,22 @@ def refined(
     budget: Budget,
     same: Flags | None = None,
 ) -> list[NearPairs]:
-    """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old number.
+    """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old
+    number.
 
-    `same` (n,) tells for which blocks the costs of the old one will do: not for a single label that is left of several,
-    whose costs must be exact.  Without it, for all that are the only part of the old one.
+    `same` (n,) tells for which blocks the costs of the old one will do: not for a single label that
+    is left of several, whose costs must be exact.  Without it, for all that are the only part of
+    the old one.
     """
-    count = int(max((each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)), default=-1)) + 1
+    count = (
+        int(
+            max(
+                (each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)),
+                default=-1,
+            )
+        )
+        + 1
+    )
     children = np.bincount(parent, minlength=count)
     child = np.full(len(children), -1, dtype=np.int64)
     child[parent[::-1]] = np.arange(len(parent))[::-1]
@@ -89,7 +111,9 @@ def _children(
 ) -> NearPairs:
     many, few = children[pairs.first], children[pairs.second]
     same = kept[pairs.first] & kept[pairs.second]
-    old = NearPairs(pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same])
+    old = NearPairs(
+        pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same]
+    )
     times = np.where(same, 0, many * few)
     split = np.flatnonzero(times)
     pieces = [old]
@@ -108,7 +132,12 @@ def _children(
 
 
 def _evaluated(
-    problem: LayoutProblem, label_set: LabelSet, sets: tuple[int, int], first: Indices, second: Indices, budget: Budget
+    problem: LayoutProblem,
+    label_set: LabelSet,
+    sets: tuple[int, int],
+    first: Indices,
+    second: Indices,
+    budget: Budget,
 ) -> NearPairs:
     """Bounds of the pairs; those out of reach are left out."""
     one, other = label_set.geometries[sets[0]], label_set.geometries[sets[1]]
@@ -118,12 +147,13 @@ def _evaluated(
     return NearPairs(sets, first[near], second[near], costs[near])
 
 
-# --- all pairs ---------------------------------------------------------------------------------------
+# --- all pairs ------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
 class PairCosts(Record):
-    """Pairs of labels (or blocks) of different variables that cost anything, each once, in order."""
+    """Pairs of labels (or blocks) of different variables that cost anything, each once, in
+    order."""
 
     count: int
     """Number of labels."""
@@ -160,12 +190,14 @@ class PairCosts(Record):
         return found
 
 
-def pair_costs(problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs], candidate: Indices) -> PairCosts:
+def pair_costs(
+    problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs], candidate: Indices
+) -> PairCosts:
     """Costs of all pairs of a label_set.
 
-    `candidate` (n,) says which candidate of its variable stands behind each entry of the label_set: -1 for
-    off the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are added
-    where both entries are single candidates; for blocks zero bounds them from below.
+    `candidate` (n,) says which candidate of its variable stands behind each entry of the label_set:
+    -1 for off the face, -2 for a block of several.  Explicit pair costs (`LayoutProblem.extra`) are
+    added where both entries are single candidates; for blocks zero bounds them from below.
     """
     count = int(label_set.start[-1])
     explicit = [_explicit(label_set, candidate, each) for each in problem.extra]
@@ -180,7 +212,9 @@ def pair_costs(problem: LayoutProblem, label_set: LabelSet, near: list[NearPairs
     return PairCosts(count, keys[at] // max(count, 1), keys[at] % max(count, 1), summed)
 
 
-def _explicit(label_set: LabelSet, candidate: Indices, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:
+def _explicit(
+    label_set: LabelSet, candidate: Indices, extra: ExtraPairs
+) -> tuple[Indices, Indices, Floats]:
     """Entries of the label_set that explicit costs speak of, and the costs."""
     first = _entry(label_set, candidate, extra.first, extra.first_labels)
     second = _entry(label_set, candidate, extra.second, extra.second_labels)

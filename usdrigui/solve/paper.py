@@ -1,6 +1,8 @@
-"""The paper's own pipeline: clusters of controls in sequence, weighted random sampling (section 4.2).
+"""The paper's own pipeline: clusters of controls in sequence, weighted random sampling (section
+4.2).
 
-Kept to be compared with: what it drops it never gets back, so it proves no more than the trivial bound.
+Kept to be compared with: what it drops it never gets back, so it proves no more than the trivial
+bound.
 """
 
 from __future__ import annotations
@@ -19,7 +21,8 @@ from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import all_labels
 
 _NO_WEIGHT = 1e-9
-"""Weight of candidates that do not move as their viewer sees them: kept when nothing else is left."""
+"""Weight of candidates that do not move as their viewer sees them: kept when nothing else is
+left."""
 
 
 def solve_by_clusters(
@@ -29,9 +32,9 @@ def solve_by_clusters(
 ) -> Assignment:
     """Place cluster after cluster, the largest first, each over a sample of its candidates.
 
-    Elements placed before are fixed: what they cost a later cluster's candidates is part of those candidates'
-    linear cost.  All clusters share one allowance of work and time, by their numbers of elements.  Raises
-    SOLVE_INFEASIBLE when former elements leave one without a place.
+    Elements placed before are fixed: what they cost a later cluster's candidates is part of those
+    candidates' linear cost.  All clusters share one allowance of work and time, by their numbers of
+    elements.  Raises SOLVE_INFEASIBLE when former elements leave one without a place.
     """
     settings = budget.settings
     generator = np.random.default_rng(settings.seed)
@@ -39,12 +42,20 @@ def solve_by_clusters(
     placed: list[int] = []
     for cluster in clusters(problem, settings.clusters, settings.linkage):
         priced = [_with_fixed_costs(problem, at, placed, chosen) for at in cluster]
-        kept = sample([each.displacement for each in priced], settings.sample, generator, _allowed(priced))
+        kept = sample(
+            [each.displacement for each in priced], settings.sample, generator, _allowed(priced)
+        )
         part = _restricted(problem, cluster, priced, kept)
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
         solution = solve_cluster(part, mine)
         budget.spend(mine.work)
-        budget.note("cluster", elements=len(cluster), labels=sum(map(len, kept)), cost=solution.cost, work=mine.work)
+        budget.note(
+            "cluster",
+            elements=len(cluster),
+            labels=sum(map(len, kept)),
+            cost=solution.cost,
+            work=mine.work,
+        )
         for variable, labels, label in zip(cluster, kept, solution.labels, strict=True):
             chosen[variable] = labels[label] if label >= 0 else -1
         placed += cluster
@@ -57,8 +68,9 @@ def solve_by_clusters(
 def sample(
     displacements: list[Floats], share: float, generator: np.random.Generator, allowed: list[Flags]
 ) -> list[Indices]:
-    """Labels kept of each variable of a cluster, ascending: a random share of all that are allowed, without
-    replacement, displacement as weight (section 4.2, vertex down-sampling); of each variable one at least.
+    """Labels kept of each variable of a cluster, ascending: a random share of all that are allowed,
+    without replacement, displacement as weight (section 4.2, vertex down-sampling); of each
+    variable one at least.
 
     `displacements` and `allowed` hold (R,) per variable.
     """
@@ -66,8 +78,11 @@ def sample(
     if share >= 1.0:
         return labels
     owner = np.repeat(np.arange(len(labels)), [len(each) for each in labels])
-    weight = np.concatenate([np.zeros(0), *(d[each] for d, each in zip(displacements, labels, strict=True))])
-    # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and Spirakis 2006).
+    weight = np.concatenate(
+        [np.zeros(0), *(d[each] for d, each in zip(displacements, labels, strict=True))]
+    )
+    # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and
+    # Spirakis 2006).
     key = generator.exponential(size=len(owner)) / np.maximum(weight, _NO_WEIGHT)
     kept = np.zeros(len(owner), dtype=bool)
     kept[np.argsort(key, kind="stable")[: int(np.ceil(share * len(owner)))]] = True
@@ -82,8 +97,11 @@ def _allowed(variables: list[Variable]) -> list[Flags]:
     return [np.isfinite(each.cost) for each in variables]
 
 
-def _with_fixed_costs(problem: LayoutProblem, at: int, placed: list[int], chosen: Indices) -> Variable:
-    """A variable whose linear costs hold what the elements already placed cost it; +inf where they forbid."""
+def _with_fixed_costs(
+    problem: LayoutProblem, at: int, placed: list[int], chosen: Indices
+) -> Variable:
+    """A variable whose linear costs hold what the elements already placed cost it; +inf where they
+    forbid."""
     variable = problem.variables[at]
     labels = np.arange(len(variable.cost))
     cost = variable.cost.copy()

@@ -6,7 +6,15 @@ import numpy as np
 
 from usdrigui.model import Floats, Indices
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import Blocks, Labels, halve, member_slack, singled, thinned, whole
+from usdrigui.solve.label_geometry import (
+    Blocks,
+    Labels,
+    halve,
+    member_slack,
+    singled,
+    thinned,
+    whole,
+)
 from usdrigui.solve.pair_costs import NearPairs
 
 ONE_BY_ONE = 2500
@@ -35,11 +43,13 @@ def first_blocks(labels: Labels, budget: Budget) -> Blocks:
 
 
 def affordable_at_once(labels: Labels, budget: Budget) -> bool:
-    """Whether labels are few, and all pairs of elements can be looked at within the limits, should every two of
-    different variables be near."""
+    """Whether labels are few, and all pairs of elements can be looked at within the limits, should
+    every two of different variables be near."""
     if len(labels.label) > ONE_BY_ONE:
         return False
-    owners = np.concatenate([np.empty(0, dtype=np.int64), *(each.owner for each in labels.label_set.geometries)])
+    owners = np.concatenate(
+        [np.empty(0, dtype=np.int64), *(each.owner for each in labels.label_set.geometries)]
+    )
     elements = np.bincount(labels.label_set.variable[owners])
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
     in_time = pairs <= FIRST_LOOK * min(budget.work_left, PAIRS_A_SECOND * budget.seconds_left)
@@ -52,18 +62,26 @@ def planned(entries: int, pairs: int) -> float:
 
 
 def split(
-    labels: Labels, blocks: Blocks, near: list[NearPairs], room: Floats, bound: float, share: float, budget: Budget
+    labels: Labels,
+    blocks: Blocks,
+    near: list[NearPairs],
+    room: Floats,
+    bound: float,
+    share: float,
+    budget: Budget,
 ) -> tuple[Blocks, Indices] | None:
     """Smaller blocks without the labels that bounds rule out, and the block that each is part of.
 
-    `room` (blocks,) is the least cost of layouts that use a block, `bound` that of all.  Blocks are halved within
-    `share` of the way from the bound to the cutoff; `share` 0 asks for all labels one by one, if they are few enough.
-    None, with a note, when neither fits into the memory allowed.
+    `room` (blocks,) is the least cost of layouts that use a block, `bound` that of all.  Blocks are
+    halved within `share` of the way from the bound to the cutoff; `share` 0 asks for all labels one
+    by one, if they are few enough. None, with a note, when neither fits into the memory allowed.
     """
     slack = budget.cutoff - room
     alive = room <= budget.cutoff
     rest = thinned(labels, blocks, slack)
-    left = np.add.reduceat(member_slack(labels, blocks, slack) >= 0, blocks.start[:-1], dtype=np.int64)
+    left = np.add.reduceat(
+        member_slack(labels, blocks, slack) >= 0, blocks.start[:-1], dtype=np.int64
+    )
     if share == 0 and _planned(near, blocks.variable, left) <= budget.settings.memory_limit:
         finer, parent = singled(labels, rest)
         return finer, np.flatnonzero(alive)[parent]
@@ -81,7 +99,8 @@ def split(
 
 
 def _planned(near: list[NearPairs], variable: Indices, parts: Indices) -> float:
-    """MiB needed when every block is replaced by so many parts; `variable` (blocks,) they are of."""
+    """MiB needed when every block is replaced by so many parts; `variable` (blocks,) they are
+    of."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
     sizes = np.bincount(variable, weights=parts).astype(np.int64)
     used = np.zeros((len(sizes), len(sizes)), dtype=bool)

@@ -1,4 +1,5 @@
-"""Sound reduction: bound whole blocks of candidates, discard what cannot be in a better layout, split the rest."""
+"""Sound reduction: bound whole blocks of candidates, discard what cannot be in a better layout,
+split the rest."""
 
 from __future__ import annotations
 
@@ -10,7 +11,14 @@ from usdrigui.model import Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
 from usdrigui.solve.iterated_local_search import descended, iterated_local_search, label_costs
-from usdrigui.solve.label_geometry import Blocks, Labels, LabelSet, block_set, member_slack, selected
+from usdrigui.solve.label_geometry import (
+    Blocks,
+    Labels,
+    LabelSet,
+    block_set,
+    member_slack,
+    selected,
+)
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.pair_costs import NearPairs, PairCosts, near_blocks, pair_costs, refined
 from usdrigui.solve.partition import FIRST_LOOK, ONE_BY_ONE, first_blocks, split
@@ -22,15 +30,18 @@ STEP = "blocks"
 SWEEPS = 8
 """Of dual ascent on new blocks."""
 FRUSTRATED = 0.7
-"""Share of the distance to the cutoff that the blocks' own solution must leave before triplets are looked for."""
+"""Share of the distance to the cutoff that the blocks' own solution must leave before triplets are
+looked for."""
 LIKELY = 40
-"""Labels of a variable, on average, among which a good layout is looked for once blocks have bounds."""
+"""Labels of a variable, on average, among which a good layout is looked for once blocks have
+bounds."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 STALLED = 0.05
 """Share of the distance to the cutoff by which triplets must raise the bound to go on."""
 SLOW = 0.1
-"""Share of the labels, or of what the bound misses, by which a step must reduce them to be worth another one."""
+"""Share of the labels, or of what the bound misses, by which a step must reduce them to be worth
+another one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +62,8 @@ class Partition:
         return bool(self.blocks.sizes.max(initial=1) == 1)
 
     def representatives(self, labels: Labels, chosen: Indices) -> Indices:
-        """(variables,) for the block that a solution of the problem chooses its member of least linear cost."""
+        """(variables,) for the block that a solution of the problem chooses its member of least
+        linear cost."""
         found = np.empty(len(chosen), dtype=np.int64)
         for variable, at in enumerate(self.problem.labels[chosen]):
             members = self.blocks.members[self.blocks.start[at] : self.blocks.start[at + 1]]
@@ -59,11 +71,14 @@ class Partition:
         return found
 
 
-def reduce(problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: Incumbent) -> Partition | None:
-    """What bounds leave of a problem: labels, and pairs of them, that a layout below `budget.cutoff` may use.
+def reduce(
+    problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: Incumbent
+) -> Partition | None:
+    """What bounds leave of a problem: labels, and pairs of them, that a layout below
+    `budget.cutoff` may use.
 
-    None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds the best layout
-    known of these labels; it is improved on the way.
+    None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds
+    the best layout known of these labels; it is improved on the way.
     """
     found: Partition | None = _bounded(problem, labels, first_blocks(labels, budget), budget)
     share, searched = NEAR, 0
@@ -106,8 +121,8 @@ def _bounded(
     older: Partition | None = None,
     parent: Indices | None = None,
 ) -> Partition:
-    """The problem of some blocks after a few sweeps of dual ascent, from the messages of the blocks that they are
-    part of: `parent` (blocks,) tells which of the `older`."""
+    """The problem of some blocks after a few sweeps of dual ascent, from the messages of the blocks
+    that they are part of: `parent` (blocks,) tells which of the `older`."""
     label_set = block_set(labels, blocks)
     candidate = np.where(blocks.sizes == 1, labels.label[blocks.members[blocks.start[:-1]]], -2)
     numbers = np.arange(len(label_set.cost))
@@ -123,22 +138,32 @@ def _bounded(
         place = np.empty(len(older.label_set.cost), dtype=np.int64)
         place[older.problem.labels] = np.arange(len(older.problem.labels))
         left = older.problem.refined(
-            numbers, place[parent], label_set.cost - older.label_set.cost[parent], older.pairs, pairs
+            numbers,
+            place[parent],
+            label_set.cost - older.label_set.cost[parent],
+            older.pairs,
+            pairs,
         )
     return Partition(blocks, label_set, near, left, pairs)
 
 
 def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
-    """A good layout of the partition's blocks: one of its problem's labels per variable, and what it costs them."""
+    """A good layout of the partition's blocks: one of its problem's labels per variable, and what
+    it costs them."""
     left = partition.problem
     costs = label_costs(left.start, partition.label_set.cost[left.labels], partition.pairs)
     first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-    chosen = iterated_local_search(costs, first, budget) if partition.exact else descended(costs, first)
+    chosen = (
+        iterated_local_search(costs, first, budget) if partition.exact else descended(costs, first)
+    )
     return chosen, costs.value(chosen)
 
 
-def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition, count: int, budget: Budget) -> Indices:
-    """(variables,) a good layout of so many labels, held in blocks, that most likely are part of one."""
+def _likely_layout(
+    problem: LayoutProblem, labels: Labels, partition: Partition, count: int, budget: Budget
+) -> Indices:
+    """(variables,) a good layout of so many labels, held in blocks, that most likely are part of
+    one."""
     left = partition.problem
     room = np.full(len(partition.label_set.cost), -np.inf)
     room[left.labels] = -left.label_lower_bounds()
@@ -148,14 +173,17 @@ def _likely_layout(problem: LayoutProblem, labels: Labels, partition: Partition,
     slack[likeliest] = np.inf
     kept = np.sort(np.argsort(-slack, kind="stable")[: max(count, labels.label_set.count)])
     part = selected(labels, kept)
-    pairs = pair_costs(problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label)
+    pairs = pair_costs(
+        problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label
+    )
     first = np.flatnonzero(np.isin(kept, likeliest))
     costs = label_costs(part.label_set.start, part.label_set.cost, pairs)
     return kept[iterated_local_search(costs, first, budget)]
 
 
 def _swept(partition: Partition, budget: Budget) -> Partition | None:
-    """A partition after dual ascent, without the blocks that its bound excludes; None when nothing is left of it."""
+    """A partition after dual ascent, without the blocks that its bound excludes; None when nothing
+    is left of it."""
     partition.problem.normalize()
     left = reduced(partition.problem, budget.cutoff)
     while left is not None and not budget.stopped():
@@ -171,7 +199,8 @@ def _swept(partition: Partition, budget: Budget) -> Partition | None:
 
 
 def _thinned(partition: Partition, budget: Budget) -> Partition | None:
-    """A partition of single labels without those that others dominate, which bounds then exclude more of, in turn."""
+    """A partition of single labels without those that others dominate, which bounds then exclude
+    more of, in turn."""
     found: Partition | None = partition
     while found is not None and not budget.stopped():
         before = len(found.problem.costs)
@@ -189,7 +218,9 @@ def _undominated(partition: Partition, budget: Budget) -> Partition:
     budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
     both = partition.pairs.matrix()
     both += both.T
-    alive = undominated(left.start, partition.label_set.cost[left.labels], both, np.isinf(left.both_ways()))
+    alive = undominated(
+        left.start, partition.label_set.cost[left.labels], both, np.isinf(left.both_ways())
+    )
     return _of(partition, left.restricted(alive))
 
 
@@ -203,7 +234,8 @@ def _excluded(partition: Partition | None, budget: Budget) -> Partition | None:
 
 
 def _tightened(partition: Partition, budget: Budget) -> Partition | None:
-    """The same after triplets have raised the bound, without what it excludes, as long as this gains anything."""
+    """The same after triplets have raised the bound, without what it excludes, as long as this
+    gains anything."""
     found: Partition | None = partition
     while found is not None:
         before, bound = len(found.problem.costs), found.problem.bound()
@@ -222,7 +254,9 @@ def _tightened(partition: Partition, budget: Budget) -> Partition | None:
     return found
 
 
-def _restricted(partition: Partition, left: ReducedProblem | None, budget: Budget) -> Partition | None:
+def _restricted(
+    partition: Partition, left: ReducedProblem | None, budget: Budget
+) -> Partition | None:
     """A partition with what is left of its problem."""
     if left is None:
         return None
@@ -246,4 +280,6 @@ def _split(
     room = np.full(len(partition.label_set.cost), np.inf)
     room[left.labels] = left.label_lower_bounds()
     parts = split(labels, partition.blocks, partition.near, room, left.bound(), share, budget)
-    return None if parts is None else _bounded(problem, labels, parts[0], budget, partition, parts[1])
+    return (
+        None if parts is None else _bounded(problem, labels, parts[0], budget, partition, parts[1])
+    )

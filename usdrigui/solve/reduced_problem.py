@@ -1,9 +1,10 @@
-"""What is left of a layout problem as tables of costs: dual ascent, tests that exclude labels and pairs, triplets.
+"""What is left of a layout problem as tables of costs: dual ascent, tests that exclude labels and
+pairs, triplets.
 
-A pairwise energy is reparametrised in place: costs move between labels, pairs and triplets of labels of different
-variables, and what every layout costs stays as it is.  As long as no pair and no triplet costs less than 0, the
-constant and the least costs of the variables are a lower bound (T. Werner, "A linear programming approach to max-sum
-problem: a review", 2007).
+A pairwise energy is reparametrised in place: costs move between labels, pairs and triplets of
+labels of different variables, and what every layout costs stays as it is.  As long as no pair and
+no triplet costs less than 0, the constant and the least costs of the variables are a lower bound
+(T. Werner, "A linear programming approach to max-sum problem: a review", 2007).
 """
 
 from __future__ import annotations
@@ -23,9 +24,11 @@ EPSILON = 1e-11
 NEVER = 1e30
 """Stands for the cost of a pair that is excluded: infinite costs have no differences."""
 LARGEST_TESTED = 1200
-"""Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their number."""
+"""Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their
+number."""
 MARGIN = 1e-5
-"""Share of the distance to the cutoff that a pair must exceed it by: pairs are tested in single precision."""
+"""Share of the distance to the cutoff that a pair must exceed it by: pairs are tested in single
+precision."""
 
 Triplet = tuple[int, int, int]
 
@@ -37,22 +40,26 @@ class Solution:
     bound: float
     """No layout costs less than this; the cutoff where there is none below it."""
     chosen: Indices | None
-    """(variables,) labels of the best layout found below the cutoff, as indices into the problem."""
+    """(variables,) labels of the best layout found below the cutoff, as indices into the
+    problem."""
     figures: Mapping[str, float]
     """For the report."""
 
 
 @dataclass(frozen=True, eq=False)
 class PairTables:
-    """Pair costs of labels, in one table for each two variables that interact; every other pair costs nothing.
+    """Pair costs of labels, in one table for each two variables that interact; every other pair
+    costs nothing.
 
-    The tables of a variable with later ones stand side by side, so that one pass goes over all of them.
+    The tables of a variable with later ones stand side by side, so that one pass goes over all of
+    them.
     """
 
     strips: list[Floats]
     """For each variable (labels, q) >= 0, +inf for a pair that is excluded."""
     columns: list[Indices]
-    """For each variable (q,) the labels of later variables that it has tables with, ascending: all of each."""
+    """For each variable (q,) the labels of later variables that it has tables with, ascending: all
+    of each."""
 
     @property
     def entries(self) -> int:
@@ -61,11 +68,15 @@ class PairTables:
 
 
 def full_tables(owner: Indices, pairs: Floats) -> PairTables:
-    """Tables of all variables from one matrix (n, n) of costs, of which the part above the diagonal blocks counts."""
+    """Tables of all variables from one matrix (n, n) of costs, of which the part above the diagonal
+    blocks counts."""
     every = np.arange(len(owner))
     starts = np.searchsorted(owner, np.arange(int(owner[-1]) + 2 if len(owner) else 1))
     bounds = list(itertools.pairwise(starts.tolist()))
-    return PairTables([pairs[low:high, high:].copy() for low, high in bounds], [every[high:] for _, high in bounds])
+    return PairTables(
+        [pairs[low:high, high:].copy() for low, high in bounds],
+        [every[high:] for _, high in bounds],
+    )
 
 
 def sparse_tables(owner: Indices, pairs: PairCosts) -> PairTables:
@@ -83,10 +94,16 @@ def sparse_tables(owner: Indices, pairs: PairCosts) -> PairTables:
 
 
 class ReducedProblem:
-    """Labels of variables, the pairs of them that are excluded, and the reparametrised costs of both."""
+    """Labels of variables, the pairs of them that are excluded, and the reparametrised costs of
+    both."""
 
     def __init__(
-        self, owner: Indices, labels: Indices, costs: Floats, pairs: Floats | PairTables, constant: float = 0.0
+        self,
+        owner: Indices,
+        labels: Indices,
+        costs: Floats,
+        pairs: Floats | PairTables,
+        constant: float = 0.0,
     ) -> None:
         self.owner = owner
         """(n,) variable of each label, ascending; every variable has one at least."""
@@ -101,8 +118,8 @@ class ReducedProblem:
         self.slices = [slice(low, high) for low, high in itertools.pairwise(self.start.tolist())]
         """The labels of each variable."""
         self.messages: dict[Triplet, tuple[Floats, Floats, Floats]] = {}
-        """What triplets a < b < c of variables gave to their tables ab, ac, bc; a triplet costs what it did not give,
-        ``-(ab[i, j] + ac[i, k] + bc[j, k])``, which is never below 0."""
+        """What triplets a < b < c of variables gave to their tables ab, ac, bc; a triplet costs
+        what it did not give, ``-(ab[i, j] + ac[i, k] + bc[j, k])``, which is never below 0."""
         self.linked: Flags = np.zeros((self.count, self.count), dtype=bool)
         """(count, count) whether any pair of two variables costs anything."""
         self.tables = pairs if isinstance(pairs, PairTables) else full_tables(owner, pairs)
@@ -116,10 +133,19 @@ class ReducedProblem:
     def tables(self, tables: PairTables) -> None:
         self._tables = tables
         first = [np.flatnonzero(np.diff(self.owner[each], prepend=-1)) for each in tables.columns]
-        self._others = [self.owner[each[at]] for each, at in zip(tables.columns, first, strict=True)]
+        self._others = [
+            self.owner[each[at]] for each, at in zip(tables.columns, first, strict=True)
+        ]
         sizes = np.diff(self.start)
         self._strips = [
-            _Strip(strip, self.slices[at], columns, first[at], self._others[at], sizes[self._others[at]])
+            _Strip(
+                strip,
+                self.slices[at],
+                columns,
+                first[at],
+                self._others[at],
+                sizes[self._others[at]],
+            )
             for at, (strip, columns) in enumerate(zip(tables.strips, tables.columns, strict=True))
         ]
 
@@ -132,11 +158,17 @@ class ReducedProblem:
         return np.asarray(self.costs - np.minimum.reduceat(self.costs, self.start[:-1])[self.owner])
 
     def table(self, a: int, b: int) -> Floats:
-        """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place where they interact."""
+        """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place
+        where they interact."""
         strip = self._strips[a]
         at = int(np.searchsorted(strip.others, b))
         if at == len(strip.others) or strip.others[at] != b:
-            return np.zeros((self.slices[a].stop - self.slices[a].start, self.slices[b].stop - self.slices[b].start))
+            return np.zeros(
+                (
+                    self.slices[a].stop - self.slices[a].start,
+                    self.slices[b].stop - self.slices[b].start,
+                )
+            )
         low = int(strip.first[at])
         return strip.costs[:, low : low + int(strip.sizes[at])]
 
@@ -164,7 +196,9 @@ class ReducedProblem:
         """Cost of one label (index into this problem) per variable."""
         is_chosen = np.zeros(len(self.costs), dtype=bool)
         is_chosen[chosen] = True
-        total = self.constant + self.costs[chosen].sum() + self.costs_with(is_chosen)[chosen].sum() / 2
+        total = (
+            self.constant + self.costs[chosen].sum() + self.costs_with(is_chosen)[chosen].sum() / 2
+        )
         at = chosen - self.start[:-1]
         for (a, b, c), (ab, ac, bc) in self.messages.items():
             total -= ab[at[a], at[b]] + ac[at[a], at[c]] + bc[at[b], at[c]]
@@ -175,7 +209,7 @@ class ReducedProblem:
         ab, ac, bc = self.messages[triplet]
         return np.asarray(np.maximum(-(ab[:, :, None] + ac[:, None, :] + bc[None]), 0.0))
 
-    # --- smaller problems ----------------------------------------------------------------------------
+    # --- smaller problems -------------------------------------------------------------------------
 
     def restricted(self, alive: Flags) -> ReducedProblem:
         """The problem of the labels that are alive, at least one of every variable."""
@@ -184,8 +218,8 @@ class ReducedProblem:
         return part
 
     def of_variables(self, alive: Flags, costs: Floats, constant: float) -> ReducedProblem:
-        """The problem of the labels that are alive, without the variables that have none and without triplets; `costs`
-        (alive,) are its linear costs."""
+        """The problem of the labels that are alive, without the variables that have none and
+        without triplets; `costs` (alive,) are its linear costs."""
         number = np.cumsum(alive) - 1
         has_any = np.logical_or.reduceat(alive, self.start[:-1])
         owner = (np.cumsum(has_any) - 1)[self.owner[alive]]
@@ -201,8 +235,9 @@ class ReducedProblem:
     ) -> ReducedProblem:
         """The problem of smaller blocks, with the messages of the blocks that they are part of.
 
-        `parent` (m,) tells each block's index here.  `costs` (m,) are their linear costs above those of the parent,
-        `older` and `pairs` the pair costs of this problem's blocks and theirs, all without messages.
+        `parent` (m,) tells each block's index here.  `costs` (m,) are their linear costs above
+        those of the parent, `older` and `pairs` the pair costs of this problem's blocks and theirs,
+        all without messages.
         """
         owner = self.owner[parent]
         start = np.searchsorted(owner, np.arange(self.count + 1))
@@ -220,7 +255,9 @@ class ReducedProblem:
             found[rows, np.searchsorted(theirs, others)] += more
             strips.append(found)
             columns.append(theirs)
-        part = ReducedProblem(owner, labels, self.costs[parent] + costs, PairTables(strips, columns), self.constant)
+        part = ReducedProblem(
+            owner, labels, self.costs[parent] + costs, PairTables(strips, columns), self.constant
+        )
         part.inherit(self, parent)
         return part
 
@@ -235,10 +272,11 @@ class ReducedProblem:
                 bc[np.ix_(mine[b], mine[c])],
             )
 
-    # --- reparametrisation ---------------------------------------------------------------------------
+    # --- reparametrisation ------------------------------------------------------------------------
 
     def normalize(self) -> None:
-        """Move the least cost of every table into the constant, and note which tables cost anything."""
+        """Move the least cost of every table into the constant, and note which tables cost
+        anything."""
         self.linked[:] = False
         for at, strip in enumerate(self._strips):
             if not len(strip.others):
@@ -254,8 +292,8 @@ class ReducedProblem:
     def sweep(self) -> None:
         """Block-coordinate ascent of the bound: once over the variables and back.
 
-        Sequential tree-reweighted message passing (V. Kolmogorov, "A new look at reweighted message passing", 2015):
-        every variable shares its costs among the tables ahead, which pass them on.
+        Sequential tree-reweighted message passing (V. Kolmogorov, "A new look at reweighted message
+        passing", 2015): every variable shares its costs among the tables ahead, which pass them on.
         """
         ahead, behind = np.triu(self.linked).sum(axis=1), np.tril(self.linked).sum(axis=1)
         portion = 1.0 / np.maximum(np.maximum(ahead, behind), 1)
@@ -269,7 +307,9 @@ class ReducedProblem:
             self.costs[strip.columns] += least
         shares = np.zeros(len(self.costs))
         for at, strip in reversed(list(enumerate(self._strips))):
-            if ahead[at]:  # Later variables have all that comes from behind, and have set their shares aside.
+            if ahead[
+                at
+            ]:  # Later variables have all that comes from behind, and have set their shares aside.
                 strip.costs[...] += shares[strip.columns] * strip.each(self.linked[at])
                 given = _finite(np.minimum.reduceat(strip.costs, strip.first, axis=1))
                 strip.costs[...] -= np.repeat(given, strip.sizes, axis=1)
@@ -287,16 +327,19 @@ class ReducedProblem:
             strip.costs[...] += share[strip.columns] * linked
         self.costs[degree[self.owner] > 0] = 0.0
 
-    # --- tests ---------------------------------------------------------------------------------------
+    # --- tests ------------------------------------------------------------------------------------
 
     def label_lower_bounds(self) -> Floats:
-        """(n,) no layout that uses a label costs less; +inf for a label that every layout excludes."""
+        """(n,) no layout that uses a label costs less; +inf for a label that every layout
+        excludes."""
         excess = self.excess()
         least = np.zeros(len(excess))
         for strip in self._strips:
             if len(strip.others):
                 least[strip.columns] += (strip.costs + excess[strip.mine, None]).min(axis=0)
-                theirs = np.minimum.reduceat(strip.costs + excess[strip.columns], strip.first, axis=1)
+                theirs = np.minimum.reduceat(
+                    strip.costs + excess[strip.columns], strip.first, axis=1
+                )
                 least[strip.mine] += theirs.sum(axis=1)
         return np.asarray(self.bound() + excess + least)
 
@@ -312,7 +355,9 @@ class ReducedProblem:
         for variable, mine in enumerate(self.slices[:-1]):
             later = slice(mine.stop, None)
             total = self._pair_lower_bounds(variable, excess, pairs)
-            bad = (total >= gap * np.float32(1 + MARGIN) + np.float32(EPSILON)) & np.isfinite(pairs[mine, later])
+            bad = (total >= gap * np.float32(1 + MARGIN) + np.float32(EPSILON)) & np.isfinite(
+                pairs[mine, later]
+            )
             found += int(bad.sum())
             matrix[mine, later][bad] = np.inf
             pairs[mine, later][bad] = np.inf
@@ -322,7 +367,8 @@ class ReducedProblem:
         return found
 
     def _pair_lower_bounds(self, variable: int, excess: Singles, pairs: Singles) -> Singles:
-        """(labels, later labels) what layouts cost above the bound that use a label of one variable and a later one."""
+        """(labels, later labels) what layouts cost above the bound that use a label of one variable
+        and a later one."""
         mine, slices = self.slices[variable], self.slices
         later = slice(mine.stop, None)
         total = excess[mine, None] + excess[later] + pairs[mine, later]
@@ -343,7 +389,8 @@ class ReducedProblem:
 
 
 def reduced(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:
-    """The problem without the labels that no layout below the cutoff uses; None if one variable has none left."""
+    """The problem without the labels that no layout below the cutoff uses; None if one variable has
+    none left."""
     while True:
         alive = problem.label_lower_bounds() < cutoff
         if not np.logical_or.reduceat(alive, problem.start[:-1]).all():

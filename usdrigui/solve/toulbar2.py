@@ -1,4 +1,5 @@
-"""What the reduction leaves handed to toulbar2, an exact solver of cost function networks (optional).
+"""What the reduction leaves handed to toulbar2, an exact solver of cost function networks
+(optional).
 
 It runs in a process of its own: it answers no request to stop, so the process is ended instead.
 """
@@ -21,7 +22,8 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import ReducedProblem, Solution
 
 DIGITS = (15, 9)
-"""Of a cost that toulbar2 keeps, in all and behind the point: its costs are whole numbers of 64 bits."""
+"""Of a cost that toulbar2 keeps, in all and behind the point: its costs are whole numbers of 64
+bits."""
 ROUNDED = 1e-6
 """Costs are rounded: so much is taken off its bound, more where fewer decimals are kept."""
 ASKED = 0.1
@@ -39,10 +41,11 @@ def check_installed() -> None:
 def solve_by_toulbar2(
     problem: ReducedProblem, linear: Floats, pairs: Floats, cutoff: float, budget: Budget
 ) -> Solution:
-    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is none.
+    """Best layout of a reduced problem that costs less than the cutoff, or the proof that there is
+    none.
 
-    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  A run that `budget` stops proves and
-    finds nothing.
+    `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  A run that
+    `budget` stops proves and finds nothing.
     """
     least = np.minimum.reduceat(linear, problem.start[:-1])
     spare = cutoff - float(least.sum())
@@ -54,7 +57,9 @@ def solve_by_toulbar2(
         return Solution(problem.bound(), None, figures)
     bound, chosen, rounding = answer
     bound += float(least.sum()) - max(ROUNDED, rounding)
-    return Solution(min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, figures)
+    return Solution(
+        min(bound, cutoff), None if chosen is None else problem.start[:-1] + chosen, figures
+    )
 
 
 Network = tuple[Indices, Floats, Floats, float]
@@ -69,7 +74,9 @@ def _asked(network: Network, budget: Budget) -> Answer | None:
         np.savez(question, *network)
         question.seek(0)
         command = [sys.executable, "-m", __name__]
-        with subprocess.Popen(command, stdin=question, stdout=answer, start_new_session=True) as run:
+        with subprocess.Popen(
+            command, stdin=question, stdout=answer, start_new_session=True
+        ) as run:
             while run.poll() is None:
                 if budget.stopped():
                     run.kill()

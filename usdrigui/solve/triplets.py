@@ -1,9 +1,10 @@
 """A tighter bound from triplets of variables.
 
-Three elements that want two spots leave a bound by pairs below every layout: each stands half here and half there,
-in every table with an entry that costs nothing.  A triplet of variables sees that two of the three must meet.  Its
-least costs are passed back to its three tables (A. Globerson and T. Jaakkola, "Fixing max-product", 2007), for
-the triplets that raise the bound (D. Sontag et al., "Tightening LP relaxations for MAP using message passing", 2008).
+Three elements that want two spots leave a bound by pairs below every layout: each stands half here
+and half there, in every table with an entry that costs nothing.  A triplet of variables sees that
+two of the three must meet.  Its least costs are passed back to its three tables (A. Globerson and
+T. Jaakkola, "Fixing max-product", 2007), for the triplets that raise the bound (D. Sontag et al.,
+"Tightening LP relaxations for MAP using message passing", 2008).
 """
 
 from __future__ import annotations
@@ -21,8 +22,8 @@ AT_ONCE = 100
 CUBE = 65536
 """Costs of three labels that are worked out at a time: they stay in the processor's cache."""
 PASSES = 6
-"""Passes over the triplets before others are looked for; a third where labels are many, for all that is done on the
-whole matrix in each."""
+"""Passes over the triplets before others are looked for; a third where labels are many, for all
+that is done on the whole matrix in each."""
 
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
@@ -55,11 +56,13 @@ def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Floats, Flo
 
 
 def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
-    """Give each of a triplet's tables an even part of what its pairs cost at least together with a label of the third,
-    and then all that is left of it."""
+    """Give each of a triplet's tables an even part of what its pairs cost at least together with a
+    label of the third, and then all that is left of it."""
     a, b, c = triplet
     tables = (problem.table(a, b), problem.table(a, c), problem.table(b, c))
-    before = [table - message for table, message in zip(tables, problem.messages[triplet], strict=True)]
+    before = [
+        table - message for table, message in zip(tables, problem.messages[triplet], strict=True)
+    ]
     left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
     for side, share in ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1)):
         ab, ac, bc = left
@@ -84,8 +87,8 @@ def _least_together(one: Floats, other: Floats) -> Floats:
 
 
 def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
-    """New triplets that raise the bound most, by the cheapest labels of their variables; then those whose weakest table
-    costs most."""
+    """New triplets that raise the bound most, by the cheapest labels of their variables; then those
+    whose weakest table costs most."""
     tables = _cheapest(problem)
     least = tables.min(axis=(2, 3))
     strength = np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0)
@@ -93,7 +96,9 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
     for a, b in np.argwhere(np.triu(problem.linked)).tolist():
         third = b + 1 + np.flatnonzero(problem.linked[a, b + 1 :] & problem.linked[b, b + 1 :])
         both = (tables[a, third][:, :, None] + tables[b, third][:, None]).min(axis=3)
-        gains = (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
+        gains = (
+            (tables[a, b] + both).min(axis=(1, 2)) - least[a, b] - least[a, third] - least[b, third]
+        )
         gains[gains <= EPSILON] = 0.0
         weakest = np.minimum(np.minimum(strength[a, third], strength[b, third]), strength[a, b])
         new = ((a, b, each) not in problem.messages for each in third.tolist())
@@ -103,8 +108,8 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
 
 
 def _cheapest(problem: ReducedProblem) -> Floats:
-    """(variables, variables, k, k) pair costs of the few labels of every variable that the best layouts may use, with
-    their even shares of what these cost alone; the same both ways."""
+    """(variables, variables, k, k) pair costs of the few labels of every variable that the best
+    layouts may use, with their even shares of what these cost alone; the same both ways."""
     bounds = problem.label_lower_bounds()
     labels = np.stack(
         [

@@ -1,4 +1,5 @@
-"""Arrays of attributes, checked: of the right type, finite and in range, or refused by code and prim."""
+"""Arrays of attributes, checked: of the right type, finite and in range, or refused by code and
+prim."""
 
 from __future__ import annotations
 
@@ -39,7 +40,11 @@ def integers(values: Any, path: str, name: str) -> Indices:
     if numbers.dtype.kind not in "iu":
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold integers")
     # Sums of larger ones would wrap around.
-    if numbers.dtype.itemsize > 4 and len(numbers) and not _INT.min <= numbers.min() <= numbers.max() <= _INT.max:
+    if (
+        numbers.dtype.itemsize > 4
+        and len(numbers)
+        and not _INT.min <= numbers.min() <= numbers.max() <= _INT.max
+    ):
         raise refuse("ARRAY_TYPE", path, f"{name} holds integers of more than 32 bits")
     return numbers.astype(np.int64)
 
@@ -50,7 +55,8 @@ def floats(values: Any, path: str, name: str) -> NDArray[Any]:
 
 
 def vectors(values: Any, path: str, name: str) -> NDArray[Any]:
-    """(p, 3) finite numbers, without a copy where they are in single precision already; raises ARRAY_TYPE."""
+    """(p, 3) finite numbers, without a copy where they are in single precision already; raises
+    ARRAY_TYPE."""
     found = _floats(values, (3,), path, name)
     check_finite(found, path, name)
     return found
@@ -82,7 +88,11 @@ def _numbers(values: Any, item: tuple[int, ...], path: str, name: str) -> NDArra
     if numbers.dtype.kind not in "fiu":
         raise refuse("ARRAY_TYPE", path, f"{name} does not hold numbers")
     if numbers.ndim != 1 + len(item) or numbers.shape[1:] != item:
-        raise refuse("ARRAY_TYPE", path, f"{name} does not hold {f'{item[0]}-vectors' if item else 'single numbers'}")
+        raise refuse(
+            "ARRAY_TYPE",
+            path,
+            f"{name} does not hold {f'{item[0]}-vectors' if item else 'single numbers'}",
+        )
     return numbers
 
 

@@ -1,9 +1,11 @@
-"""The one place that edits an asset, and only when told to: the layout among the asset's own sublayers.
+"""The one place that edits an asset, and only when told to: the layout among the asset's own
+sublayers.
 
-`attach` puts a bare layout layer first among the sublayers of the asset's root layer, `detach` takes it
-out again.  Both write through `usdrigui.usd.replacing`, after the edited file has been read back in a
-process of its own.  A text layer is edited in place of one entry, so that comments and layout of the text
-stay; if the edited text does not mean exactly what the edited layer means, the layer is exported instead.
+`attach` puts a bare layout layer first among the sublayers of the asset's root layer, `detach`
+takes it out again.  Both write through `usdrigui.usd.replacing`, after the edited file has been
+read back in a process of its own.  A text layer is edited in place of one entry, so that comments
+and layout of the text stay; if the edited text does not mean exactly what the edited layer means,
+the layer is exported instead.
 """
 
 from __future__ import annotations
@@ -20,7 +22,11 @@ from pxr import Sdf, Tf
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.settings import Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
-from usdrigui.usd.reader_process import read_layer_isolated, read_layouts_isolated, read_rigs_isolated
+from usdrigui.usd.reader_process import (
+    read_layer_isolated,
+    read_layouts_isolated,
+    read_rigs_isolated,
+)
 from usdrigui.usd.replacing import check_content, editing, replace_source
 from usdrigui.usd.safe_write import commit, same_file
 from usdrigui.usd.source import SourceFile, check_source
@@ -35,7 +41,8 @@ _FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
 _ENTRY = "\n        @{path}@,"
 """What one with sublayers gets before the first of them."""
 _TOKEN = re.compile(
-    r"""#[^\n]*|'''(?:\\.|[^\\])*?'''|"{3}(?:\\.|[^\\])*?"{3}|'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*\""""
+    r"""#[^\n]*|'''(?:\\.|[^\\])*?'''|"{3}(?:\\.|[^\\])*?"{3}|"""
+    r"""'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*\""""
     r"|@@@.*?@@@|@[^@\n]*@|\w+|[=()\[\]{}]",
     re.DOTALL,
 )
@@ -46,8 +53,8 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT, and all that
-    reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.
+    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT,
+    and all that reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.
     """
     _check_editable(asset, settings)
     with editing(asset, settings.read.time_limit):
@@ -55,10 +62,11 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
 
 def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
-    """Take `layer`, which need not exist any more, out of the sublayers of the root layer of `asset`.
+    """Take `layer`, which need not exist any more, out of the sublayers of the root layer of
+    `asset`.
 
-    The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and what reading and
-    `usdrigui.usd.replacing` can raise.
+    The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
+    what reading and `usdrigui.usd.replacing` can raise.
     """
     _check_editable(asset, settings)
     with editing(asset, settings.read.time_limit):
@@ -66,9 +74,11 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
 
 
 def write_bare(layer: Path, target: Path) -> Outcome:
-    """Write a copy of a layout layer that has no sublayers, as `usdrigui process --bare` would have written it.
+    """Write a copy of a layout layer that has no sublayers, as `usdrigui process --bare` would have
+    written it.
 
-    Raises FILE_TARGET for the layer itself, which keeps its sublayers, FILE_NOT_USD, and the FILE_ codes of writing.
+    Raises FILE_TARGET for the layer itself, which keeps its sublayers, FILE_NOT_USD, and the FILE_
+    codes of writing.
     """
     if same_file(layer, target):
         raise refuse("FILE_TARGET", str(target), "is the layer itself, of which a copy was wanted")
@@ -92,9 +102,15 @@ def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     roots = [layout.root for layout in layouts]
     for root in roots:
         if root in read.composed_from:
-            raise refuse("SOURCE_HAS_LAYOUT", root, f"{asset} brings in its layout from {read.composed_from[root]}")
+            raise refuse(
+                "SOURCE_HAS_LAYOUT",
+                root,
+                f"{asset} brings in its layout from {read.composed_from[root]}",
+            )
     entry = relative_asset_path(layer, asset)
-    return _replaced(asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry)
+    return _replaced(
+        asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry
+    )
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
@@ -107,7 +123,7 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     return _replaced(asset, source, before, functools.partial(_readable, settings), removed=entries)
 
 
-# --- what may be edited ------------------------------------------------------------------------------
+# --- what may be edited ---------------------------------------------------------------------------
 
 
 def _check_editable(asset: Path, settings: Settings) -> None:
@@ -134,7 +150,7 @@ def _leads_to(asset: Path, entry: str, layer: Path) -> bool:
     return same_file(asset.parent / entry, layer)
 
 
-# --- the edit ----------------------------------------------------------------------------------------
+# --- the edit -------------------------------------------------------------------------------------
 
 
 def _replaced(
@@ -146,7 +162,8 @@ def _replaced(
     added: str = "",
     removed: Sequence[str] = (),
 ) -> Outcome:
-    """Write the asset's root layer with one sublayer more or some fewer, in the format that it has."""
+    """Write the asset's root layer with one sublayer more or some fewer, in the format that it
+    has."""
     original = asset.read_bytes()
     check_content(original, before)
     _edit(source, added, removed)
@@ -193,7 +210,8 @@ def _with_entry(text: str, path: str) -> str:
 
 
 def _list_of_sublayers(tokens: Iterator[re.Match[str]]) -> int | None:
-    """Where the list of sublayers begins in the metadata of a layer, whose opening bracket has been read."""
+    """Where the list of sublayers begins in the metadata of a layer, whose opening bracket has been
+    read."""
     depth, before = 1, ("", "")
     for found in tokens:
         if (depth, *before, found[0]) == (1, "subLayers", "=", "["):
@@ -220,7 +238,10 @@ def _means(text: str, layer: Sdf.Layer) -> bool:
     """Whether the text holds exactly what the layer holds."""
     parsed = Sdf.Layer.CreateAnonymous(".usda")
     try:
-        return bool(parsed.ImportFromString(text)) and parsed.ExportToString() == layer.ExportToString()
+        return (
+            bool(parsed.ImportFromString(text))
+            and parsed.ExportToString() == layer.ExportToString()
+        )
     except (Tf.ErrorException, RuntimeError, UnicodeError):
         return False
 

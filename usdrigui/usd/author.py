@@ -1,4 +1,5 @@
-"""Writing specs into a layer: prims, typed values, and properties as the usdrigui schema declares them."""
+"""Writing specs into a layer: prims, typed values, and properties as the usdrigui schema declares
+them."""
 
 from __future__ import annotations
 
@@ -35,12 +36,17 @@ _SCALARS: Mapping[str, Callable[[Any], Any]] = {
     "bool": bool,
 }
 _DIGITS = {
-    **{name: 7 for name in _ARRAYS if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")},
+    **{
+        name: 7
+        for name in _ARRAYS
+        if name.partition("[")[0] in ("float3", "point3f", "vector3f", "color3f", "float")
+    },
     **dict.fromkeys(("point3f", "vector3f"), 7),
     **dict.fromkeys(("vector3d[]", "double[]", "double"), 7),
     "matrix4d": 12,
 }
-"""Significant digits authored of numbers of each type: as many as a source in single precision has."""
+"""Significant digits authored of numbers of each type: as many as a source in single precision
+has."""
 _NOT_PLAIN = re.compile(r"[^A-Za-z0-9_]")
 _LISTS = {"token[]": Vt.TokenArray, "string[]": Vt.StringArray}
 
@@ -88,13 +94,18 @@ def apply(spec: Sdf.PrimSpec, apis: Sequence[str]) -> None:
 
 
 def note(spec: Sdf.PrimSpec, books: Mapping[str, Mapping[str, Any]]) -> None:
-    """Put what only usdrigui asks for into the prim's customData: texts, numbers, lists of either with any entry."""
+    """Put what only usdrigui asks for into the prim's customData: texts, numbers, lists of either
+    with any entry."""
     pages = {key: _noted(values) for key, values in books.items()}
     spec.SetInfo("customData", {schema.NOTES: {key: page for key, page in pages.items() if page}})
 
 
 def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
-    return {key: _plain(value) for key, value in values.items() if isinstance(value, (str, float)) or len(value)}
+    return {
+        key: _plain(value)
+        for key, value in values.items()
+        if isinstance(value, (str, float)) or len(value)
+    }
 
 
 def _plain(value: Any) -> Any:
@@ -134,10 +145,15 @@ def link(spec: Sdf.PrimSpec, name: str, targets: Iterable[Sdf.Path | str]) -> No
 
 
 def declare(
-    spec: Sdf.PrimSpec, api: str, values: Mapping[str, Any], instance: str = "", *, fallbacks: bool = False
+    spec: Sdf.PrimSpec,
+    api: str,
+    values: Mapping[str, Any],
+    instance: str = "",
+    *,
+    fallbacks: bool = False,
 ) -> None:
-    """Author properties of one of our API schemas; values equal to the schema's fallback are left out, unless
-    `fallbacks`: where a weaker layer says something else.
+    """Author properties of one of our API schemas; values equal to the schema's fallback are left
+    out, unless `fallbacks`: where a weaker layer says something else.
 
     Relationships take a sequence of paths.  KeyError for a name that the schema does not have.
     """
@@ -162,7 +178,8 @@ def usd_value(type_name: str, value: Any) -> Any:
 
 
 def settled(value: Any, type_name: str) -> Any:
-    """Numbers without the last digits, which depend on the processor: sums are formed in another order on each.
+    """Numbers without the last digits, which depend on the processor: sums are formed in another
+    order on each.
 
     Kept are 7 digits (12 of matrices) of the largest number of the value.
     """
@@ -170,7 +187,8 @@ def settled(value: Any, type_name: str) -> Any:
         return value
     numbers = np.asarray(value, dtype=np.float64)
     largest = np.abs(numbers[np.isfinite(numbers)]).max(initial=0.0)
-    # A power of two, so that noise about a power of ten (unit vectors) does not change the digits kept.
+    # A power of two, so that noise about a power of ten (unit vectors) does not change the digits
+    # kept.
     mantissa, exponent = np.frexp(largest)
     scale = (exponent + (1.5 * mantissa >= 1.0)) * np.log10(2.0) if largest > 0.0 else 0.0
     decimals = min(_DIGITS[type_name] - int(np.ceil(scale)), 290)  # ten to that power is finite
@@ -190,7 +208,8 @@ def _is_fallback(declared: Property, value: Any) -> bool:
 
 
 def identifier(text: str, taken: set[str]) -> str:
-    """A valid prim or instance name made from any text, ASCII only, not in `taken`, to which it is added."""
+    """A valid prim or instance name made from any text, ASCII only, not in `taken`, to which it is
+    added."""
     plain = _NOT_PLAIN.sub("_", text)
     if not plain or plain[0].isdigit():
         plain = f"_{plain}"

@@ -1,7 +1,8 @@
 """Why UsdSkel moves a mesh by no Skeleton although one is named for it.
 
-UsdSkel says nothing when it passes over a binding, and what mends it differs: applying a schema, giving a prim
-a type, or correcting a path.  Here the walk of `UsdSkel.Cache.Populate` is retraced to name the cause.
+UsdSkel says nothing when it passes over a binding, and what mends it differs: applying a schema,
+giving a prim a type, or correcting a path.  Here the walk of `UsdSkel.Cache.Populate` is retraced
+to name the cause.
 """
 
 from __future__ import annotations
@@ -27,14 +28,19 @@ def why_unbound(prim: Usd.Prim) -> str:
         return ""
     heeded = next((each for each in named if each.HasAPI(UsdSkel.BindingAPI)), None)
     if heeded is None:
-        faults = [f"{_SKELETON} is authored on {named[0].GetPath()}, but {_API} is not applied there: apply it"]
+        faults = [
+            f"{_SKELETON} is authored on {named[0].GetPath()}, but {_API} is not applied there:"
+            " apply it"
+        ]
     else:
         faults = [_without_skeleton(heeded)]
     faults.append(_cut_off(chain[1:]))
     return "; ".join(filter(None, faults))
 
 
-def bound_in_vain(stage: Usd.Stage, meshes: Iterable[str], bound: Container[Sdf.Path]) -> tuple[Issue, ...]:
+def bound_in_vain(
+    stage: Usd.Stage, meshes: Iterable[str], bound: Container[Sdf.Path]
+) -> tuple[Issue, ...]:
     """One for each of `meshes` that has joint influences and a Skeleton named, but none in `bound`.
 
     Meshes with blend shapes are left to `read_shapes`, which says the same of them.
@@ -68,7 +74,10 @@ def _without_skeleton(prim: Usd.Prim) -> str:
     skeleton = prim.GetStage().GetPrimAtPath(targets[0])
     if skeleton and skeleton.IsActive() and skeleton.IsA(UsdSkel.Skeleton):
         return ""
-    return f"{_SKELETON} of {prim.GetPath()} leads to {targets[0]}, which is no active Skeleton: correct it"
+    return (
+        f"{_SKELETON} of {prim.GetPath()} leads to {targets[0]}, which is no active Skeleton:"
+        " correct it"
+    )
 
 
 def _cut_off(above: list[Usd.Prim]) -> str:
@@ -79,5 +88,8 @@ def _cut_off(above: list[Usd.Prim]) -> str:
             what = f"is a {kind}, which is not imageable" if kind else "has no type"
             return f"{path} {what}, so that UsdSkel looks at nothing below it: make it an Xform"
         if prim.IsA(UsdGeom.PointBased):
-            return f"{path} is a {kind} itself, so that UsdSkel looks at nothing below it: move the mesh out"
+            return (
+                f"{path} is a {kind} itself, so that UsdSkel looks at nothing below it: move the"
+                " mesh out"
+            )
     return ""

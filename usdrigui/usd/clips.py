@@ -20,11 +20,18 @@ _MOST_FRAMES = 4096
 def read_performances(path: Path) -> tuple[Performance, ...]:
     """The animations of a file that have more than one time sample, in stage order.
 
-    Raises ANIMATION_MISSING where there is none, ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE, and as `open_stage`.
+    Raises ANIMATION_MISSING where there is none, ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE, and
+    as `open_stage`.
     """
     stage = open_stage(path)
-    prims = [prim for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()) if prim.IsA(UsdSkel.Animation)]
-    found = tuple(_performance(path, UsdSkel.Animation(prim)) for prim in prims if len(_times(prim)) > 1)
+    prims = [
+        prim
+        for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+        if prim.IsA(UsdSkel.Animation)
+    ]
+    found = tuple(
+        _performance(path, UsdSkel.Animation(prim)) for prim in prims if len(_times(prim)) > 1
+    )
     if not found:
         what = f"{len(prims)} SkelAnimations, none with" if prims else "no SkelAnimation with"
         raise refuse("ANIMATION_MISSING", str(path), f"has {what} more than one time sample")
@@ -41,7 +48,9 @@ def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
     times, where = _times(animation.GetPrim()), str(animation.GetPath())
     length = times[-1] - times[0]
     if not np.isfinite(length):
-        raise refuse("NOT_FINITE", where, f"its time samples reach from {times[0]:g} to {times[-1]:g}")
+        raise refuse(
+            "NOT_FINITE", where, f"its time samples reach from {times[0]:g} to {times[-1]:g}"
+        )
     frames = np.linspace(times[0], times[-1], max(2, int(min(_MOST_FRAMES - 1, length)) + 1))
     names = tokens(animation.GetBlendShapesAttr().Get(), where, "blendShapes")
     joints = tokens(animation.GetJointsAttr().Get(), where, "joints")
@@ -57,7 +66,8 @@ def _performance(path: Path, animation: UsdSkel.Animation) -> Performance:
 
 
 def _sampled(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 1) -> Floats:
-    """(frames, width) values, or (frames, width, 4) quaternions, real part first; zero where nothing is authored."""
+    """(frames, width) values, or (frames, width, 4) quaternions, real part first; zero where
+    nothing is authored."""
     table = np.zeros((len(frames), width, parts))
     where, read = str(attribute.GetPath()), floats if parts == 1 else quaternions
     for row, time in enumerate(frames.tolist()):
@@ -66,7 +76,11 @@ def _sampled(attribute: Usd.Attribute, frames: Floats, width: int, parts: int = 
             break
         numbers = read(values, str(attribute.GetPrimPath()), attribute.GetName())
         if len(numbers) != width:
-            raise refuse("ANIMATION_LENGTH", where, f"{len(numbers)} values for {width} names at time {time:g}")
+            raise refuse(
+                "ANIMATION_LENGTH",
+                where,
+                f"{len(numbers)} values for {width} names at time {time:g}",
+            )
         table[row] = numbers.reshape(width, parts)
     if not np.isfinite(table).all():
         raise refuse("NOT_FINITE", where, "the animation holds NaN or infinity")

@@ -19,11 +19,14 @@ _MOST_PIXELS = 2048 * 2048
 """Of a texture that is read; larger ones take longer than all other reading."""
 
 
-def point_colours(prim: Usd.Prim, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode) -> Floats | None:
+def point_colours(
+    prim: Usd.Prim, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
+) -> Floats | None:
     """(points, 3) linear colours from 0 to 1, None where the mesh has none.
 
-    Colours per face or per corner are averaged at each point.  A primvar whose length does not fit, a shader that is
-    not known, and a texture that cannot be read or has more than four million pixels give no colour.
+    Colours per face or per corner are averaged at each point.  A primvar whose length does not fit,
+    a shader that is not known, and a texture that cannot be read or has more than four million
+    pixels give no colour.
     """
     corners = _display_colours(UsdGeom.PrimvarsAPI(prim), points, counts, indices, time)
     for bound, faces in _bindings(prim, len(counts)):
@@ -35,13 +38,16 @@ def point_colours(prim: Usd.Prim, points: int, counts: Indices, indices: Indices
 
 
 def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
-    """(points, 3) means of the corners that have a colour; points without any get the mean of all."""
+    """(points, 3) means of the corners that have a colour; points without any get the mean of
+    all."""
     known = np.isfinite(corners).all(axis=1)
     if not known.any():
         return None
     at, colours = indices[known], np.clip(corners[known], 0.0, 1.0)
     weight = np.bincount(at, minlength=points)
-    total = np.stack([np.bincount(at, weights=axis, minlength=points) for axis in colours.T], axis=1)
+    total = np.stack(
+        [np.bincount(at, weights=axis, minlength=points) for axis in colours.T], axis=1
+    )
     mean = colours.mean(axis=0)
     return np.where(weight[:, None] > 0, total / np.maximum(weight, 1)[:, None], mean)
 
@@ -49,17 +55,22 @@ def _at_points(corners: Floats, points: int, indices: Indices) -> Floats | None:
 def _display_colours(
     primvars: Any, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
 ) -> Floats | None:
-    return _at_corners(primvars.FindPrimvarWithInheritance("displayColor"), 3, points, counts, indices, time)
+    return _at_corners(
+        primvars.FindPrimvarWithInheritance("displayColor"), 3, points, counts, indices, time
+    )
 
 
 def _at_corners(
     primvar: Any, width: int, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
 ) -> Floats | None:
-    """(corners, width) values of a primvar of any interpolation, flattened; None where it does not fit the mesh."""
+    """(corners, width) values of a primvar of any interpolation, flattened; None where it does not
+    fit the mesh."""
     if not primvar or not primvar.HasValue():
         return None
     flat = primvar.ComputeFlattened(time)
-    values = np.asarray(flat if flat is not None else primvar.ComputeFlattened(Usd.TimeCode.EarliestTime()))
+    values = np.asarray(
+        flat if flat is not None else primvar.ComputeFlattened(Usd.TimeCode.EarliestTime())
+    )
     if values.ndim != 2 or values.shape[1] != width or values.dtype.kind != "f":
         return None
     values = values.astype(np.float64)
@@ -70,16 +81,23 @@ def _at_corners(
         "varying": indices,
         "faceVarying": np.arange(len(indices)),
     }
-    sizes = {"constant": 1, "uniform": len(counts), "vertex": points, "varying": points, "faceVarying": len(indices)}
+    sizes = {
+        "constant": 1,
+        "uniform": len(counts),
+        "vertex": points,
+        "varying": points,
+        "faceVarying": len(indices),
+    }
     interpolation = str(primvar.GetInterpolation())
     return values[spread[interpolation]] if sizes.get(interpolation) == len(values) else None
 
 
-# --- materials ---------------------------------------------------------------------------------------
+# --- materials ------------------------------------------------------------------------------------
 
 
 def _bindings(prim: Usd.Prim, faces: int) -> list[tuple[UsdShade.Material, Any]]:
-    """Materials of the mesh and of its subsets, each with the flags (faces,) of where it is bound."""
+    """Materials of the mesh and of its subsets, each with the flags (faces,) of where it is
+    bound."""
     found = []
     whole = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()[0]
     if whole:
@@ -93,7 +111,12 @@ def _bindings(prim: Usd.Prim, faces: int) -> list[tuple[UsdShade.Material, Any]]
 
 
 def _material_colours(
-    material: UsdShade.Material, prim: Usd.Prim, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
+    material: UsdShade.Material,
+    prim: Usd.Prim,
+    points: int,
+    counts: Indices,
+    indices: Indices,
+    time: Usd.TimeCode,
 ) -> Floats | None:
     """(corners, 3) base colour of a material on the mesh, None where it does not tell."""
     base = _base_colour(material)
@@ -105,7 +128,11 @@ def _material_colours(
         return _textured(shader, prim, points, counts, indices, time)
     value = value_at(sources[0], time) if len(sources) == 1 else None
     colour = np.asarray(value if value is not None else (), dtype=np.float64)
-    return np.broadcast_to(colour, (len(indices), 3)) if colour.shape == (3,) and np.isfinite(colour).all() else None
+    return (
+        np.broadcast_to(colour, (len(indices), 3))
+        if colour.shape == (3,) and np.isfinite(colour).all()
+        else None
+    )
 
 
 def _base_colour(material: UsdShade.Material) -> Any:
@@ -118,7 +145,12 @@ def _base_colour(material: UsdShade.Material) -> Any:
 
 
 def _textured(
-    shader: UsdShade.Shader, prim: Usd.Prim, points: int, counts: Indices, indices: Indices, time: Usd.TimeCode
+    shader: UsdShade.Shader,
+    prim: Usd.Prim,
+    points: int,
+    counts: Indices,
+    indices: Indices,
+    time: Usd.TimeCode,
 ) -> Floats | None:
     """(corners, 3) the texture at the corners, by the primvar that its reader names."""
     primvar = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance(_uv_name(shader))
@@ -145,12 +177,20 @@ def _image(shader: UsdShade.Shader) -> Any:
     file = shader.GetInput("file")
     sources = file.GetValueProducingAttributes() if file else []
     asset = sources[0].Get() if sources else None
-    opened = Ar.GetResolver().OpenAsset(Ar.ResolvedPath(asset.resolvedPath)) if asset and asset.resolvedPath else None
+    opened = (
+        Ar.GetResolver().OpenAsset(Ar.ResolvedPath(asset.resolvedPath))
+        if asset and asset.resolvedPath
+        else None
+    )
     if not opened:
         return None
     try:
         with Image.open(io.BytesIO(bytes(opened.GetBuffer()))) as image:
-            return np.asarray(image.convert("RGB")) if image.width * image.height <= _MOST_PIXELS else None
+            return (
+                np.asarray(image.convert("RGB"))
+                if image.width * image.height <= _MOST_PIXELS
+                else None
+            )
     except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError):
         return None
 

@@ -13,8 +13,8 @@ from usdrigui.usd import author, schema
 from usdrigui.usd.variants import within
 
 _NOISE = 1e-6
-"""Weights, rotations (radians), logarithms of scales, and translations relative to the longest bone: what is below is
-noise of the file."""
+"""Weights, rotations (radians), logarithms of scales, and translations relative to the longest
+bone: what is below is noise of the file."""
 
 
 def author_control_api(
@@ -44,10 +44,14 @@ def author_control_api(
 def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
     plain = _is_plain(rig, control)
-    driven = np.flatnonzero(np.abs(drive.weights).max(axis=0, initial=0.0) > (-1.0 if plain else _NOISE))
+    driven = np.flatnonzero(
+        np.abs(drive.weights).max(axis=0, initial=0.0) > (-1.0 if plain else _NOISE)
+    )
     channels = [rig.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
-    which = [animations.index(channel.animation) if channel.animation else 0 for channel in channels]
+    which = [
+        animations.index(channel.animation) if channel.animation else 0 for channel in channels
+    ]
     found: dict[str, Any] = {
         "blendShapes": [channel.token for channel in channels],
         "animation": animations if animations != _only_animation(rig) else [],
@@ -59,7 +63,8 @@ def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
 
 
 def _only_animation(rig: Rig) -> list[str]:
-    """The SkelAnimation of the character, which goes without saying; none where there are several."""
+    """The SkelAnimation of the character, which goes without saying; none where there are
+    several."""
     found = list({skeleton.animation for skeleton in rig.skeletons})
     return found if len(found) == 1 else []
 
@@ -80,7 +85,9 @@ def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
         np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
         for rows, unit in ((drive.rotations, 1.0), (drive.translations, reach), (drive.scales, 1.0))
     )
-    moved = np.flatnonzero(np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0))
+    moved = np.flatnonzero(
+        np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0)
+    )
     joints = [rig.joints[joint] for joint in drive.joints[moved]]
     if not joints:
         return {}
@@ -97,30 +104,39 @@ def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
     }
 
 
-# --- limits ------------------------------------------------------------------------------------------
+# --- limits ---------------------------------------------------------------------------------------
 
 
 def author_limits(layer: Sdf.Layer, rig: Rig) -> None:
     """Say the ranges of the weights where USD itself looks for them: `limits` of blendShapeWeights.
 
-    USD before 25.11 cannot author them; it reads past them without a word.  Weights without a control of
-    their own keep to 0 and 1.
+    USD before 25.11 cannot author them; it reads past them without a word.  Weights without a
+    control of their own keep to 0 and 1.
     """
     if not hasattr(Usd, "AttributeLimits"):
         return
     for skeleton in rig.skeletons:
         ranges = _weight_ranges(rig, skeleton.animation) if skeleton.animation else np.zeros((0, 2))
         if len(ranges):
-            spec = Sdf.CreatePrimInLayer(layer, within(Sdf.Path(skeleton.animation), rig.variant_path))
+            spec = Sdf.CreatePrimInLayer(
+                layer, within(Sdf.Path(skeleton.animation), rig.variant_path)
+            )
             if "blendShapeWeights" not in spec.properties:
-                weights = Sdf.AttributeSpec(spec, "blendShapeWeights", Sdf.ValueTypeNames.FloatArray)
-                low, high = (Vt.FloatArray.FromNumpy(column.astype(np.float32)) for column in ranges.T)
+                weights = Sdf.AttributeSpec(
+                    spec, "blendShapeWeights", Sdf.ValueTypeNames.FloatArray
+                )
+                low, high = (
+                    Vt.FloatArray.FromNumpy(column.astype(np.float32)) for column in ranges.T
+                )
                 weights.SetInfo("limits", {"soft": {"minimum": low, "maximum": high}})
 
 
 def _weight_ranges(rig: Rig, animation: str) -> Floats:
-    """(weights, 2) least and largest weight of each blend shape of a SkelAnimation, in its order."""
-    own = {i: channel.index for i, channel in enumerate(rig.channels) if channel.animation == animation}
+    """(weights, 2) least and largest weight of each blend shape of a SkelAnimation, in its
+    order."""
+    own = {
+        i: channel.index for i, channel in enumerate(rig.channels) if channel.animation == animation
+    }
     ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
     for control in rig.controls:
         if _is_plain(rig, control) and int(control.drive.channels[0]) in own:

@@ -10,7 +10,17 @@ import numpy as np
 from usdrigui.conventions.sides import twins_by_name
 from usdrigui.errors import Issue, issue, refuse
 from usdrigui.joint_tree import Tree
-from usdrigui.model import Channel, Clip, Control, ControlKind, Drive, Floats, Joint, LeftOff, RigMesh
+from usdrigui.model import (
+    Channel,
+    Clip,
+    Control,
+    ControlKind,
+    Drive,
+    Floats,
+    Joint,
+    LeftOff,
+    RigMesh,
+)
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings, JointSettings, Settings
 from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
@@ -18,19 +28,22 @@ from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 
 _AXES = "xyz"
 _STILL = 1e-7
-"""Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves nothing."""
+"""Radians, scene units relative to the skeleton, or logarithms of scale below which a pose moves
+nothing."""
 
 _DECIMALS = 12
 """Of radians and of logarithms of scale."""
 _KEY_DEGREES = 10.0
 """Between the keys of a control that moves joints on arcs."""
 _SLIGHT = 1e-3
-"""Share of the greatest translation, or of scale, by which an animation may move a joint unmentioned."""
+"""Share of the greatest translation, or of scale, by which an animation may move a joint
+unmentioned."""
 
 
 @dataclass(frozen=True)
 class State:
-    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local transforms."""
+    """Everything a pose can set: (..., channels) weights and (..., joints, 4, 4) local
+    transforms."""
 
     weights: Floats
     locals: Floats
@@ -61,9 +74,14 @@ class Draft:
 
 
 def blend_shape_drafts(
-    channels: tuple[Channel, ...], used: set[int], authored: Authored, rest: Floats, settings: Settings
+    channels: tuple[Channel, ...],
+    used: set[int],
+    authored: Authored,
+    rest: Floats,
+    settings: Settings,
 ) -> list[Draft]:
-    """One draft per token that some mesh implements; a token of several animations drives them all."""
+    """One draft per token that some mesh implements; a token of several animations drives them
+    all."""
     by_token: dict[str, list[int]] = {}
     for index, channel in enumerate(channels):
         if index in used:
@@ -72,12 +90,16 @@ def blend_shape_drafts(
     configured = _with_ranges_of_twins(by_token, settings.controls)
     for token, indices in by_token.items():
         override = configured.get(token, ControlSettings())
-        span = _hull([blend_shape_range(index, authored, override, float(rest[index])) for index in indices])
+        span = _hull(
+            [blend_shape_range(index, authored, override, float(rest[index])) for index in indices]
+        )
         drafts.append(Draft(token, "", "blendShape", token, span, _weight_drive(indices, span)))
     return drafts
 
 
-def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool, settings: Settings) -> list[Draft]:
+def joint_drafts(
+    joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool, settings: Settings
+) -> list[Draft]:
     """Rotations of joints about their own axes, in degrees from the base pose."""
     names = joint_names(joints)
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
@@ -89,13 +111,19 @@ def joint_drafts(joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool
             if span is not None:
                 name = f"{names[index]}:r{_AXES[axis]}"
                 label = f"{override.label} {_AXES[axis]}" if override and override.label else ""
-                drafts.append(Draft(name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)))
+                drafts.append(
+                    Draft(
+                        name, label, "joint", joint.path, span, _rotation_drive(index, axis, span)
+                    )
+                )
     return drafts
 
 
-def default_joint_drafts(joints: tuple[Joint, ...], meshes: tuple[RigMesh, ...], weights: int) -> list[Draft]:
-    """The controls of a rig that joints alone drive, in degrees from the base pose; `weights` is its number of
-    channels."""
+def default_joint_drafts(
+    joints: tuple[Joint, ...], meshes: tuple[RigMesh, ...], weights: int
+) -> list[Draft]:
+    """The controls of a rig that joints alone drive, in degrees from the base pose; `weights` is
+    its number of channels."""
     names, drafts = joint_names(joints), []
     tree = Tree(joints, meshes)
     for turn in default_turns(tree):
@@ -111,8 +139,11 @@ def _turn_drive(tree: Tree, turn: Turn, weights: int) -> Drive:
         values = np.array([low, high])
         turns = np.radians(values)[:, None, None] * turn.axes[None]
         still = np.zeros_like(turns)
-        return Drive(values, _NO_INDICES, np.zeros((2, 0)), np.array(turn.joints), turns, still, still)
-    # Joints of a flat skeleton go round the joint that turns: keys every few degrees follow their arcs.
+        return Drive(
+            values, _NO_INDICES, np.zeros((2, 0)), np.array(turn.joints), turns, still, still
+        )
+    # Joints of a flat skeleton go round the joint that turns: keys every few degrees follow their
+    # arcs.
     steps = int(np.ceil((high - low) / _KEY_DEGREES))
     values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
     states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
@@ -126,7 +157,9 @@ def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> t
         return ()
     places, rows = clip.locals[:, :, 3, :3], np.linalg.norm(clip.locals[:, :, :3, :3], axis=-1)
     size = float(np.abs(places).max(initial=0.0))
-    moved = (np.ptp(places, axis=0) > _SLIGHT * size).any(axis=1) | (np.ptp(rows, axis=0) > _SLIGHT).any(axis=1)
+    moved = (np.ptp(places, axis=0) > _SLIGHT * size).any(axis=1) | (
+        np.ptp(rows, axis=0) > _SLIGHT
+    ).any(axis=1)
     names = [joints[i].path.rsplit("/", 1)[-1] for i in np.flatnonzero(moved)]
     if not names:
         return ()
@@ -134,8 +167,11 @@ def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> t
     return (issue("JOINT_MOTION_IGNORED", root, f"{len(names)} joints: {listed}"),)
 
 
-def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[list[Draft], list[LeftOff]]:
-    """A control from 0 (base pose) to 1 (the pose, or the end of the clip) for each pose that moves anything."""
+def pose_drafts(
+    poses: list[NamedPose], base: State, taken: set[str]
+) -> tuple[list[Draft], list[LeftOff]]:
+    """A control from 0 (base pose) to 1 (the pose, or the end of the clip) for each pose that moves
+    anything."""
     drafts, left_off = [], []
     for pose, drive in zip(poses, pose_drives(poses, base), strict=True):
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
@@ -147,11 +183,13 @@ def pose_drafts(poses: list[NamedPose], base: State, taken: set[str]) -> tuple[l
     return drafts, left_off
 
 
-def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...], tuple[Control, ...], list[LeftOff]]:
+def settled(
+    drafts: list[Draft], settings: Settings
+) -> tuple[tuple[Control, ...], tuple[Control, ...], list[LeftOff]]:
     """The controls after ranges, names and labels of the configuration, and those that it excludes.
 
-    Raises CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a new
-    name that is already taken.
+    Raises CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a
+    new name that is already taken.
     """
     controls: list[Control] = []
     excluded: list[Control] = []
@@ -167,11 +205,17 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
             continue
         span = _ranged(draft, override)
         if span.maximum <= span.minimum:
-            left_off.append(LeftOff(draft.name, "read", f"its range is the single value {span.minimum:g}"))
+            left_off.append(
+                LeftOff(draft.name, "read", f"its range is the single value {span.minimum:g}")
+            )
             continue
         name = override.rename or draft.name
         if name in names:
-            raise refuse("CONFIG_VALUE", f'controls."{draft.name}".rename', f"two controls would be called {name!r}")
+            raise refuse(
+                "CONFIG_VALUE",
+                f'controls."{draft.name}".rename',
+                f"two controls would be called {name!r}",
+            )
         names.add(name)
         controls.append(_control(draft, name, override, span))
     return tuple(controls), tuple(excluded), left_off
@@ -180,10 +224,12 @@ def settled(drafts: list[Draft], settings: Settings) -> tuple[tuple[Control, ...
 def _with_ranges_of_twins(
     names: Collection[str], configured: Mapping[str, ControlSettings]
 ) -> Mapping[str, ControlSettings]:
-    """The configuration with a range that is set for one side of the character set for its twin by name too, unless
-    that has one of its own or is said to be none."""
+    """The configuration with a range that is set for one side of the character set for its twin by
+    name too, unless that has one of its own or is said to be none."""
     found, plain = dict(configured), ControlSettings()
-    ranged = [name for name, each in configured.items() if (each.minimum, each.maximum) != (None, None)]
+    ranged = [
+        name for name, each in configured.items() if (each.minimum, each.maximum) != (None, None)
+    ]
     twins = twins_by_name(names) if ranged else {}
     for name in ranged:
         one, twin = configured[name], configured[name].twin or twins.get(name, "")
@@ -212,7 +258,8 @@ def _control(draft: Draft, name: str, override: ControlSettings, span: Range) ->
 def joint_settings(
     joint: Joint, joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
 ) -> JointSettings | None:
-    """The configuration of a joint by its full path or, where no other joint has it, its last name."""
+    """The configuration of a joint by its full path or, where no other joint has it, its last
+    name."""
     if joint.path in configured:
         return configured[joint.path]
     leaf = joint.path.rsplit("/", 1)[-1]
@@ -227,17 +274,25 @@ def pose_drives(poses: list[NamedPose], base: State) -> list[Drive]:
         return []
     local = np.concatenate([pose.states.locals for pose in poses])
     frame, base_frame = rotation_part(local), rotation_part(base.locals)
-    # What is nearly still is the difference of numbers about one, whose last bits differ between processors.
+    # What is nearly still is the difference of numbers about one, whose last bits differ between
+    # processors.
     turns = np.round(rotation_vectors(frame @ np.swapaxes(base_frame, -1, -2)), _DECIMALS) + 0.0
     shifts = local[..., 3, :3] - base.locals[..., 3, :3]
-    scales = np.round(_log_scales(local, frame) - _log_scales(base.locals, base_frame), _DECIMALS) + 0.0
+    scales = (
+        np.round(_log_scales(local, frame) - _log_scales(base.locals, base_frame), _DECIMALS) + 0.0
+    )
     ends = np.cumsum([len(pose.values) for pose in poses])[:-1]
     parts = zip(poses, *(np.split(table, ends) for table in (turns, shifts, scales)), strict=True)
     size = max(float(np.abs(base.locals[..., 3, :3]).max(initial=0.0)), 1e-30)
-    return [_pose_drive(pose, base, unwrapped(turn), shift, scale, size) for pose, turn, shift, scale in parts]
+    return [
+        _pose_drive(pose, base, unwrapped(turn), shift, scale, size)
+        for pose, turn, shift, scale in parts
+    ]
 
 
-def _pose_drive(pose: NamedPose, base: State, turns: Floats, shifts: Floats, scales: Floats, size: float) -> Drive:
+def _pose_drive(
+    pose: NamedPose, base: State, turns: Floats, shifts: Floats, scales: Floats, size: float
+) -> Drive:
     moving = np.flatnonzero(
         (np.abs(turns) > _STILL).any(axis=(0, 2))
         | (np.abs(shifts) > _STILL * size).any(axis=(0, 2))
@@ -266,7 +321,7 @@ def _log_scales(local: Floats, frame: Floats) -> Floats:
     return np.asarray(np.log(np.maximum(diagonal, 1e-9)), dtype=np.float64)
 
 
-# --- drives and ranges -------------------------------------------------------------------------------
+# --- drives and ranges ----------------------------------------------------------------------------
 
 
 _NO_INDICES = np.zeros(0, dtype=np.int64)
@@ -286,7 +341,13 @@ def _rotation_drive(joint: int, axis: int, span: Range) -> Drive:
     turns[:, 0, axis] = np.radians(values - span.default)
     still = np.zeros((2, 1, 3))
     return Drive(
-        values, np.zeros(0, dtype=np.int64), np.zeros((2, 0)), np.array([joint], dtype=np.int64), turns, still, still
+        values,
+        np.zeros(0, dtype=np.int64),
+        np.zeros((2, 0)),
+        np.array([joint], dtype=np.int64),
+        turns,
+        still,
+        still,
     )
 
 
@@ -307,17 +368,24 @@ def _redriven(drive: Drive, span: Range) -> Drive:
 def _ranged(draft: Draft, override: ControlSettings) -> Range:
     """The draft's range after the configuration, checked."""
     span = draft.range
-    if draft.kind != "blendShape" and (override.minimum, override.maximum, override.default) != (None, None, None):
+    if draft.kind != "blendShape" and (override.minimum, override.maximum, override.default) != (
+        None,
+        None,
+        None,
+    ):
         minimum = span.minimum if override.minimum is None else override.minimum
         maximum = span.maximum if override.maximum is None else override.maximum
         if override.default not in (None, span.default):
-            raise refuse("CONFIG_VALUE", f'controls."{draft.name}".default', "joints and poses rest at 0")
+            raise refuse(
+                "CONFIG_VALUE", f'controls."{draft.name}".default', "joints and poses rest at 0"
+            )
         span = Range(minimum, span.default, maximum, "config")
     if span.source == "config" and not span.minimum <= span.default <= span.maximum:
         raise refuse(
             "CONFIG_VALUE",
             f'controls."{draft.name}"',
-            f"minimum {span.minimum:g}, default {span.default:g} and maximum {span.maximum:g} must ascend",
+            f"minimum {span.minimum:g}, default {span.default:g} and maximum {span.maximum:g} must"
+            " ascend",
         )
     return span
 
@@ -327,18 +395,23 @@ def _hull(ranges: list[Range]) -> Range:
         return ranges[0]
     widest = max(ranges, key=lambda each: each.maximum - each.minimum)
     return Range(
-        min(each.minimum for each in ranges), ranges[0].default, max(each.maximum for each in ranges), widest.source
+        min(each.minimum for each in ranges),
+        ranges[0].default,
+        max(each.maximum for each in ranges),
+        widest.source,
     )
 
 
-# --- joints ------------------------------------------------------------------------------------------
+# --- joints ---------------------------------------------------------------------------------------
 
 
 def joint_names(joints: tuple[Joint, ...]) -> list[str]:
     """The last name of each joint, or its whole path where that is not unique."""
     leaves = [joint.path.rsplit("/", 1)[-1] for joint in joints]
     paths = [joint.path for joint in joints]
-    names = [leaf if leaves.count(leaf) == 1 else path for leaf, path in zip(leaves, paths, strict=True)]
+    names = [
+        leaf if leaves.count(leaf) == 1 else path for leaf, path in zip(leaves, paths, strict=True)
+    ]
     return [
         name if names.count(name) == 1 else f"{joint.skeleton}/{name}"
         for name, joint in zip(names, joints, strict=True)
@@ -346,7 +419,8 @@ def joint_names(joints: tuple[Joint, ...]) -> list[str]:
 
 
 def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
-    """(joints, 3, 2) least and greatest rotation about each own axis, in degrees from the base pose.
+    """(joints, 3, 2) least and greatest rotation about each own axis, in degrees from the base
+    pose.
 
     Without the noise of quaternions in single precision: some 1e-5 degrees.
     """
@@ -387,4 +461,8 @@ def unknown_joints(joints: tuple[Joint, ...], settings: Settings) -> set[str]:
 
 def unknown_names(drafts: list[Draft], left_off: list[LeftOff], settings: Settings) -> set[str]:
     """Names in ``[controls]`` that neither a draft nor something left off bears."""
-    return set(settings.controls) - {draft.name for draft in drafts} - {each.control for each in left_off}
+    return (
+        set(settings.controls)
+        - {draft.name for draft in drafts}
+        - {each.control for each in left_off}
+    )

@@ -1,7 +1,8 @@
-"""The meshes that draw a layout, as UsdSkel applications deform them: few of them, shared by all elements.
+"""The meshes that draw a layout, as UsdSkel applications deform them: few of them, shared by all
+elements.
 
-What hangs on one skeleton in one way is one Mesh, with a GeomSubset per element and one BlendShape per channel that
-moves any of them.  Decision 050 says why.
+What hangs on one skeleton in one way is one Mesh, with a GeomSubset per element and one BlendShape
+per channel that moves any of them.  Decision 050 says why.
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ class DrawnElement(Record):
 
 @dataclass(frozen=True, eq=False)
 class Drawing(Record):
-    """What one Mesh draws: parts of elements that hang on one skeleton in one way, in one part of the character."""
+    """What one Mesh draws: parts of elements that hang on one skeleton in one way, in one part of
+    the character."""
 
     part: str
     inner: bool
@@ -58,7 +60,9 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
     for position, each in enumerate(elements):
         for part in each.parts:
             bound = part.joint_binding
-            skinned = bool(len(bound.joints))  # UsdSkel takes a point without influences to the origin
+            skinned = bool(
+                len(bound.joints)
+            )  # UsdSkel takes a point without influences to the origin
             key = (
                 each.element.part,
                 each.inner,
@@ -71,17 +75,27 @@ def drawings(elements: Sequence[DrawnElement]) -> tuple[Drawing, ...]:
 
 
 def drawing_name(drawing: Drawing, others: Iterable[Drawing]) -> str:
-    """``FaceControls``, ``FaceMembers``, ``HandsStillControls``: tells what it is wherever an outliner lists it.
+    """``FaceControls``, ``FaceMembers``, ``HandsStillControls``: tells what it is wherever an
+    outliner lists it.
 
     *Still* is what no joint moves, where joints move the rest.
     """
     moved = [len(each.joint_binding.joints) > 0 for each in others]
     still = not len(drawing.joint_binding.joints) and any(moved)
-    return drawing.part.title() + ("Still" if still else "") + ("Members" if drawing.inner else "Controls")
+    return (
+        drawing.part.title()
+        + ("Still" if still else "")
+        + ("Members" if drawing.inner else "Controls")
+    )
 
 
 def author_drawing(
-    mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing, elements: Sequence[DrawnElement], names: Sequence[str], size: float
+    mesh: Sdf.PrimSpec,
+    rig: Rig,
+    drawing: Drawing,
+    elements: Sequence[DrawnElement],
+    names: Sequence[str],
+    size: float,
 ) -> dict[int, Sdf.PrimSpec]:
     """Fill in a Mesh; returns the GeomSubset of each element whose handle it draws, by position.
 
@@ -96,19 +110,24 @@ def author_drawing(
     return subsets
 
 
-# --- faces -------------------------------------------------------------------------------------------
+# --- faces ----------------------------------------------------------------------------------------
 
 
 def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[DrawnElement]) -> None:
     parts = [part for _, part in drawing.parts]
     starts = _starts(len(part.points) for part in parts)
     indices = [part.faces.indices + start for part, start in zip(parts, starts[:-1], strict=True)]
-    author.put(mesh, "faceVertexCounts", "int[]", np.concatenate([part.faces.counts for part in parts]))
+    author.put(
+        mesh, "faceVertexCounts", "int[]", np.concatenate([part.faces.counts for part in parts])
+    )
     author.put(mesh, "faceVertexIndices", "int[]", np.concatenate(indices))
-    # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to author normals.
+    # Flat faces whose normals are theirs in every pose.  A mesh of the scheme "none" would have to
+    # author normals.
     author.put(mesh, "subdivisionScheme", "token", "bilinear", uniform=True)
     author.put(mesh, "doubleSided", "bool", True, uniform=True)
-    extent = Sdf.AttributeSpec(mesh, "extent", Sdf.ValueTypeNames.Float3Array, Sdf.VariabilityVarying)
+    extent = Sdf.AttributeSpec(
+        mesh, "extent", Sdf.ValueTypeNames.Float3Array, Sdf.VariabilityVarying
+    )
     # To the last bit as USD computes it of what is written, in single precision.
     extent.default = UsdGeom.PointBased.ComputeExtent(mesh.attributes["points"].default)
     sides = [elements[position].element.side for position, _ in drawing.parts]
@@ -116,12 +135,18 @@ def _author_faces(mesh: Sdf.PrimSpec, drawing: Drawing, elements: Sequence[Drawn
     which = [list(dict.fromkeys(sides)).index(side) for side in sides]
     repeated = np.repeat(which, [len(part.faces.counts) for part in parts])
     _author_per_face(mesh, "primvars:displayColor", "color3f[]", colours, repeated)
-    areas = [np.arange(len(part.faces.counts)) >= len(part.faces.counts) - part.areas for part in parts]
+    areas = [
+        np.arange(len(part.faces.counts)) >= len(part.faces.counts) - part.areas for part in parts
+    ]
     if any(each.any() for each in areas):
-        _author_per_face(mesh, "primvars:displayOpacity", "float[]", [1.0, _AREA_OPACITY], np.concatenate(areas))
+        _author_per_face(
+            mesh, "primvars:displayOpacity", "float[]", [1.0, _AREA_OPACITY], np.concatenate(areas)
+        )
 
 
-def _author_per_face(mesh: Sdf.PrimSpec, name: str, type_name: str, values: Any, which: Any) -> None:
+def _author_per_face(
+    mesh: Sdf.PrimSpec, name: str, type_name: str, values: Any, which: Any
+) -> None:
     """A primvar with one of `values` for each face."""
     if len(values) == 1:
         author.put(mesh, name, type_name, values, interpolation="constant")
@@ -130,7 +155,9 @@ def _author_per_face(mesh: Sdf.PrimSpec, name: str, type_name: str, values: Any,
     author.put(mesh, f"{name}:indices", "int[]", which)
 
 
-def _author_subsets(mesh: Sdf.PrimSpec, drawing: Drawing, names: Sequence[str]) -> dict[int, Sdf.PrimSpec]:
+def _author_subsets(
+    mesh: Sdf.PrimSpec, drawing: Drawing, names: Sequence[str]
+) -> dict[int, Sdf.PrimSpec]:
     author.put(mesh, f"subsetFamily:{_FAMILY}:familyType", "token", "nonOverlapping", uniform=True)
     starts = _starts(len(part.faces.counts) for _, part in drawing.parts)
     faces: dict[int, list[Indices]] = {}
@@ -143,7 +170,9 @@ def _author_subsets(mesh: Sdf.PrimSpec, drawing: Drawing, names: Sequence[str]) 
         author.put(subset, "familyName", "token", _FAMILY, uniform=True)
         author.put(subset, "indices", "int[]", np.concatenate(ranges))
         if position in handles:
-            author.declare(subset, schema.HANDLE, {"faceCount": len(handles[position].faces.counts)})
+            author.declare(
+                subset, schema.HANDLE, {"faceCount": len(handles[position].faces.counts)}
+            )
             subsets[position] = subset
     return subsets
 
@@ -152,7 +181,7 @@ def _starts(counts: Iterable[int]) -> Indices:
     return np.cumsum([0, *counts], dtype=np.int64)
 
 
-# --- UsdSkel -----------------------------------------------------------------------------------------
+# --- UsdSkel --------------------------------------------------------------------------------------
 
 
 def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
@@ -164,7 +193,9 @@ def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
         return
     parts = [part for _, part in drawing.parts]
     listed = np.unique(np.concatenate([part.joint_binding.joints for part in parts]))
-    author.put(mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True)
+    author.put(
+        mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True
+    )
     author.put(
         mesh,
         "primvars:skel:geomBindTransform",
@@ -174,14 +205,27 @@ def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
     author.put(mesh, "primvars:skel:skinningMethod", "token", bound.method, uniform=True)
     width = max(len(part.joint_binding.joints) for part in parts)
     rows = [
-        np.tile(_padded(np.searchsorted(listed, part.joint_binding.joints), width), len(part.points)) for part in parts
+        np.tile(
+            _padded(np.searchsorted(listed, part.joint_binding.joints), width), len(part.points)
+        )
+        for part in parts
     ]
-    shares = [np.tile(_padded(_shares(part.joint_binding.weights), width), len(part.points)) for part in parts]
+    shares = [
+        np.tile(_padded(_shares(part.joint_binding.weights), width), len(part.points))
+        for part in parts
+    ]
     for name, type_name, values in (
         ("primvars:skel:jointIndices", "int[]", rows),
         ("primvars:skel:jointWeights", "float[]", shares),
     ):
-        author.put(mesh, name, type_name, np.concatenate(values), interpolation="vertex", element_size=width)
+        author.put(
+            mesh,
+            name,
+            type_name,
+            np.concatenate(values),
+            interpolation="vertex",
+            element_size=width,
+        )
 
 
 def _padded(values: Any, width: int) -> Any:
@@ -189,13 +233,14 @@ def _padded(values: Any, width: int) -> Any:
 
 
 def _shares(weights: Floats) -> Floats:
-    """The weights in six decimals; their sum stays what it is, and with it the place of what they carry."""
+    """The weights in six decimals; their sum stays what it is, and with it the place of what they
+    carry."""
     short = np.round(weights, 6)
     short[short.argmax()] += np.round(weights.sum() - short.sum(), 7)
     return np.round(short, 7)
 
 
-# --- shapes ------------------------------------------------------------------------------------------
+# --- shapes ---------------------------------------------------------------------------------------
 
 Spans = Sequence[tuple[Indices, Sequence[PointShape]]]
 """Points of a mesh, and the shapes that move them, with one offset for each."""
@@ -206,9 +251,16 @@ def _spans(rig: Rig, drawing: Drawing) -> Spans:
     starts = _starts(len(part.points) for _, part in drawing.parts)
     ranges = [np.arange(first, last) for first, last in itertools.pairwise(starts)]
     skeleton = drawing.joint_binding.skeleton
-    driven = {"", rig.skeletons[skeleton].animation} if skeleton >= 0 else {each.animation for each in rig.channels}
+    driven = (
+        {"", rig.skeletons[skeleton].animation}
+        if skeleton >= 0
+        else {each.animation for each in rig.channels}
+    )
     return [
-        (points, [shape for shape in part.shapes if rig.channels[shape.channel].animation in driven])
+        (
+            points,
+            [shape for shape in part.shapes if rig.channels[shape.channel].animation in driven],
+        )
         for points, (_, part) in zip(ranges, drawing.parts, strict=True)
     ]
 
@@ -220,7 +272,8 @@ def author_shapes(
     taken: set[str],
     existing: Sequence[tuple[str, Sdf.Path]] = (),
 ) -> None:
-    """Let points of a mesh follow shapes: one BlendShape for each channel whose token the mesh does not have yet.
+    """Let points of a mesh follow shapes: one BlendShape for each channel whose token the mesh does
+    not have yet.
 
     `existing` are the tokens and targets that it has, `taken` the names of its children.
     """
@@ -235,7 +288,9 @@ def author_shapes(
         _author_shape(Sdf.PrimSpec(mesh, name, Sdf.SpecifierDef, "BlendShape"), points, shape)
         targets.append((token, mesh.path.AppendChild(name)))
     if len(targets) > len(existing):
-        author.put(mesh, "skel:blendShapes", "token[]", [token for token, _ in targets], uniform=True)
+        author.put(
+            mesh, "skel:blendShapes", "token[]", [token for token, _ in targets], uniform=True
+        )
         author.link(mesh, "skel:blendShapeTargets", [target for _, target in targets])
 
 
@@ -247,11 +302,18 @@ def _by_channel(spans: Spans) -> dict[int, list[tuple[Indices, PointShape]]]:
     return found
 
 
-def _one_shape(channel: int, pieces: Sequence[tuple[Indices, PointShape]]) -> tuple[Indices, PointShape]:
-    """The shapes of one channel as one; each is piecewise linear, and so is the whole with the knots of all."""
+def _one_shape(
+    channel: int, pieces: Sequence[tuple[Indices, PointShape]]
+) -> tuple[Indices, PointShape]:
+    """The shapes of one channel as one; each is piecewise linear, and so is the whole with the
+    knots of all."""
     weights = np.unique(np.concatenate([shape.weights for _, shape in pieces]))
     rows = [
-        shape.offsets if np.array_equal(shape.weights, weights) else np.stack([shape.at(each) for each in weights])
+        (
+            shape.offsets
+            if np.array_equal(shape.weights, weights)
+            else np.stack([shape.at(each) for each in weights])
+        )
         for _, shape in pieces
     ]
     points = np.concatenate([points for points, _ in pieces])
@@ -262,7 +324,9 @@ def _author_shape(child: Sdf.PrimSpec, points: Indices, shape: PointShape) -> No
     between: set[str] = set()
     moved = np.flatnonzero(shape.offsets.any(axis=(0, 2)))
     moved = moved if len(moved) else np.arange(1)
-    for weight, offsets in zip(shape.weights.tolist(), shape.offsets[:, moved].astype(np.float32), strict=True):
+    for weight, offsets in zip(
+        shape.weights.tolist(), shape.offsets[:, moved].astype(np.float32), strict=True
+    ):
         name = "offsets" if weight == 1.0 else f"inbetweens:{_weight_name(weight, between)}"
         attribute = Sdf.AttributeSpec(child, name, _VECTORS, Sdf.VariabilityUniform)
         attribute.default = Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(offsets))

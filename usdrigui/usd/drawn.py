@@ -1,9 +1,11 @@
 """What is drawn of an element: its handle, its tracks and the areas between them, as polygons.
 
-Tracks and glyphs that are curves are ribbons: importers deform meshes, and leave curves where they are.
+Tracks and glyphs that are curves are ribbons: importers deform meshes, and leave curves where they
+are.
 
 Positions come in as the layout has them, in the base pose, and go out in the bind pose (see
-`usdrigui.usd.skin_binding`), with the shapes and influences that make them follow the character.  numpy only.
+`usdrigui.usd.skin_binding`), with the shapes and influences that make them follow the character.
+numpy only.
 """
 
 from __future__ import annotations
@@ -26,12 +28,13 @@ _BESIDE = 0.05
 _TRACK_WIDTH = 0.15
 """Of a handle's."""
 _HAIR = 0.15
-"""Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out move it by less, taken
-together."""
+"""Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out
+move it by less, taken together."""
 _EXACT = 2e-6
 """Of the character's size: the same for handles, which must be on the skin."""
 _HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
-"""Of the same lengths: offsets are whole numbers of decimal steps below these, so that they are short to write."""
+"""Of the same lengths: offsets are whole numbers of decimal steps below these, so that they are
+short to write."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,40 +77,57 @@ def drawn_parts(skin: SkinBinding, element: Element, width: float) -> tuple[Draw
     """
     binding = skin.at_anchor(element)
     felt = tuple(_short(shape, skin) for shape in _felt(binding.shapes, _EXACT * skin.size))
-    binding, still = replace(binding, shapes=felt), replace(binding, shapes=_felt(binding.shapes, _HAIR * width))
-    handle = _follower(skin, binding, element, width) if binding.deforms else _slider(skin, binding, element, width)
+    binding, still = (
+        replace(binding, shapes=felt),
+        replace(binding, shapes=_felt(binding.shapes, _HAIR * width)),
+    )
+    handle = (
+        _follower(skin, binding, element, width)
+        if binding.deforms
+        else _slider(skin, binding, element, width)
+    )
     return handle, _tracks(skin, still, element, width)
 
 
 def _short(shape: PointShape, skin: SkinBinding) -> PointShape:
-    return PointShape(shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * skin.size))
+    return PointShape(
+        shape.channel, shape.weights, in_steps(shape.offsets, _EXACT_STEP * skin.size)
+    )
 
 
 def _felt(shapes: tuple[PointShape, ...], budget: float) -> tuple[PointShape, ...]:
-    """The shapes without the smallest ones, which at their knots all together move less than `budget`."""
+    """The shapes without the smallest ones, which at their knots all together move less than
+    `budget`."""
     sizes = np.array([np.linalg.norm(shape.offsets, axis=-1).max(initial=0.0) for shape in shapes])
     order = np.argsort(sizes, kind="stable")
     small = set(order[np.cumsum(sizes[order]) <= budget].tolist())
     return tuple(shape for i, shape in enumerate(shapes) if i not in small)
 
 
-# --- tracks and areas --------------------------------------------------------------------------------
+# --- tracks and areas -----------------------------------------------------------------------------
 
 
 def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
-    """A spike for each member, and polygons between those that are neighbours (paper section 4.1)."""
+    """A spike for each member, and polygons between those that are neighbours (paper section
+    4.1)."""
     base = np.array([skin.value(member.control) for member in element.members])
     spikes = [
-        # Each a little narrower, so that two which begin in one place do not begin in the same points.
+        # Each a little narrower, so that two which begin in one place do not begin in the same
+        # points.
         _spike(member.track, element.anchor.normal, _TRACK_WIDTH * width / (1.0 + 0.1 * i))
         for i, member in enumerate(element.members)
     ]
     areas = _areas(element)
-    pieces = [*spikes, *((positions, Faces.alike(np.arange(len(positions))[None])) for _, positions in areas)]
+    pieces = [
+        *spikes,
+        *((positions, Faces.alike(np.arange(len(positions))[None])) for _, positions in areas),
+    ]
     starts = np.cumsum([0, *(len(points) for points, _ in pieces)])
     faces = Faces(
         np.concatenate([faces.counts for _, faces in pieces]),
-        np.concatenate([faces.indices + start for (_, faces), start in zip(pieces, starts, strict=False)]),
+        np.concatenate(
+            [faces.indices + start for (_, faces), start in zip(pieces, starts, strict=False)]
+        ),
     )
     rows = [_values_along(base, i, member) for i, member in enumerate(element.members)]
     values = np.concatenate([*rows, *(_values_at(base, element, ends) for ends, _ in areas)])
@@ -116,7 +136,8 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
-    """(q, members) value of each control with which the handle is at each point of a member's spike."""
+    """(q, members) value of each control with which the handle is at each point of a member's
+    spike."""
     along = np.repeat(np.asarray(member.values, dtype=np.float64), 2)[:-1]
     rows = np.tile(base, (len(along), 1))
     rows[:, position] = along
@@ -144,8 +165,8 @@ def _still(
 ) -> Drawn:
     """What its element's own controls must not move, and all others must.
 
-    It is bound to what the own controls leave alone.  Where they turn joints, the other shapes' offsets
-    turn along the track as they do at the anchor when it is there.
+    It is bound to what the own controls leave alone.  Where they turn joints, the other shapes'
+    offsets turn along the track as they do at the anchor when it is there.
     """
     bound = binding.track
     others = [shape for shape in binding.shapes if shape.channel not in binding.own_channels]
@@ -161,11 +182,14 @@ def _still(
         for shape, offsets in zip(others, spread, strict=True)
     )
     points = bound.unposed(positions) - _blended(skin, shapes)
-    return Drawn("tracks", np.array(positions, dtype=np.float64), points, faces, bound, shapes, areas)
+    return Drawn(
+        "tracks", np.array(positions, dtype=np.float64), points, faces, bound, shapes, areas
+    )
 
 
 def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices]:
-    """(2 k, 3) left and right of each point of a line (k, 3), across the normal; and the quads between them."""
+    """(2 k, 3) left and right of each point of a line (k, 3), across the normal; and the quads
+    between them."""
     along = np.gradient(line, axis=0)
     sides = np.cross(normal, along)
     lengths = np.linalg.norm(sides, axis=1)
@@ -183,7 +207,8 @@ def _ribbon(line: Floats, normal: Floats, width: float) -> tuple[Floats, Indices
 
 
 def _spike(line: Floats, normal: Floats, width: float) -> tuple[Floats, Faces]:
-    """(2 k - 1, 3) a ribbon whose last two points are one: it points to where the value is largest."""
+    """(2 k - 1, 3) a ribbon whose last two points are one: it points to where the value is
+    largest."""
     positions, quads = _ribbon(line, normal, width)
     positions[-2] = line[-1]
     corners = np.concatenate([quads[:-1].ravel(), quads[-1, [0, 2, 3]]])
@@ -191,10 +216,11 @@ def _spike(line: Floats, normal: Floats, width: float) -> tuple[Floats, Faces]:
 
 
 def _areas(element: Element) -> list[tuple[list[int], Floats]]:
-    """A polygon for each run of neighbouring tracks: its `_ends`, -1 for the handle, and their positions (q, 3).
+    """A polygon for each run of neighbouring tracks: its `_ends`, -1 for the handle, and their
+    positions (q, 3).
 
-    They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points that are in one
-    place look like a mistake.
+    They end short of the tracks: surfaces that touch in a point make a mesh no manifold, and points
+    that are in one place look like a mistake.
     """
     pairs = [] if element.kind == "slider" else _neighbours(element)
     polygons: list[list[int]] = []
@@ -207,7 +233,10 @@ def _areas(element: Element) -> list[tuple[list[int], Floats]]:
         polygons[0] = [*polygons.pop(), *polygons[0][1:]]
     rounded = [each[:-1] if each[0] == each[-1] else [-1, *each] for each in polygons]
     corners = [np.array([_end(element, end) for end in each]) for each in rounded]
-    return [(ends, each + _INSET * (each.mean(axis=0) - each)) for ends, each in zip(rounded, corners, strict=True)]
+    return [
+        (ends, each + _INSET * (each.mean(axis=0) - each))
+        for ends, each in zip(rounded, corners, strict=True)
+    ]
 
 
 def _end(element: Element, end: int) -> Floats:
@@ -219,8 +248,8 @@ def _end(element: Element, end: int) -> Floats:
 
 
 def _ends(element: Element) -> tuple[list[int], Floats]:
-    """The ends of tracks away from the handle, with the angle of each around the normal: i the last point of the
-    track of member i, m + i the first."""
+    """The ends of tracks away from the handle, with the angle of each around the normal: i the last
+    point of the track of member i, m + i the first."""
     count, home = len(element.members), element.anchor.position
     away = [member.track[-1] - home for member in element.members]
     away += [member.track[0] - home for member in element.members]
@@ -233,12 +262,14 @@ def _ends(element: Element) -> tuple[list[int], Floats]:
     first = np.cross(axis_across(normal), normal)
     first /= max(float(np.linalg.norm(first)), 1e-30)
     along = np.array([away[end] for end in ends])
-    return ends, np.asarray(np.arctan2(along @ np.cross(normal, first), along @ first), dtype=np.float64)
+    return ends, np.asarray(
+        np.arctan2(along @ np.cross(normal, first), along @ first), dtype=np.float64
+    )
 
 
 def _neighbours(element: Element) -> list[tuple[int, int]]:
-    """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart; never the two ends of
-    one axis."""
+    """Pairs of `_ends` that are next to each other around the normal, at most 180 degrees apart;
+    never the two ends of one axis."""
     ends, angle = _ends(element)
     order = np.argsort(angle, kind="stable")
     rounds = list(zip(order, np.roll(order, -1), strict=True))
@@ -248,12 +279,14 @@ def _neighbours(element: Element) -> list[tuple[int, int]]:
         if len(order) == 2 and between > np.pi:
             a, b, between = b, a, 2.0 * np.pi - between
         members = {ends[a] % len(element.members), ends[b] % len(element.members)}
-        if _FLAT < between < np.pi - _FLAT and not any(members <= set(axis) for axis in element.axes):
+        if _FLAT < between < np.pi - _FLAT and not any(
+            members <= set(axis) for axis in element.axes
+        ):
             pairs.append((ends[a], ends[b]))
     return pairs
 
 
-# --- handles -----------------------------------------------------------------------------------------
+# --- handles --------------------------------------------------------------------------------------
 
 
 def _follower(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
@@ -261,7 +294,9 @@ def _follower(skin: SkinBinding, binding: AnchorBinding, element: Element, width
     around, faces = _form(element, width)
     points = binding.rest + around @ binding.handle.inverse
     shapes = tuple(_uniform(shape, len(around)) for shape in binding.shapes)
-    base_points = (points + _blended(skin, shapes)) @ binding.handle.base[:3] + binding.handle.base[3]
+    base_points = (points + _blended(skin, shapes)) @ binding.handle.base[:3] + binding.handle.base[
+        3
+    ]
     return Drawn("handle", base_points, points, faces, binding.handle, shapes)
 
 
@@ -284,7 +319,8 @@ def _form(element: Element, width: float) -> tuple[Floats, Faces]:
 
 
 def _slider(skin: SkinBinding, binding: AnchorBinding, element: Element, width: float) -> Drawn:
-    """The handle of an element that does not deform: its own controls' shapes take it along the tracks."""
+    """The handle of an element that does not deform: its own controls' shapes take it along the
+    tracks."""
     around, faces = _form(element, width)
     shapes: dict[int, PointShape] = {}
     for member in element.members:
@@ -300,21 +336,28 @@ def _slider(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
 
 
 def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> PointShape | None:
-    """A shape that puts the handle on its track at every weight; None unless one weight is all that is driven."""
+    """A shape that puts the handle on its track at every weight; None unless one weight is all that
+    is driven."""
     control = skin.control(member.control)
     drive = control.drive
     if len(drive.channels) != 1 or len(drive.joints):
         return None
     channel = int(drive.channels[0])
     base = skin.value(member.control)
-    weights = skin.weights[channel] + _driven(control, member.values) - _driven(control, np.array([base]))
+    weights = (
+        skin.weights[channel] + _driven(control, member.values) - _driven(control, np.array([base]))
+    )
     rests = binding.track.unposed(member.track)
     if weights[0] > weights[-1]:
         weights, rests = weights[::-1], rests[::-1]
     if not (np.diff(weights) > 1e-6).all():
         return None
-    nodes = np.array(sorted({1.0, *(float(w) for w in weights if min(abs(w), abs(w - 1.0)) > 1e-6)}))
-    return PointShape(channel, nodes, _extended(weights, rests, nodes) - _extended(weights, rests, np.zeros(1)))
+    nodes = np.array(
+        sorted({1.0, *(float(w) for w in weights if min(abs(w), abs(w - 1.0)) > 1e-6)})
+    )
+    return PointShape(
+        channel, nodes, _extended(weights, rests, nodes) - _extended(weights, rests, np.zeros(1))
+    )
 
 
 def _driven(control: Control, values: Floats) -> Floats:
@@ -330,7 +373,8 @@ def _extended(keys: Floats, rows: Floats, at: Floats) -> Floats:
 
 
 def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:
-    """Sum of the shapes' offsets in the base pose, (3,) or (q, 3); without any, a zero that fits either."""
+    """Sum of the shapes' offsets in the base pose, (3,) or (q, 3); without any, a zero that fits
+    either."""
     total = np.zeros(3)
     for shape in shapes:
         weight = float(skin.weights[shape.channel])
@@ -341,7 +385,9 @@ def _blended(skin: SkinBinding, shapes: tuple[PointShape, ...]) -> Floats:
 
 def _uniform(shape: PointShape, count: int) -> PointShape:
     """The same offset for each of `count` points."""
-    return PointShape(shape.channel, shape.weights, np.repeat(shape.offsets[:, None], count, axis=1))
+    return PointShape(
+        shape.channel, shape.weights, np.repeat(shape.offsets[:, None], count, axis=1)
+    )
 
 
 def in_steps(values: Floats, step: float) -> Floats:
@@ -351,8 +397,8 @@ def in_steps(values: Floats, step: float) -> Floats:
 
 
 def _shard(normal: Floats) -> Floats:
-    """(3, 3) a triangle in the unit circle about the origin, halfway between lying on the skin and standing on it: it
-    is seen from the front and from the side, with as few points as can be."""
+    """(3, 3) a triangle in the unit circle about the origin, halfway between lying on the skin and
+    standing on it: it is seen from the front and from the side, with as few points as can be."""
     out = np.array(normal, dtype=np.float64)
     length = float(np.linalg.norm(out))
     out = out / length if length > 0.0 else np.array([0.0, 0.0, 1.0])

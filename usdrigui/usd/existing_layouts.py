@@ -1,4 +1,5 @@
-"""The prims of an existing layout, as far as a layer over it must know them to let them follow new shapes."""
+"""The prims of an existing layout, as far as a layer over it must know them to let them follow new
+shapes."""
 
 from __future__ import annotations
 
@@ -28,7 +29,12 @@ def _of_scope(scope: Usd.Prim) -> Iterator[ExistingPrim]:
     for element in elements:
         for prim, role in first_format.drawn_prims(element):
             points = np.arange(_point_count(prim), dtype=np.int64)
-            yield _existing(root, prim, (ExistingSpan(element_name(element), role, points),), (element.GetName(),))
+            yield _existing(
+                root,
+                prim,
+                (ExistingSpan(element_name(element), role, points),),
+                (element.GetName(),),
+            )
     names = {element.GetName(): element_name(element) for element in elements}
     for mesh in Usd.PrimRange(scope, Usd.TraverseInstanceProxies(Usd.PrimAllPrimsPredicate)):
         if has(mesh, schema.DRAWING):
@@ -44,7 +50,9 @@ def _spans(mesh: Usd.Prim, names: dict[str, str]) -> Iterator[ExistingSpan]:
             yield ExistingSpan(names[child.GetName()], "track", track)
 
 
-def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...], names: tuple[str, ...]) -> ExistingPrim:
+def _existing(
+    root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...], names: tuple[str, ...]
+) -> ExistingPrim:
     return ExistingPrim(
         root=root,
         path=str(prim.GetPath()),
@@ -52,7 +60,10 @@ def _existing(root: str, prim: Usd.Prim, spans: tuple[ExistingSpan, ...], names:
         names=names,
         spans=spans,
         shapes=shape_tokens(prim),
-        targets=tuple(str(target) for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()),
+        targets=tuple(
+            str(target)
+            for target in UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+        ),
     )
 
 

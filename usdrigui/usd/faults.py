@@ -1,7 +1,8 @@
-"""Faults of blend shapes and layouts on a stage, one by one: for validators, which must see all of them.
+"""Faults of blend shapes and layouts on a stage, one by one: for validators, which must see all of
+them.
 
-The reader stops at the first array that cannot be right; here every prim is looked at, by the same checks
-and with the same codes.
+The reader stops at the first array that cannot be right; here every prim is looked at, by the same
+checks and with the same codes.
 """
 
 from __future__ import annotations
@@ -15,7 +16,15 @@ from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue
 from usdrigui.model import Floats
-from usdrigui.usd.arrays import check_range, floats, integers, tokens, value_at, vector_count, vectors
+from usdrigui.usd.arrays import (
+    check_range,
+    floats,
+    integers,
+    tokens,
+    value_at,
+    vector_count,
+    vectors,
+)
 from usdrigui.usd.mesh import topology_hash
 from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.shapes import shape_tokens
@@ -34,7 +43,8 @@ def stage_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
 
 
 def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """ARRAY_TYPE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of each shape."""
+    """ARRAY_TYPE, TARGETS_LENGTH, TARGET_INVALID, TOKEN_REPEATED, TOKEN_ORDER, and the faults of
+    each shape."""
     found: list[Issue] = []
     with _collecting(found):
         names, targets = pairs_of(prim)
@@ -44,7 +54,8 @@ def mesh_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 
 def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
-    """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a SkelAnimation."""
+    """ANIMATION_LENGTH, ARRAY_TYPE, NOT_FINITE and WEIGHTS_BEYOND_LIMITS of the weights of a
+    SkelAnimation."""
     animation, path = UsdSkel.Animation(prim), str(prim.GetPath())
     faults: list[Issue] = []
     with _collecting(faults):
@@ -57,7 +68,8 @@ def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 
 def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
-    """LAYOUT_MESH_GONE and LAYOUT_TOPOLOGY of every element, or why the layouts cannot be read; none without layout."""
+    """LAYOUT_MESH_GONE and LAYOUT_TOPOLOGY of every element, or why the layouts cannot be read;
+    none without layout."""
     try:
         layouts = read_layout(stage)
     except RigUIError as error:
@@ -70,15 +82,27 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
             if anchor.mesh not in hashes:
                 hashes[anchor.mesh] = ""
                 with _collecting(found):
-                    hashes[anchor.mesh] = _topology(stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None)
+                    hashes[anchor.mesh] = _topology(
+                        stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None
+                    )
             if not hashes[anchor.mesh]:
-                found.append(issue("LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}"))
+                found.append(
+                    issue(
+                        "LAYOUT_MESH_GONE",
+                        element.name,
+                        f"is anchored to {anchor.mesh or 'no mesh'}",
+                    )
+                )
             elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
-                found.append(issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces"))
+                found.append(
+                    issue(
+                        "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces"
+                    )
+                )
     return tuple(found)
 
 
-# --- the pairs of names and targets, and how to repair them ------------------------------------------
+# --- the pairs of names and targets, and how to repair them ---------------------------------------
 
 
 def pairs_of(prim: Usd.Prim) -> tuple[list[str], list[Sdf.Path]]:
@@ -101,13 +125,18 @@ def can_repair(prim: Usd.Prim) -> bool:
 
 
 def repair(prim: Usd.Prim) -> None:
-    """Drop the pairs that UsdSkel ignores and put the rest into the animation's order; nothing moves otherwise.
+    """Drop the pairs that UsdSkel ignores and put the rest into the animation's order; nothing
+    moves otherwise.
 
     Authors skel:blendShapes and skel:blendShapeTargets in the stage's edit target.
     """
     # Of a name that stands twice UsdSkel takes the last.
     kept = dict(zip(*pairs_of(prim), strict=True))
-    kept = {token: target for token, target in kept.items() if is_shape(prim.GetStage().GetPrimAtPath(target))}
+    kept = {
+        token: target
+        for token, target in kept.items()
+        if is_shape(prim.GetStage().GetPrimAtPath(target))
+    }
     place = {token: index for index, token in enumerate(_animated(prim))}
     order = sorted(kept, key=lambda token: place.get(token, len(place)))
     api = UsdSkel.BindingAPI(prim)
@@ -115,18 +144,21 @@ def repair(prim: Usd.Prim) -> None:
     api.GetBlendShapeTargetsRel().SetTargets([kept[token] for token in order])
 
 
-# --- one mesh and its shapes -------------------------------------------------------------------------
+# --- one mesh and its shapes ----------------------------------------------------------------------
 
 
 def _pair_faults(prim: Usd.Prim, names: list[str], targets: list[Sdf.Path]) -> Iterator[Issue]:
-    """What is wrong with the names and targets of a mesh, and with the shapes; raises ARRAY_TYPE for its points."""
+    """What is wrong with the names and targets of a mesh, and with the shapes; raises ARRAY_TYPE
+    for its points."""
     path = str(prim.GetPath())
     if len(names) != len(targets):
         counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
         yield issue("TARGETS_LENGTH", path, counts)
         return
     yield from repeated(names, path, "skel:blendShapes")
-    count = vector_count(value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default()), path, "points")
+    count = vector_count(
+        value_at(UsdGeom.Mesh(prim).GetPointsAttr(), Usd.TimeCode.Default()), path, "points"
+    )
     for name, target in zip(names, targets, strict=True):
         shape = prim.GetStage().GetPrimAtPath(target)
         if is_shape(shape):
@@ -144,12 +176,17 @@ def _shape_faults(shape: Usd.Prim, points: int) -> Iterator[Issue]:
         indices = integers(shape.GetAttribute("pointIndices").Get(), path, "pointIndices")
         check_range(indices, points, path, "pointIndices")
         expected = len(indices) or points
-        arrays = [("offsets", shape.GetAttribute("offsets").Get()), *_inbetween_arrays(shape, faults)]
+        arrays = [
+            ("offsets", shape.GetAttribute("offsets").Get()),
+            *_inbetween_arrays(shape, faults),
+        ]
         for name, values in arrays:
             with _collecting(faults):
                 offsets = vectors(values, path, name)
                 if len(offsets) not in (0, expected):
-                    faults.append(issue("OFFSETS_LENGTH", path, f"{len(offsets)} {name} for {expected}"))
+                    faults.append(
+                        issue("OFFSETS_LENGTH", path, f"{len(offsets)} {name} for {expected}")
+                    )
     yield from faults
 
 
@@ -158,8 +195,14 @@ def _inbetween_arrays(shape: Usd.Prim, faults: list[Issue]) -> list[tuple[str, A
     taken, arrays = {0.0, 1.0}, []
     for each in UsdSkel.BlendShape(shape).GetInbetweens():
         weight, name = each.GetWeight(), each.GetAttr().GetName()
-        if weight is None or not np.isfinite(weight) or any(abs(weight - other) < 1e-6 for other in taken):
-            faults.append(issue("INBETWEEN_INVALID", str(shape.GetPath()), f"{name} has weight {weight}"))
+        if (
+            weight is None
+            or not np.isfinite(weight)
+            or any(abs(weight - other) < 1e-6 for other in taken)
+        ):
+            faults.append(
+                issue("INBETWEEN_INVALID", str(shape.GetPath()), f"{name} has weight {weight}")
+            )
             continue
         taken.add(float(weight))
         arrays.append((name, each.GetOffsets()))
@@ -175,18 +218,24 @@ def _collecting(found: list[Issue]) -> Iterator[None]:
         found.append(error.issue)
 
 
-# --- order and ranges --------------------------------------------------------------------------------
+# --- order and ranges -----------------------------------------------------------------------------
 
 
 def _animated(prim: Usd.Prim) -> list[str]:
     """The blend shapes that the animation of a mesh's Skeleton lists; none without."""
     skeleton = UsdSkel.BindingAPI(prim).GetInheritedSkeleton()
-    source = UsdSkel.BindingAPI(skeleton.GetPrim()).GetInheritedAnimationSource() if skeleton else None
+    source = (
+        UsdSkel.BindingAPI(skeleton.GetPrim()).GetInheritedAnimationSource() if skeleton else None
+    )
     animation = UsdSkel.Animation(source) if source else None
     if not animation:
         return []
-    with contextlib.suppress(RigUIError):  # What is wrong with the animation stands with the animation.
-        return list(tokens(animation.GetBlendShapesAttr().Get(), str(animation.GetPath()), "blendShapes"))
+    with contextlib.suppress(
+        RigUIError
+    ):  # What is wrong with the animation stands with the animation.
+        return list(
+            tokens(animation.GetBlendShapesAttr().Get(), str(animation.GetPath()), "blendShapes")
+        )
     return []
 
 
@@ -195,11 +244,14 @@ def _order_faults(prim: Usd.Prim, names: list[str]) -> Iterator[Issue]:
     animated = _animated(prim)
     if sorted(animated) == sorted(names) and animated != names:
         first = next(a for a, b in zip(names, animated, strict=True) if a != b)
-        yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first to stand elsewhere is {first!r}")
+        yield issue(
+            "TOKEN_ORDER", str(prim.GetPath()), f"the first to stand elsewhere is {first!r}"
+        )
 
 
 def _limits(attribute: Usd.Attribute, count: int) -> Floats | None:
-    """(count, 2) hard limits of the weights, else soft ones; None where there are none, or not as many."""
+    """(count, 2) hard limits of the weights, else soft ones; None where there are none, or not as
+    many."""
     try:
         limits = attribute.GetMetadata("limits")
     except (Tf.ErrorException, RuntimeError):
@@ -209,7 +261,10 @@ def _limits(attribute: Usd.Attribute, count: int) -> Floats | None:
         entry = limits.get(kind) if isinstance(limits, Mapping) else None
         if isinstance(entry, Mapping) and {"minimum", "maximum"} <= set(entry):
             try:
-                ends = [np.broadcast_to(np.asarray(entry[end], float), count) for end in ("minimum", "maximum")]
+                ends = [
+                    np.broadcast_to(np.asarray(entry[end], float), count)
+                    for end in ("minimum", "maximum")
+                ]
             except (TypeError, ValueError):
                 return None
             return np.stack(ends, axis=1)
@@ -230,7 +285,11 @@ def _weight_faults(
 ) -> Iterator[Issue]:
     when = "" if code.IsDefault() else f" at time {code.GetValue():g}"
     if len(values) != len(names):
-        yield issue("ANIMATION_LENGTH", path, f"{len(names)} blendShapes but {len(values)} blendShapeWeights{when}")
+        yield issue(
+            "ANIMATION_LENGTH",
+            path,
+            f"{len(names)} blendShapes but {len(values)} blendShapeWeights{when}",
+        )
         return
     bad = ~np.isfinite(values)
     for index in np.flatnonzero(bad)[:1]:
@@ -241,7 +300,11 @@ def _weight_faults(
         for index in np.flatnonzero(beyond & ~bad):
             low, high = limits[index]
             what = f"{names[index]!r} has weights outside {low:g} to {high:g}, {values[index]:g}"
-            yield issue("WEIGHTS_BEYOND_LIMITS", path, f"{what}{when}" if when else f"{what} at the default time")
+            yield issue(
+                "WEIGHTS_BEYOND_LIMITS",
+                path,
+                f"{what}{when}" if when else f"{what} at the default time",
+            )
 
 
 def _topology(prim: Usd.Prim | None) -> str:

@@ -1,7 +1,8 @@
-"""Layouts of the first format, whose mark `RigUILayoutAPI` has no version: an Xform for each element, and its tracks
-and its handle as gprims below it.
+"""Layouts of the first format, whose mark `RigUILayoutAPI` has no version: an Xform for each
+element, and its tracks and its handle as gprims below it.
 
-Nothing is written in it any more.  Its schema is no longer in schemas/, so the fallbacks stand here.
+Nothing is written in it any more.  Its schema is no longer in schemas/, so the fallbacks stand
+here.
 """
 
 from __future__ import annotations
@@ -78,13 +79,20 @@ def layout(scope: Usd.Prim) -> Layout:
     """One layout; raises LAYOUT_INVALID and LAYOUT_VERSION."""
     if _value(scope, "layout:version") > VERSION:
         version = _value(scope, "layout:version")
-        raise refuse("LAYOUT_VERSION", str(scope.GetPath()), f"version {version}; known: {VERSION}, {schema.LAYOUT}")
-    names, values = (value_of(scope, schema.LAYOUT, f"base{each}") for each in ("Controls", "Values"))
+        raise refuse(
+            "LAYOUT_VERSION",
+            str(scope.GetPath()),
+            f"version {version}; known: {VERSION}, {schema.LAYOUT}",
+        )
+    names, values = (
+        value_of(scope, schema.LAYOUT, f"base{each}") for each in ("Controls", "Values")
+    )
     check_equal(scope, "rigUI:layout:baseValues", names, values)
     elements = tuple(_element(prim) for prim in scope.GetAllChildren() if has(prim, schema.ELEMENT))
     check_elements(scope, elements)
     view, origin, normal = (
-        array_of(value_of(scope, schema.LAYOUT, name)) for name in ("viewDirection", "planeOrigin", "planeNormal")
+        array_of(value_of(scope, schema.LAYOUT, name))
+        for name in ("viewDirection", "planeOrigin", "planeNormal")
     )
     return Layout(
         root=str(scope.GetPath().GetParentPath()),
@@ -108,7 +116,11 @@ def layout(scope: Usd.Prim) -> Layout:
 def drawn_prims(element: Usd.Prim) -> tuple[tuple[Usd.Prim, Literal["handle", "track"]], ...]:
     """What is drawn of an element, and as what; an area is one of the tracks."""
     children = [(prim, set(applied(prim))) for prim in element.GetAllChildren()]
-    return tuple((prim, "handle" if HANDLE in apis else "track") for prim, apis in children if apis & {TRACK, HANDLE})
+    return tuple(
+        (prim, "handle" if HANDLE in apis else "track")
+        for prim, apis in children
+        if apis & {TRACK, HANDLE}
+    )
 
 
 def _value(prim: Usd.Prim, name: str, instance: str = "") -> Any:
@@ -116,13 +128,19 @@ def _value(prim: Usd.Prim, name: str, instance: str = "") -> Any:
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
-    columns = [strings(_value(scope, f"layout:leftOff{name}")) for name in ("Controls", "Stages", "Reasons")]
+    columns = [
+        strings(_value(scope, f"layout:leftOff{name}"))
+        for name in ("Controls", "Stages", "Reasons")
+    ]
     check_equal(scope, "rigUI:layout:leftOffReasons", *columns)
     return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
 
 
 def _weights(scope: Usd.Prim) -> tuple[tuple[str, float], ...]:
-    names, values = strings(_value(scope, "solution:weightNames")), array_of(_value(scope, "solution:weightValues"))
+    names, values = (
+        strings(_value(scope, "solution:weightNames")),
+        array_of(_value(scope, "solution:weightValues")),
+    )
     check_equal(scope, "rigUI:solution:weightValues", names, values)
     return tuple(zip(names, values.tolist(), strict=True))
 
@@ -156,7 +174,9 @@ def _member(prim: Usd.Prim, instance: str, count: int) -> Member:
     points = points if len(points) else vectors_of(track.GetAttribute("points"))
     values = array_of(_value(track, "track:weights"))
     if not len(values):
-        low, high = (value_of(prim, schema.CONTROL, end, instance) for end in ("minimum", "maximum"))
+        low, high = (
+            value_of(prim, schema.CONTROL, end, instance) for end in ("minimum", "maximum")
+        )
         values = np.linspace(low, high, len(points))
     check_equal(track, "rigUI:track:weights", values, points)
     if len(points) < 2:
@@ -182,21 +202,31 @@ def _track_of(prim: Usd.Prim, instance: str, count: int) -> Usd.Prim:
             shown = strings(_value(child, "track:controls"))
             if shown == [instance] or (not shown and count == 1):
                 return child
-    raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"has no track for the control {instance!r}")
+    raise refuse(
+        "LAYOUT_INVALID", str(prim.GetPath()), f"has no track for the control {instance!r}"
+    )
 
 
 def _pairs(prim: Usd.Prim, count: int) -> tuple[tuple[int, int], ...]:
     pairs = tuple((int(a), int(b)) for a, b in _value(prim, "element:opposed"))
     ends = [end for pair in pairs for end in pair]
     if len(set(ends)) < len(ends) or not set(ends) <= set(range(count)):
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:opposed", f"{pairs} for {count} controls")
+        raise refuse(
+            "LAYOUT_INVALID",
+            f"{prim.GetPath()}.rigUI:element:opposed",
+            f"{pairs} for {count} controls",
+        )
     return pairs
 
 
 def _positions(prim: Usd.Prim, count: int) -> tuple[int, ...]:
     positions = tuple(int(each) for each in _value(prim, "element:reversed"))
     if any(not 0 <= each < count for each in positions):
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:reversed", f"{positions} for {count} controls")
+        raise refuse(
+            "LAYOUT_INVALID",
+            f"{prim.GetPath()}.rigUI:element:reversed",
+            f"{positions} for {count} controls",
+        )
     return positions
 
 
@@ -214,7 +244,9 @@ def _glyph(handle: Usd.Prim) -> Glyph | None:
         return None
     curve = handle.IsA(UsdGeom.BasisCurves)
     counts = integers_of(handle.GetAttribute("curveVertexCounts" if curve else "faceVertexCounts"))
-    indices = np.arange(counts.sum()) if curve else integers_of(handle.GetAttribute("faceVertexIndices"))
+    indices = (
+        np.arange(counts.sum()) if curve else integers_of(handle.GetAttribute("faceVertexIndices"))
+    )
     name = str(_value(handle, "handle:glyph"))
     return checked_glyph(handle, Glyph(name, "curve" if curve else "mesh", points, counts, indices))
 

@@ -1,8 +1,8 @@
 """Glyphs: curves and meshes that the configuration names to be drawn as handles.
 
-A glyph is drawn as its own stage shows it from above: the stage's up axis comes out of the face, its X axis
-points to the viewer's right.  Where it stands there and how large it is does not matter: it is centred and
-fitted into a sphere of radius 1.
+A glyph is drawn as its own stage shows it from above: the stage's up axis comes out of the face,
+its X axis points to the viewer's right.  Where it stands there and how large it is does not matter:
+it is centred and fitted into a sphere of radius 1.
 """
 
 from __future__ import annotations
@@ -30,10 +30,16 @@ _TOP_VIEW: Mapping[str, tuple[tuple[int, int, int], ...]] = {
     "Y": ((1, 0, 0), (0, 0, -1), (0, 1, 0)),
     "Z": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
 }
-"""By up axis: what is to the right, up on the page, and towards the viewer who looks at it from above."""
+"""By up axis: what is to the right, up on the page, and towards the viewer who looks at it from
+above."""
 _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
     "bezier": ((1, 0, 0, 0), (-3, 3, 0, 0), (3, -6, 3, 0), (-1, 3, -3, 1)),
-    "bspline": ((1 / 6, 4 / 6, 1 / 6, 0), (-0.5, 0, 0.5, 0), (0.5, -1, 0.5, 0), (-1 / 6, 0.5, -0.5, 1 / 6)),
+    "bspline": (
+        (1 / 6, 4 / 6, 1 / 6, 0),
+        (-0.5, 0, 0.5, 0),
+        (0.5, -1, 0.5, 0),
+        (-1 / 6, 0.5, -0.5, 1 / 6),
+    ),
     "catmullRom": ((0, 1, 0, 0), (-0.5, 0, 0.5, 0), (1, -2.5, 2, -0.5), (-0.5, 1.5, -1.5, 0.5)),
 }
 """By basis: rows are the powers 0 to 3 of the parameter, columns the four control points."""
@@ -42,9 +48,9 @@ _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
 def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, Glyph]:
     """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
 
-    ``/PRIM`` is a prim of the asset, ``FILE</PRIM>`` one of another layer, whose path is relative to the
-    asset's folder.  Raises RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE, GLYPH_EMPTY, the code of an
-    array that cannot be right, and what opening FILE raises.
+    ``/PRIM`` is a prim of the asset, ``FILE</PRIM>`` one of another layer, whose path is relative
+    to the asset's folder.  Raises RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE, GLYPH_EMPTY,
+    the code of an array that cannot be right, and what opening FILE raises.
     """
     found: dict[str, Glyph] = {}
     for control, override in settings.controls.items():
@@ -54,15 +60,23 @@ def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, 
             source = _opened(key, asset.parent / file, settings) if file else stage
             prim = source.GetPrimAtPath(path)
             if not prim or not prim.IsActive():
-                raise refuse("GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}")
+                raise refuse(
+                    "GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}"
+                )
             found[override.glyph] = _glyph(prim, override.glyph)
     return found
 
 
 def _address(key: str, text: str) -> tuple[str, str]:
     """The file, empty for the asset itself, and the prim path that a setting names."""
-    file, bracket, path = text.removesuffix(">").partition("<") if text.endswith(">") else ("", "", text)
-    valid = Sdf.Path.IsValidPathString(path)[0] and Sdf.Path(path).IsAbsolutePath() and Sdf.Path(path).IsPrimPath()
+    file, bracket, path = (
+        text.removesuffix(">").partition("<") if text.endswith(">") else ("", "", text)
+    )
+    valid = (
+        Sdf.Path.IsValidPathString(path)[0]
+        and Sdf.Path(path).IsAbsolutePath()
+        and Sdf.Path(path).IsPrimPath()
+    )
     if not valid or (bracket and not file):
         raise refuse("CONFIG_VALUE", key, f"expected /PRIM or FILE</PRIM>, got {text!r}")
     return file, path
@@ -75,7 +89,9 @@ def _opened(key: str, path: Path, settings: Settings) -> Usd.Stage:
     except RigUIError as error:
         if error.issue.code != "FILE_NOT_FOUND":
             raise
-        raise refuse("GLYPH_MISSING", key, f"{path.name} does not exist or cannot be read") from None
+        raise refuse(
+            "GLYPH_MISSING", key, f"{path.name} does not exist or cannot be read"
+        ) from None
 
 
 def _glyph(prim: Usd.Prim, name: str) -> Glyph:
@@ -87,7 +103,9 @@ def _glyph(prim: Usd.Prim, name: str) -> Glyph:
     else:
         raise refuse("GLYPH_TYPE", path, f"is {prim.GetTypeName() or 'a prim without a type'}")
     if len(points) > _MOST_POINTS:
-        raise refuse("GLYPH_EMPTY", path, f"has {len(points)} points; a glyph has {_MOST_POINTS} at most")
+        raise refuse(
+            "GLYPH_EMPTY", path, f"has {len(points)} points; a glyph has {_MOST_POINTS} at most"
+        )
     form: Literal["curve", "mesh"] = "mesh" if prim.IsA(UsdGeom.Mesh) else "curve"
     return Glyph(name, form, _fitted(prim, points, path), counts, indices)
 
@@ -112,7 +130,9 @@ def _to_world(prim: Usd.Prim) -> Floats:
 
 
 def _points(gprim: UsdGeom.PointBased, path: str) -> Floats:
-    points = vectors(value_at(gprim.GetPointsAttr(), Usd.TimeCode.Default()), path, "points").astype(np.float64)
+    points = vectors(
+        value_at(gprim.GetPointsAttr(), Usd.TimeCode.Default()), path, "points"
+    ).astype(np.float64)
     if not len(points):
         raise refuse("GLYPH_EMPTY", path, "has no points")
     return points
@@ -124,7 +144,10 @@ def _integers(attribute: Any, path: str) -> Indices:
 
 def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
     points = _points(mesh, path)
-    counts, indices = _integers(mesh.GetFaceVertexCountsAttr(), path), _integers(mesh.GetFaceVertexIndicesAttr(), path)
+    counts, indices = (
+        _integers(mesh.GetFaceVertexCountsAttr(), path),
+        _integers(mesh.GetFaceVertexIndicesAttr(), path),
+    )
     if not len(counts) or counts.min() < 3 or counts.sum() != len(indices):
         raise refuse("TOPOLOGY_INVALID", path, f"{len(counts)} faces with {len(indices)} corners")
     check_range(indices, len(points), path, "faceVertexIndices")
@@ -133,15 +156,21 @@ def _mesh(mesh: UsdGeom.Mesh, path: str) -> tuple[Floats, Indices, Indices]:
     return points, counts, indices
 
 
-# --- curves ------------------------------------------------------------------------------------------
+# --- curves ---------------------------------------------------------------------------------------
 
 
 def _curves(gprim: UsdGeom.BasisCurves, path: str) -> tuple[Floats, Indices, Indices]:
     """Polylines for the curves; cubic ones in small straight pieces."""
     points, counts = _points(gprim, path), _integers(gprim.GetCurveVertexCountsAttr(), path)
     if not len(counts) or counts.min() < 2 or counts.sum() != len(points):
-        raise refuse("TOPOLOGY_INVALID", path, f"curves of {counts.tolist()[:9]} vertices for {len(points)} points")
-    basis = str(gprim.GetBasisAttr().Get()) if gprim.GetTypeAttr().Get() == UsdGeom.Tokens.cubic else ""
+        raise refuse(
+            "TOPOLOGY_INVALID",
+            path,
+            f"curves of {counts.tolist()[:9]} vertices for {len(points)} points",
+        )
+    basis = (
+        str(gprim.GetBasisAttr().Get()) if gprim.GetTypeAttr().Get() == UsdGeom.Tokens.cubic else ""
+    )
     if basis and basis not in _CUBIC:
         raise refuse("GLYPH_TYPE", path, f"has curves of the basis {basis!r}")
     wrap = str(gprim.GetWrapAttr().Get())
@@ -161,8 +190,12 @@ def _line(vertices: Floats, basis: str, wrap: str, path: str) -> Floats:
         ends = 2.0 * vertices[[0, -1]] - vertices[[1, -2]]
         vertices = np.concatenate([ends[:1], vertices, ends[1:]])
     if len(vertices) < 4 or (len(vertices) - 4) % step:
-        raise refuse("TOPOLOGY_INVALID", path, f"a cubic {basis} curve cannot have {len(vertices)} vertices")
+        raise refuse(
+            "TOPOLOGY_INVALID", path, f"a cubic {basis} curve cannot have {len(vertices)} vertices"
+        )
     firsts = np.arange(0, len(vertices) - 3, step)
     powers = np.linspace(0.0, 1.0, _STEPS + 1)[:, None] ** np.arange(4)
-    pieces = np.einsum("tp,pc,kci->kti", powers, np.array(_CUBIC[basis]), vertices[firsts[:, None] + np.arange(4)])
+    pieces = np.einsum(
+        "tp,pc,kci->kti", powers, np.array(_CUBIC[basis]), vertices[firsts[:, None] + np.arange(4)]
+    )
     return np.concatenate([pieces[:, :-1].reshape(-1, 3), pieces[-1, -1:]])

@@ -8,8 +8,11 @@ from usdrigui.errors import Issue, issue
 from usdrigui.model import RigMesh
 
 
-def hidden_issues(stage: Usd.Stage, meshes: tuple[RigMesh, ...], time: Usd.TimeCode) -> tuple[Issue, ...]:
-    """One for each mesh that is not drawn and has what no drawn mesh has: blend shapes, or being deformed at all.
+def hidden_issues(
+    stage: Usd.Stage, meshes: tuple[RigMesh, ...], time: Usd.TimeCode
+) -> tuple[Issue, ...]:
+    """One for each mesh that is not drawn and has what no drawn mesh has: blend shapes, or being
+    deformed at all.
 
     Hidden stand-ins for what is drawn share its blend shapes, and are nothing to wonder at.
     """
@@ -20,8 +23,14 @@ def hidden_issues(stage: Usd.Stage, meshes: tuple[RigMesh, ...], time: Usd.TimeC
         own = sum(shape.channel not in seen for shape in mesh.shapes)
         if mesh.visible or not (own or (mesh.skin is not None and not shown)):
             continue
-        what = f"{own} of its blend shapes are on no mesh that is drawn" if own else "no mesh that is drawn deforms"
-        found.append(issue("MESH_HIDDEN", mesh.path, f"{_why(stage.GetPrimAtPath(mesh.path), time)}; {what}"))
+        what = (
+            f"{own} of its blend shapes are on no mesh that is drawn"
+            if own
+            else "no mesh that is drawn deforms"
+        )
+        found.append(
+            issue("MESH_HIDDEN", mesh.path, f"{_why(stage.GetPrimAtPath(mesh.path), time)}; {what}")
+        )
     return tuple(found)
 
 

@@ -1,6 +1,7 @@
 """Stages that are open already: read in this process, as they are, unsaved edits and all.
 
-Whoever has opened a stage has parsed its files, so that nothing is left that a reader of its own could die of.
+Whoever has opened a stage has parsed its files, so that nothing is left that a reader of its own
+could die of.
 """
 
 from __future__ import annotations
@@ -27,7 +28,9 @@ def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadRes
     return _result(stage, settings, own_layouts(stage), None)
 
 
-def read_open_layouts(source: Usd.Stage | Sdf.Layer, settings: Settings) -> tuple[tuple[Layout, ...], ReadResult]:
+def read_open_layouts(
+    source: Usd.Stage | Sdf.Layer, settings: Settings
+) -> tuple[tuple[Layout, ...], ReadResult]:
     """The layouts on an open stage and their characters.
 
     Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
@@ -44,16 +47,27 @@ def _result(
 
     rigs = read_rigs(stage, settings, laid_out)
     cameras = cameras_toward(stage, rigs, settings.candidates.view)
-    return ReadResult(rigs, stage_metadata(stage.GetRootLayer()), cameras, (), layouts, "", composed_layouts(stage))
+    return ReadResult(
+        rigs,
+        stage_metadata(stage.GetRootLayer()),
+        cameras,
+        (),
+        layouts,
+        "",
+        composed_layouts(stage),
+    )
 
 
-def read_open_variants(source: Usd.Stage | Sdf.Layer, settings: Settings) -> dict[str, tuple[str, ...]]:
+def read_open_variants(
+    source: Usd.Stage | Sdf.Layer, settings: Settings
+) -> dict[str, tuple[str, ...]]:
     """The variants of every set on an open stage or layer; raises VARIANT_UNKNOWN."""
     return variant_sets(_copy(source, settings))
 
 
 def _copy(source: Usd.Stage | Sdf.Layer, settings: Settings) -> Usd.Stage:
-    """The same layers composed once more: whatever is tried on that stage, the caller's is left alone."""
+    """The same layers composed once more: whatever is tried on that stage, the caller's is left
+    alone."""
     session = Sdf.Layer.CreateAnonymous()
     if isinstance(source, Sdf.Layer):
         stage = Usd.Stage.Open(source, session)

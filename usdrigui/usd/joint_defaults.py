@@ -1,6 +1,8 @@
-"""The controls of a rig driven by joints alone: hinges, balls, twists, and fingers as curl and spread.
+"""The controls of a rig driven by joints alone: hinges, balls, twists, and fingers as curl and
+spread.
 
-Which degrees of freedom matter is read from where the joints are and what skin hangs on them, never from names.
+Which degrees of freedom matter is read from where the joints are and what skin hangs on them, never
+from names.
 """
 
 from __future__ import annotations
@@ -22,9 +24,11 @@ _BENT = 0.05
 _ALONG = 0.1
 """Share of a bone's length from it within which a joint lies on the bone."""
 _LONG = 0.05
-"""Least length of the bones on either side of an elbow or a knee, as a share of the skeleton's extent."""
+"""Least length of the bones on either side of an elbow or a knee, as a share of the skeleton's
+extent."""
 _CARRIED = 0.5
-"""Reach of the second of the chains that hang on a trunk, at least, as a share of its own length."""
+"""Reach of the second of the chains that hang on a trunk, at least, as a share of its own
+length."""
 _MATTERS = 0.5
 """Least lever of an axis against the best axis of a joint at the end of a chain."""
 
@@ -63,7 +67,7 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
     return tuple(sorted(turns, key=lambda turn: (turn.joints[0], turn.name)))
 
 
-# --- hands -------------------------------------------------------------------------------------------
+# --- hands ----------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,16 +83,25 @@ class _Finger:
         curl = np.array([tree.own(joint, self.curl) for joint in curled])
         spread = tree.own(curled[0], self.spread)[None]
         home = curled[len(curled) // 2]
-        return [Turn("curl", home, curled, curl, CURL), Turn("spread", curled[0], curled[:1], spread, SPREAD)]
+        return [
+            Turn("curl", home, curled, curl, CURL),
+            Turn("spread", curled[0], curled[:1], spread, SPREAD),
+        ]
 
 
 def _hands(tree: Tree) -> list[list[_Finger]]:
     """The fingers of every joint from which at least three chains run side by side."""
-    return [_fingers(tree, fan.joint, list(fan.chains), fan.directions, fan.middle) for fan in fans(tree)]
+    return [
+        _fingers(tree, fan.joint, list(fan.chains), fan.directions, fan.middle)
+        for fan in fans(tree)
+    ]
 
 
-def _fingers(tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: Floats, middle: Floats) -> list[_Finger]:
-    """The fingers of a hand: they curl about the line across their first joints, towards where they are bent."""
+def _fingers(
+    tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: Floats, middle: Floats
+) -> list[_Finger]:
+    """The fingers of a hand: they curl about the line across their first joints, towards where they
+    are bent."""
     thumb = directions @ middle < _THUMB
     thumb &= directions @ middle == (directions @ middle).min()
     bases = np.array([tree.places[chain[-FINGERS:][0]] for chain in chains])
@@ -98,7 +111,9 @@ def _fingers(tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: F
     evidence = float((bends[~thumb] @ across).sum())
     palm = np.cross(across, middle)
     if abs(evidence) < _BENT and thumb.any():
-        evidence = float((tree.places[chains[int(np.argmax(thumb))][-1]] - tree.places[hand]) @ palm)
+        evidence = float(
+            (tree.places[chains[int(np.argmax(thumb))][-1]] - tree.places[hand]) @ palm
+        )
     across = across if evidence >= 0.0 else -across
     palm = np.cross(across, middle)
     fingers = []
@@ -112,7 +127,7 @@ def _fingers(tree: Tree, hand: int, chains: list[tuple[int, ...]], directions: F
     return fingers
 
 
-# --- limbs and what is left --------------------------------------------------------------------------
+# --- limbs and what is left -----------------------------------------------------------------------
 
 
 def _hinges(tree: Tree) -> dict[int, Floats]:
@@ -121,7 +136,9 @@ def _hinges(tree: Tree) -> dict[int, Floats]:
     hands, size = {fan.joint for fan in fans(tree)}, float(np.ptp(tree.places, axis=0).max())
     for start in range(len(tree.joints)):
         limb = _limb(tree, start, hands)
-        bones = np.array([np.linalg.norm(tree.places[b] - tree.places[a]) for a, b in pairwise(limb)])
+        bones = np.array(
+            [np.linalg.norm(tree.places[b] - tree.places[a]) for a, b in pairwise(limb)]
+        )
         if len(bones) < 2:
             continue
         least = np.minimum(bones[:-1], bones[1:])
@@ -133,10 +150,16 @@ def _hinges(tree: Tree) -> dict[int, Floats]:
 
 
 def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
-    """The joints from a `start` beside the mirror plane, where chains part, to one of the `hands` or the end; else
-    empty.  A chain on which chains hang that reach as far is a trunk, which need not lie on a mirror plane."""
+    """The joints from a `start` beside the mirror plane, where chains part, to one of the `hands`
+    or the end; else empty.  A chain on which chains hang that reach as far is a trunk, which need
+    not lie on a mirror plane.
+    """
     parent = tree.parents[start]
-    if parent < 0 or on_plane(tree, start) or sum(tree.depth[c] > 1 for c in tree.children[parent]) < 2:
+    if (
+        parent < 0
+        or on_plane(tree, start)
+        or sum(tree.depth[c] > 1 for c in tree.children[parent]) < 2
+    ):
         return []
     limb = [start]
     while sum(tree.depth[child] > 1 for child in tree.children[limb[-1]]) <= 1:
@@ -144,21 +167,27 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
         if ahead < 0:
             return limb
         limb.append(ahead)
-    carried = sorted(tree.reach(child, limb[-1]) for child in tree.children[limb[-1]] if tree.depth[child] > 1)
+    carried = sorted(
+        tree.reach(child, limb[-1]) for child in tree.children[limb[-1]] if tree.depth[child] > 1
+    )
     length = float(np.linalg.norm(tree.places[limb[-1]] - tree.places[start]))
     return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 
 
 def _hinge_axis(tree: Tree, joints: Sequence[int]) -> Floats:
-    """(3,) axis of the middle of three joints: that of its bend, or of a straight limb the one across the mirror plane
-    and the limb."""
+    """(3,) axis of the middle of three joints: that of its bend, or of a straight limb the one
+    across the mirror plane and the limb."""
     a, b, c = (tree.places[joint] for joint in joints)
     before, after = unit(b - a), unit(c - b)
     bend = np.cross(before, after)
     if np.linalg.norm(bend) > _BENT:
         return unit(bend)
     lateral = np.eye(3)[tree.mirror[0] if tree.mirror else 0]
-    return _level(lateral, before) if abs(lateral @ before) < 0.7 else _level(np.roll(lateral, 1), before)
+    return (
+        _level(lateral, before)
+        if abs(lateral @ before) < 0.7
+        else _level(np.roll(lateral, 1), before)
+    )
 
 
 def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
@@ -168,7 +197,11 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
     bone = _bone_below(tree, joint)
     if bone is not None:
         return [_single("twist", tree, joint, bone, BALL)]
-    axes = range(3) if any(tree.depth[child] for child in tree.children[joint]) else _levers(tree, joint)
+    axes = (
+        range(3)
+        if any(tree.depth[child] for child in tree.children[joint])
+        else _levers(tree, joint)
+    )
     return [Turn(f"r{'xyz'[axis]}", joint, (joint,), np.eye(3)[[axis]], BALL) for axis in axes]
 
 
@@ -177,7 +210,8 @@ def _single(name: str, tree: Tree, joint: int, axis: Floats, span: tuple[float, 
 
 
 def _bone_below(tree: Tree, joint: int) -> Floats | None:
-    """(3,) direction of the parent's bone on which a joint without joints below lies, as twist joints do."""
+    """(3,) direction of the parent's bone on which a joint without joints below lies, as twist
+    joints do."""
     parent = tree.parents[joint]
     ahead = tree.next(parent) if parent >= 0 else -1
     if ahead in (-1, joint) or tree.depth[joint] > 1 or tree.depth[ahead] < 2:
@@ -190,11 +224,15 @@ def _bone_below(tree: Tree, joint: int) -> Floats | None:
 
 
 def _levers(tree: Tree, joint: int) -> list[int]:
-    """The axes of a joint at the end of a chain about which its skin turns furthest, two at most."""
+    """The axes of a joint at the end of a chain about which its skin turns furthest, two at
+    most."""
     points, weights = tree.skin[joint]
     arms = points - np.array(tree.joints[joint].bind)[3, :3]
     bind = rotation_part(np.array(tree.joints[joint].bind)[None])[0]
-    levers = [float((weights * np.linalg.norm(np.cross(arms, axis), axis=1)).max(initial=0.0)) for axis in bind]
+    levers = [
+        float((weights * np.linalg.norm(np.cross(arms, axis), axis=1)).max(initial=0.0))
+        for axis in bind
+    ]
     ranked = sorted(range(3), key=lambda axis: (-round(levers[axis], 9), axis))[:2]
     return sorted(axis for axis in ranked if levers[axis] >= _MATTERS * max(levers))
 
@@ -207,14 +245,20 @@ def posed_locals(tree: Tree, turn: Turn, degrees: Floats) -> Floats:
         turned: dict[int, Floats] = {}
         for joint in tree.from_the_ends()[::-1]:
             parent = tree.parents[joint]
-            local = tree.world[joint] @ np.linalg.inv(tree.world[parent]) if parent >= 0 else tree.world[joint]
+            local = (
+                tree.world[joint] @ np.linalg.inv(tree.world[parent])
+                if parent >= 0
+                else tree.world[joint]
+            )
             if joint in turn.joints:
                 spin = np.eye(4)
                 spin[:3, :3] = rotations(np.radians(value) * turn.axes[turn.joints.index(joint)])
                 local = spin @ local
             own[joint] = turned[joint] = local @ turned[parent] if parent >= 0 else local
         real = [joint.parent for joint in tree.joints]
-        found.append([own[i] @ np.linalg.inv(own[p]) if p >= 0 else own[i] for i, p in enumerate(real)])
+        found.append(
+            [own[i] @ np.linalg.inv(own[p]) if p >= 0 else own[i] for i, p in enumerate(real)]
+        )
     return np.array(found)
 
 

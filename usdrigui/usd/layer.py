@@ -1,8 +1,8 @@
 """From layouts to the layer that any UsdSkel application can show.
 
-`write_layout` is the whole way to a file, `layer_for` stops at the layer, `stage_metadata` says what the
-layer must repeat of its source.  schemas/CONTRACT.md describes the result; `usdrigui.usd.read_layout` is
-the way back.
+`write_layout` is the whole way to a file, `layer_for` stops at the layer, `stage_metadata` says
+what the layer must repeat of its source.  schemas/CONTRACT.md describes the result;
+`usdrigui.usd.read_layout` is the way back.
 """
 
 from __future__ import annotations
@@ -44,7 +44,8 @@ _METADATA = (
     "colorManagementSystem",
     "expressionVariables",
 )
-"""What USD reads from the root layer of a stage only, and a layer over the source must therefore repeat."""
+"""What USD reads from the root layer of a stage only, and a layer over the source must therefore
+repeat."""
 
 Laid = Sequence[tuple[Rig, Layout]]
 
@@ -60,9 +61,9 @@ def write_layout(
 ) -> State:
     """Write the layouts of one asset to `target`, atomically, over its `source`.
 
-    `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a relative
-    path unless `settings.bare`.  `write` is `safe_write.commit`, or `stage` of a transaction with other files.
-    Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
+    `metadata` is `stage_metadata` of the source's root layer.  The source is sublayered by a
+    relative path unless `settings.bare`.  `write` is `safe_write.commit`, or `stage` of a
+    transaction with other files. Raises RigUIError with a FILE_ code or SOURCE_UNREFERABLE.
     """
     reference = "" if settings.bare else relative_asset_path(source, target)
     layer = layer_for(laid, reference, settings, metadata)
@@ -71,11 +72,13 @@ def write_layout(
     return write(content, target, verify=functools.partial(holds_layouts, roots))
 
 
-def layer_for(laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]) -> Sdf.Layer:
+def layer_for(
+    laid: Laid, source: str, settings: OutputSettings, metadata: Mapping[str, Any]
+) -> Sdf.Layer:
     """An anonymous layer with the layouts of one asset.
 
-    `source` is the asset path to sublayer, taken as it is; empty, or ignored with `settings.bare`, the
-    layer stands alone for others to sublayer.  The same input gives the same bytes.
+    `source` is the asset path to sublayer, taken as it is; empty, or ignored with `settings.bare`,
+    the layer stands alone for others to sublayer.  The same input gives the same bytes.
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     with Sdf.ChangeBlock():
@@ -106,11 +109,14 @@ def stage_metadata(layer: Sdf.Layer) -> dict[str, Any]:
 
 
 def relative_asset_path(source: Path, target: Path) -> str:
-    """Asset path by which a layer at `target` refers to the file `source`: relative, with forward slashes.
+    """Asset path by which a layer at `target` refers to the file `source`: relative, with forward
+    slashes.
 
     Raises SOURCE_UNREFERABLE for names that USD cannot refer to.
     """
-    here = source.parent.resolve() / source.name  # a link keeps its name: what it refers to lies beside it
+    here = (
+        source.parent.resolve() / source.name
+    )  # a link keeps its name: what it refers to lies beside it
     path = os.path.relpath(here, target.parent.resolve()).replace(os.sep, "/")
     if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
         raise refuse("SOURCE_UNREFERABLE", str(source), "its name has a meaning of its own in USD")
@@ -118,11 +124,13 @@ def relative_asset_path(source: Path, target: Path) -> str:
 
 
 def layer_bytes(layer: Sdf.Layer, suffix: str, name: str = "") -> bytes:
-    """The content of a layer as a file of that suffix: ``.usda`` as text, ``.usdc`` and ``.usd`` as crate.
+    """The content of a layer as a file of that suffix: ``.usda`` as text, ``.usdc`` and ``.usd`` as
+    crate.
 
     A refusal calls the file by its ``name``.
 
-    Raises FILE_TARGET for any other suffix, and another FILE_ code when there is no room for a temporary.
+    Raises FILE_TARGET for any other suffix, and another FILE_ code when there is no room for a
+    temporary.
     """
     if suffix == ".usda":
         return str(layer.ExportToString()).encode()
@@ -137,22 +145,29 @@ def layer_bytes(layer: Sdf.Layer, suffix: str, name: str = "") -> bytes:
     except OSError as error:
         raise file_error(Path(tempfile.gettempdir()), error) from error
     except Tf.ErrorException:
-        raise refuse("FILE_WRITE", tempfile.gettempdir(), "USD cannot write a temporary crate") from None
+        raise refuse(
+            "FILE_WRITE", tempfile.gettempdir(), "USD cannot write a temporary crate"
+        ) from None
 
 
 def holds_layouts(roots: Sequence[str], path: Path) -> bool:
     """Whether the file is a layer with a layout below each of the SkelRoots."""
     layer = Sdf.Layer.OpenAsAnonymous(str(path))
     return all(
-        any(layer.GetPrimAtPath(path.AppendChild(schema.SCOPE)) for path in (_inside(Sdf.Path(root)), Sdf.Path(root)))
+        any(
+            layer.GetPrimAtPath(path.AppendChild(schema.SCOPE))
+            for path in (_inside(Sdf.Path(root)), Sdf.Path(root))
+        )
         for root in roots
     )
 
 
 def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
-    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not troubled by it.
+    """The variant of a SkelRoot in which its layout stands: whoever selects the other one is not
+    troubled by it.
 
-    `root` may hold variants of the asset's own, inside which it then is; which of these is selected the asset says.
+    `root` may hold variants of the asset's own, inside which it then is; which of these is selected
+    the asset says.
     """
     spec = _author_asset_variants(layer, Sdf.Path(root))
     if schema.VARIANTS not in spec.variantSets:
@@ -165,10 +180,14 @@ def author_variant(layer: Sdf.Layer, root: str) -> Sdf.PrimSpec:
 
 
 def _author_asset_variants(layer: Sdf.Layer, root: Sdf.Path) -> Sdf.PrimSpec:
-    """The prim at a path, with the variant sets that the path names: these may stand behind a reference or payload."""
+    """The prim at a path, with the variant sets that the path names: these may stand behind a
+    reference or payload."""
     for each in root.GetPrefixes():
         if each.IsPrimVariantSelectionPath():
-            owner, (name, variant) = Sdf.CreatePrimInLayer(layer, each.GetParentPath()), each.GetVariantSelection()
+            owner, (name, variant) = (
+                Sdf.CreatePrimInLayer(layer, each.GetParentPath()),
+                each.GetVariantSelection(),
+            )
             if name not in owner.variantSets:
                 owner.variantSetNameList.Prepend(name)
                 Sdf.VariantSetSpec(owner, name)
@@ -181,7 +200,7 @@ def _inside(root: Sdf.Path) -> Sdf.Path:
     return root.AppendVariantSelection(schema.VARIANTS, schema.WITH)
 
 
-# --- the layer ---------------------------------------------------------------------------------------
+# --- the layer ------------------------------------------------------------------------------------
 
 
 def author_metadata(layer: Sdf.Layer, metadata: Mapping[str, Any], laid: Laid) -> None:
@@ -226,7 +245,9 @@ def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
         "planeNormal": layout.plane_normal,
         "handleWidth": layout.handle_width,
         "parts": [part.name for part in layout.parts],
-        "partHandleWidths": np.array([part.handle_width for part in layout.parts], dtype=np.float64),
+        "partHandleWidths": np.array(
+            [part.handle_width for part in layout.parts], dtype=np.float64
+        ),
         "partViewDirections": [part.view for part in layout.parts],
     }
 
@@ -269,13 +290,16 @@ def author_elements(
     elements: Sequence[Element],
     taken: Iterable[str] = (),
 ) -> list[Sdf.Path]:
-    """Some elements of a layout and the meshes that draw them; returns their paths.  `taken` are other names."""
+    """Some elements of a layout and the meshes that draw them; returns their paths.  `taken` are
+    other names."""
     skin = SkinBinding(rig, layout)
     used = set(taken)
     names = [author.identifier(element.name, used) for element in elements]
     inner = inner_names(layout.elements)
     drawn = [
-        DrawnElement(each, each.name in inner, drawn_parts(skin, each, layout.handle_width_of(each)))
+        DrawnElement(
+            each, each.name in inner, drawn_parts(skin, each, layout.handle_width_of(each))
+        )
         for each in elements
     ]
     subsets: dict[int, Sdf.PrimSpec] = {}
@@ -295,7 +319,11 @@ def author_elements(
 
 
 def _author_element(
-    subset: Sdf.PrimSpec, rig: Rig, skin: SkinBinding, element: Element, paths: Mapping[str, Sdf.Path]
+    subset: Sdf.PrimSpec,
+    rig: Rig,
+    skin: SkinBinding,
+    element: Element,
+    paths: Mapping[str, Sdf.Path],
 ) -> None:
     """What one element says about itself."""
     instances = instances_of(element)
@@ -308,19 +336,26 @@ def _author_element(
     _author_element_api(subset, element, instances, paths)
     _author_anchor_api(subset, element)
     _author_handle_api(subset, element)
-    opposes = {element.members[b].control: instances[element.members[a].control] for a, b in element.opposed}
+    opposes = {
+        element.members[b].control: instances[element.members[a].control]
+        for a, b in element.opposed
+    }
     for position, member in enumerate(element.members):
         figures = {
             "opposes": opposes.get(member.control, ""),
             "mirrorReversed": position in element.reversed,
             **_track(member, skin.control(member.control)),
         }
-        author_control_api(subset, rig, skin.control(member.control), instances[member.control], figures)
+        author_control_api(
+            subset, rig, skin.control(member.control), instances[member.control], figures
+        )
 
 
 def _track(member: Member, control: Control) -> dict[str, Any]:
     even = np.linspace(control.minimum, control.maximum, len(member.values))
-    plain = np.allclose(member.values, even, rtol=0.0, atol=1e-7 * max(1.0, float(np.abs(even).max())))
+    plain = np.allclose(
+        member.values, even, rtol=0.0, atol=1e-7 * max(1.0, float(np.abs(even).max()))
+    )
     return {
         "trackPoints": member.track,
         "trackValues": () if plain else member.values,
@@ -330,13 +365,17 @@ def _track(member: Member, control: Control) -> dict[str, Any]:
 
 
 def instances_of(element: Element) -> dict[str, str]:
-    """RigUIControlAPI instance of each control; none may be called like a property of the schema."""
+    """RigUIControlAPI instance of each control; none may be called like a property of the
+    schema."""
     taken = set(author.properties(schema.CONTROL))
     return {member.control: author.identifier(member.control, taken) for member in element.members}
 
 
 def _author_element_api(
-    subset: Sdf.PrimSpec, element: Element, instances: Mapping[str, str], paths: Mapping[str, Sdf.Path]
+    subset: Sdf.PrimSpec,
+    element: Element,
+    instances: Mapping[str, str],
+    paths: Mapping[str, Sdf.Path],
 ) -> None:
     author.declare(
         subset,

@@ -31,7 +31,9 @@ def read_meshes(
         binding = bindings.get(path)
         if not prim.IsA(UsdGeom.Mesh):
             if binding is not None:
-                found.issues.append(issue("PRIM_UNSUPPORTED", str(path), f"is a {prim.GetTypeName()}"))
+                found.issues.append(
+                    issue("PRIM_UNSUPPORTED", str(path), f"is a {prim.GetTypeName()}")
+                )
                 note_tokens(prim, found, f"only {path}, a {prim.GetTypeName()}, has it")
             continue
         with found.leaving_off(str(path), legible_tokens(prim)):
@@ -82,8 +84,13 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
         note_tokens(prim, found, f"{path} has no points")
         return None
     counts, indices = _faces(mesh, frames.time, path, len(points))
-    if mesh.GetPointsAttr().GetNumTimeSamples() > 1 or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1:
-        found.issues.append(issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}"))
+    if (
+        mesh.GetPointsAttr().GetNumTimeSamples() > 1
+        or mesh.GetFaceVertexIndicesAttr().GetNumTimeSamples() > 1
+    ):
+        found.issues.append(
+            issue("POINTS_ANIMATED", path, f"taken at {_time_name(mesh, frames.time)}")
+        )
     # The skin first: a mesh that is left off for it must not have named channels.
     skin, to_root = _skin(binding, len(points), path, frames.time, found), frames.to_root(prim)
     shapes = read_shapes(prim, binding, len(points), found)
@@ -105,21 +112,28 @@ def _mesh(prim: Usd.Prim, binding: Binding | None, frames: Frames, found: Found)
 
 
 def left_handed(mesh: UsdGeom.Mesh, linear: Floats) -> bool:
-    """Whether faces turn clockwise seen from outside, once a (3, 3) `linear` map in row-vector form is applied to the
-    points: as its orientation says, and the other way round where the map mirrors."""
+    """Whether faces turn clockwise seen from outside, once a (3, 3) `linear` map in row-vector form
+    is applied to the points: as its orientation says, and the other way round where the map
+    mirrors."""
     authored = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
     return bool(authored != (np.linalg.det(linear) < 0.0))
 
 
 def _linear_to_root(binding: Binding | None, skin: Skin | None, to_root: Floats) -> Floats:
-    """(3, 3) what takes the mesh's points to root space in the bind pose: a skinned mesh goes by its Skeleton."""
+    """(3, 3) what takes the mesh's points to root space in the bind pose: a skinned mesh goes by
+    its Skeleton."""
     if skin is None or binding is None:
         return to_root[:3, :3]
-    return np.asarray(skin.geom_bind[:3, :3] @ binding.armature.record.to_root[:3, :3], dtype=np.float64)
+    return np.asarray(
+        skin.geom_bind[:3, :3] @ binding.armature.record.to_root[:3, :3], dtype=np.float64
+    )
 
 
-def _subsets(mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int, found: Found) -> tuple[Subset, ...]:
-    """GeomSubsets of faces or points; members that the mesh does not have are left out, as is one without integers."""
+def _subsets(
+    mesh: UsdGeom.Mesh, counts: Indices, indices: Indices, count: int, found: Found
+) -> tuple[Subset, ...]:
+    """GeomSubsets of faces or points; members that the mesh does not have are left out, as is one
+    without integers."""
     ends = np.cumsum(counts)
     subsets = []
     for subset in UsdGeom.Subset.GetAllGeomSubsets(mesh):
@@ -150,12 +164,16 @@ def _points(mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str) -> Floats:
     return vectors(value_at(mesh.GetPointsAttr(), time), path, "points").astype(np.float64)
 
 
-def _faces(mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str, count: int) -> tuple[Indices, Indices]:
+def _faces(
+    mesh: UsdGeom.Mesh, time: Usd.TimeCode, path: str, count: int
+) -> tuple[Indices, Indices]:
     counts = integers(value_at(mesh.GetFaceVertexCountsAttr(), time), path, "faceVertexCounts")
     indices = integers(value_at(mesh.GetFaceVertexIndicesAttr(), time), path, "faceVertexIndices")
     if (counts < 0).any() or counts.sum() != len(indices):
         raise refuse(
-            "TOPOLOGY_INVALID", path, f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}"
+            "TOPOLOGY_INVALID",
+            path,
+            f"faceVertexCounts add up to {counts.sum()}, faceVertexIndices has {len(indices)}",
         )
     check_range(indices, count, path, "faceVertexIndices")
     return counts, indices
@@ -172,16 +190,27 @@ def _time_name(mesh: UsdGeom.Mesh, time: Usd.TimeCode) -> str:
     return "the default value" if mesh.GetPointsAttr().Get() is not None else "the earliest time"
 
 
-# --- influences --------------------------------------------------------------------------------------
+# --- influences -----------------------------------------------------------------------------------
 
 
-def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, found: Found) -> Skin | None:
-    """Influences with joints numbered as in `Rig.joints`; None where UsdSkel would not skin either."""
-    if binding is None or not binding.armature.joint_names or not binding.query.HasJointInfluences():
+def _skin(
+    binding: Binding | None, count: int, path: str, time: Usd.TimeCode, found: Found
+) -> Skin | None:
+    """Influences with joints numbered as in `Rig.joints`; None where UsdSkel would not skin
+    either."""
+    if (
+        binding is None
+        or not binding.armature.joint_names
+        or not binding.query.HasJointInfluences()
+    ):
         return None
     query = binding.query
-    joints = integers(value_at(query.GetJointIndicesPrimvar(), time), path, "primvars:skel:jointIndices")
-    weights = floats(value_at(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights")
+    joints = integers(
+        value_at(query.GetJointIndicesPrimvar(), time), path, "primvars:skel:jointIndices"
+    )
+    weights = floats(
+        value_at(query.GetJointWeightsPrimvar(), time), path, "primvars:skel:jointWeights"
+    )
     rigid = query.IsRigidlyDeformed()
     width = query.GetNumInfluencesPerComponent()
     expected = width if rigid else width * count
@@ -189,7 +218,8 @@ def _skin(binding: Binding | None, count: int, path: str, time: Usd.TimeCode, fo
         raise refuse(
             "INFLUENCES_LENGTH",
             path,
-            f"{count} points, {width} influences each, but {len(joints)} jointIndices and {len(weights)} jointWeights",
+            f"{count} points, {width} influences each, but {len(joints)} jointIndices and"
+            f" {len(weights)} jointWeights",
         )
     order = _joint_order(binding, path)
     check_range(joints, len(order), path, "primvars:skel:jointIndices")
@@ -216,7 +246,11 @@ def _joint_order(binding: Binding, path: str) -> Indices:
     place = {name: armature.first + i for i, name in enumerate(armature.joint_names)}
     unknown = [str(name) for name in own if str(name) not in place]
     if unknown:
-        raise refuse("JOINT_UNKNOWN", path, f"skel:joints names {unknown[0]!r}, which {armature.record.path} lacks")
+        raise refuse(
+            "JOINT_UNKNOWN",
+            path,
+            f"skel:joints names {unknown[0]!r}, which {armature.record.path} lacks",
+        )
     return np.array([place[str(name)] for name in own], dtype=np.int64)
 
 
@@ -232,5 +266,9 @@ def _note_sums(weights: Floats, path: str, found: Found) -> None:
     off = np.abs(weights.sum(axis=1) - 1.0)
     if off.max() > 1e-3:
         found.issues.append(
-            issue("WEIGHTS_UNNORMALISED", path, f"at {np.count_nonzero(off > 1e-3)} points, by up to {off.max():.3g}")
+            issue(
+                "WEIGHTS_UNNORMALISED",
+                path,
+                f"at {np.count_nonzero(off > 1e-3)} points, by up to {off.max():.3g}",
+            )
         )

@@ -37,7 +37,8 @@ class FrameNames:
 
 
 def read_frame_names(root: Usd.Prim, armatures: tuple[Armature, ...], key: str) -> FrameNames:
-    """Names of frames from custom data: a list with one name per authored frame, or a table of time codes."""
+    """Names of frames from custom data: a list with one name per authored frame, or a table of time
+    codes."""
     value = custom_data(root, key) if key else None
     times = sorted({time for armature in armatures for time in armature.times})
     if value is None or not times:
@@ -45,12 +46,24 @@ def read_frame_names(root: Usd.Prim, armatures: tuple[Armature, ...], key: str) 
     if isinstance(value, Mapping):
         named = sorted((float(time), str(name)) for name, time in value.items() if _is_time(time))
         return FrameNames(tuple(Frame(name, time) for time, name in named), (), ())
-    names = [str(name) for name in value] if isinstance(value, (list, Vt.StringArray, Vt.TokenArray)) else []
+    names = (
+        [str(name) for name in value]
+        if isinstance(value, (list, Vt.StringArray, Vt.TokenArray))
+        else []
+    )
     frames = tuple(Frame(name, time) for name, time in zip(names, times, strict=False))
-    lost = tuple(LeftOff(name, "read", "the animation has no frame for it") for name in names[len(times) :])
+    lost = tuple(
+        LeftOff(name, "read", "the animation has no frame for it") for name in names[len(times) :]
+    )
     issues: tuple[Issue, ...] = ()
     if len(names) != len(times):
-        issues = (issue("POSES_MISMATCH", str(root.GetPath()), f"{len(names)} names in {key!r}, {len(times)} frames"),)
+        issues = (
+            issue(
+                "POSES_MISMATCH",
+                str(root.GetPath()),
+                f"{len(names)} names in {key!r}, {len(times)} frames",
+            ),
+        )
     return FrameNames(frames, lost, issues)
 
 
@@ -67,10 +80,11 @@ def named_poses(
     base: State,
     settings: Settings,
 ) -> list[NamedPose]:
-    """The poses of the asset's frames, all but the first, and those of the configuration, which win.
+    """The poses of the asset's frames, all but the first, and those of the configuration, which
+    win.
 
-    Raises CONFIG_VALUE for a configured pose that says nothing or a SkelAnimation that is not bound, and
-    CONFIG_UNKNOWN_CONTROL for a weight that the rig does not have.
+    Raises CONFIG_VALUE for a configured pose that says nothing or a SkelAnimation that is not
+    bound, and CONFIG_UNKNOWN_CONTROL for a weight that the rig does not have.
     """
     source = _Source(armatures, joints, channels, base)
     poses = [
@@ -78,7 +92,9 @@ def named_poses(
         for frame in frames[1:]
         if frame.name not in settings.poses
     ]
-    poses.extend(_configured(name, configured, source) for name, configured in settings.poses.items())
+    poses.extend(
+        _configured(name, configured, source) for name, configured in settings.poses.items()
+    )
     return poses
 
 
@@ -86,14 +102,21 @@ class _Source:
     """Absolute states from which poses are made, each read once."""
 
     def __init__(
-        self, armatures: tuple[Armature, ...], joints: tuple[Joint, ...], channels: tuple[Channel, ...], base: State
+        self,
+        armatures: tuple[Armature, ...],
+        joints: tuple[Joint, ...],
+        channels: tuple[Channel, ...],
+        base: State,
     ) -> None:
         self.armatures, self.joints, self.channels, self.base = armatures, joints, channels, base
 
     def keys(self, times: list[float], armatures: tuple[Armature, ...] | None = None) -> State:
-        """The base pose followed by the animation at `times`; what `armatures` leaves out stays at the base."""
+        """The base pose followed by the animation at `times`; what `armatures` leaves out stays at
+        the base."""
         states = [self.base, *(self._at(time, armatures or self.armatures) for time in times)]
-        return State(np.stack([each.weights for each in states]), np.stack([each.locals for each in states]))
+        return State(
+            np.stack([each.weights for each in states]), np.stack([each.locals for each in states])
+        )
 
     def weighted(self, weights: Mapping[int, float]) -> State:
         """The base pose followed by absolute weights of channels."""
@@ -105,7 +128,10 @@ class _Source:
     def _at(self, time: float, armatures: tuple[Armature, ...]) -> State:
         weights, local = self.base.weights.copy(), self.base.locals.copy()
         animations = {each.record.animation for each in armatures}
-        here = np.array([channel.animation in animations and channel.index >= 0 for channel in self.channels], bool)
+        here = np.array(
+            [channel.animation in animations and channel.index >= 0 for channel in self.channels],
+            bool,
+        )
         weights[here] = weights_at(self.armatures, self.channels, time)[here]
         for armature in armatures:
             part = slice(armature.first, armature.first + len(armature.joint_names))
@@ -124,16 +150,26 @@ def _configured(name: str, configured: PoseSettings, source: _Source) -> NamedPo
         if unknown:
             what = f"the asset has no weight {unknown[0]!r}{meant(unknown[0], by_token)}"
             raise refuse("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", what)
-        chosen = {index: weight for token, weight in configured.weights.items() for index in by_token[token]}
+        chosen = {
+            index: weight
+            for token, weight in configured.weights.items()
+            for index in by_token[token]
+        }
         return NamedPose(name, configured.label, np.array([0.0, 1.0]), source.weighted(chosen))
     armatures = _animated_by(configured.animation, source.armatures, where)
     if configured.frame is not None:
-        return NamedPose(name, configured.label, np.array([0.0, 1.0]), source.keys([configured.frame], armatures))
+        return NamedPose(
+            name, configured.label, np.array([0.0, 1.0]), source.keys([configured.frame], armatures)
+        )
     return _clip(name, configured, source, armatures, where)
 
 
 def _clip(
-    name: str, configured: PoseSettings, source: _Source, armatures: tuple[Armature, ...], where: str
+    name: str,
+    configured: PoseSettings,
+    source: _Source,
+    armatures: tuple[Armature, ...],
+    where: str,
 ) -> NamedPose:
     """A clip as keys: the base pose at 0, then its frames evenly in time to 1.
 
@@ -155,13 +191,19 @@ def _clip(
     return NamedPose(name, configured.label, (spread - start) / (last - start), states)
 
 
-def _animated_by(animation: str, armatures: tuple[Armature, ...], where: str) -> tuple[Armature, ...]:
+def _animated_by(
+    animation: str, armatures: tuple[Armature, ...], where: str
+) -> tuple[Armature, ...]:
     if not animation:
         return armatures
     bound = tuple(armature for armature in armatures if armature.record.animation == animation)
     if not bound:
-        known = ", ".join(sorted({armature.record.animation for armature in armatures if armature.animation}))
+        known = ", ".join(
+            sorted({armature.record.animation for armature in armatures if armature.animation})
+        )
         raise refuse(
-            "CONFIG_VALUE", f"{where}.animation", f"{animation} drives no Skeleton; there are {known or 'none'}"
+            "CONFIG_VALUE",
+            f"{where}.animation",
+            f"{animation} drives no Skeleton; there are {known or 'none'}",
         )
     return bound

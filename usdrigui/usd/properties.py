@@ -1,4 +1,5 @@
-"""What prims of a layout say in our schemas: values or their fallbacks, and the records that both formats say alike.
+"""What prims of a layout say in our schemas: values or their fallbacks, and the records that both
+formats say alike.
 
 The schema plug-in need not be registered.
 """
@@ -54,7 +55,10 @@ def declared_value(prim: Usd.Prim, declared: author.Property, instance: str = ""
         raise invalid(attribute, f"is {attribute.GetTypeName()}, not {declared.type_name}")
     if declared.allowed and value not in declared.allowed:
         raise invalid(attribute, f"is {value!r}, not one of {', '.join(declared.allowed)}")
-    if declared.type_name not in ("token", "string", "token[]", "string[]") and np.isnan(value).any():
+    if (
+        declared.type_name not in ("token", "string", "token[]", "string[]")
+        and np.isnan(value).any()
+    ):
         raise invalid(attribute, "holds NaN")
     return value
 
@@ -72,7 +76,8 @@ def targets(prim: Usd.Prim, api: str, name: str, instance: str = "") -> list[Sdf
 
 
 def control_instances(prim: Usd.Prim) -> list[str]:
-    """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, or one not applied."""
+    """Instance names of an element's controls, in its order.  Raises LAYOUT_INVALID for none, or
+    one not applied."""
     known = instances_applied(prim)
     instances = strings(value_of(prim, schema.ELEMENT, "controls")) or known
     unknown = [instance for instance in instances if instance not in known]
@@ -85,7 +90,10 @@ def control_instances(prim: Usd.Prim) -> list[str]:
 def element_names(prim: Usd.Prim, relationship: str) -> tuple[str, ...]:
     """Names of the elements that a relationship of an element targets."""
     stage = prim.GetStage()
-    return tuple(element_name(stage.GetPrimAtPath(each)) for each in targets(prim, schema.ELEMENT, relationship))
+    return tuple(
+        element_name(stage.GetPrimAtPath(each))
+        for each in targets(prim, schema.ELEMENT, relationship)
+    )
 
 
 def element_name(prim: Usd.Prim) -> str:
@@ -97,7 +105,9 @@ def check_equal(prim: Usd.Prim, name: str, *columns: Any) -> None:
     """Refuse columns of different lengths with LAYOUT_INVALID."""
     lengths = [len(column) for column in columns]
     if len(set(lengths)) > 1:
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal")
+        raise refuse(
+            "LAYOUT_INVALID", f"{prim.GetPath()}.{name}", f"lengths {lengths} should be equal"
+        )
 
 
 def strings(values: Any) -> list[str]:
@@ -110,7 +120,7 @@ def array_of(values: Any) -> Floats:
     return np.array(values, dtype=np.float64)
 
 
-# --- records -----------------------------------------------------------------------------------------
+# --- records --------------------------------------------------------------------------------------
 
 
 def read_anchor(prim: Usd.Prim) -> Anchor:
@@ -122,7 +132,11 @@ def read_anchor(prim: Usd.Prim) -> Anchor:
     on_face = targets(prim, schema.ANCHOR, "prim")
     meshes = on_face or targets(prim, schema.ANCHOR, "carrier")
     if on_face and get("pointIndex") < 0:
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "stands on a mesh, but rigUI:anchor:pointIndex is missing")
+        raise refuse(
+            "LAYOUT_INVALID",
+            str(prim.GetPath()),
+            "stands on a mesh, but rigUI:anchor:pointIndex is missing",
+        )
     return Anchor(
         mesh=str(meshes[0]) if meshes else "",
         point=int(get("pointIndex")),
@@ -135,9 +149,13 @@ def read_anchor(prim: Usd.Prim) -> Anchor:
 
 
 _DECIDED: Mapping[Decision, frozenset[str]] = {
-    "anchor": frozenset(author.properties(schema.ANCHOR)[name].name for name in ("prim", "pointIndex")),
+    "anchor": frozenset(
+        author.properties(schema.ANCHOR)[name].name for name in ("prim", "pointIndex")
+    ),
     "place": frozenset({author.properties(schema.ANCHOR)["carrier"].name}),
-    "grouping": frozenset(author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")),
+    "grouping": frozenset(
+        author.properties(schema.ELEMENT)[name].name for name in ("controls", "elementType")
+    ),
 }
 """Properties in which the decisions of a layout stand."""
 
@@ -147,7 +165,11 @@ def pinned(prim: Usd.Prim) -> dict[str, Any]:
     values = value_of(prim, schema.ELEMENT, "pinned")
     unknown = sorted(set(strings(values)) - set(get_args(Decision)))
     if unknown:
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:element:pinned", f"{unknown[0]!r} is no decision")
+        raise refuse(
+            "LAYOUT_INVALID",
+            f"{prim.GetPath()}.rigUI:element:pinned",
+            f"{unknown[0]!r} is no decision",
+        )
     place = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition"))
     return {
         "pinned": tuple(each for each in get_args(Decision) if each in values),
@@ -156,9 +178,11 @@ def pinned(prim: Usd.Prim) -> dict[str, Any]:
 
 
 def corrected(element: Element, prim: Usd.Prim) -> Element:
-    """The element with what a layer says that is stronger than the defining one as decisions of a person.
+    """The element with what a layer says that is stronger than the defining one as decisions of a
+    person.
 
-    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other points.
+    Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other
+    points.
     """
     said = _said_above(prim)
     found = {decision for decision, names in _DECIDED.items() if said & names}
@@ -177,16 +201,30 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
 def _said_above(prim: Usd.Prim) -> set[str]:
     """Properties of which a layer stronger than the one that defines the prim has an opinion."""
     stack = prim.GetPrimStack()
-    defining = next((number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef), len(stack))
-    return {str(each) for spec in stack[:defining] for each in spec.properties.keys()}  # noqa: SIM118 (a view of Sdf)
+    defining = next(
+        (number for number, spec in enumerate(stack) if spec.specifier == Sdf.SpecifierDef),
+        len(stack),
+    )
+    # Views of Sdf iterate over specs, not over names.
+    views = [spec.properties for spec in stack[:defining]]
+    return {str(each) for view in views for each in view.keys()}  # noqa: SIM118
 
 
 def checked_glyph(prim: Usd.Prim, glyph: Glyph) -> Glyph:
     """The glyph, if its numbers fit each other; raises LAYOUT_INVALID."""
     counts, indices = glyph.counts, glyph.indices
     least, most = indices.min(initial=0), indices.max(initial=-1)
-    if counts.min(initial=0) < 0 or counts.sum() != len(indices) or least < 0 or most >= len(glyph.points):
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:handle:glyphOffsets", "do not fit what is drawn")
+    if (
+        counts.min(initial=0) < 0
+        or counts.sum() != len(indices)
+        or least < 0
+        or most >= len(glyph.points)
+    ):
+        raise refuse(
+            "LAYOUT_INVALID",
+            f"{prim.GetPath()}.rigUI:handle:glyphOffsets",
+            "do not fit what is drawn",
+        )
     return glyph
 
 
@@ -199,19 +237,28 @@ def check_elements(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
 def _check_unique(scope: Usd.Prim, names: list[str]) -> None:
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
-        raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}")
+        raise refuse(
+            "LAYOUT_INVALID", str(scope.GetPath()), f"two elements are called {twice[0]!r}"
+        )
 
 
 def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
-    known, coarse = {element.name for element in elements}, {element.name for element in elements if element.inner}
+    known, coarse = (
+        {element.name for element in elements},
+        {element.name for element in elements if element.inner},
+    )
     for element in elements:
         for name in element.inner:
             if name not in known or name in coarse:
                 what = "is coarse itself" if name in coarse else "is no element of the layout"
-                raise refuse("LAYOUT_INVALID", str(scope.GetPath()), f"{name!r}, a member of {element.name!r}, {what}")
+                raise refuse(
+                    "LAYOUT_INVALID",
+                    str(scope.GetPath()),
+                    f"{name!r}, a member of {element.name!r}, {what}",
+                )
 
 
-# --- arrays of USD's own schemas ---------------------------------------------------------------------
+# --- arrays of USD's own schemas ------------------------------------------------------------------
 
 
 def integers_of(attribute: Usd.Attribute) -> Indices:

@@ -57,7 +57,8 @@ def read_ranges(
     weights: Floats,
     clip: Clip | None,
 ) -> tuple[Authored, tuple[Issue, ...]]:
-    """What the asset says about ranges; `weights` (channels,) are the SkelAnimation's default values."""
+    """What the asset says about ranges; `weights` (channels,) are the SkelAnimation's default
+    values."""
     issues: list[Issue] = []
     limits = _limits(armatures, channels, issues)
     metadata = _metadata(root, channels, issues)
@@ -66,18 +67,23 @@ def read_ranges(
         for shape in mesh.shapes:
             if len(shape.weights) > 1:
                 low, high = between[shape.channel]
-                between[shape.channel] = [min(low, float(shape.weights[0])), max(high, float(shape.weights[-1]))]
+                between[shape.channel] = [
+                    min(low, float(shape.weights[0])),
+                    max(high, float(shape.weights[-1])),
+                ]
     animated = weights[None] if clip is None else np.concatenate([weights[None], clip.weights])
     extent = np.stack([animated.min(axis=0), animated.max(axis=0)], axis=1)
     return Authored(limits.tolist(), metadata.tolist(), between, extent.tolist()), tuple(issues)
 
 
-def blend_shape_range(channel: int, authored: Authored, override: ControlSettings, rest: float) -> Range:
+def blend_shape_range(
+    channel: int, authored: Authored, override: ControlSettings, rest: float
+) -> Range:
     """The range of a blend-shape weight whose weight in the base pose is `rest`.
 
-    The first that speaks wins: configuration, `limits` metadata, then everything else together.  Those
-    only ever widen [0, 1] (or the range in the custom data): an animation that happens to open the jaw
-    by a third does not say that it opens no further.
+    The first that speaks wins: configuration, `limits` metadata, then everything else together.
+    Those only ever widen [0, 1] (or the range in the custom data): an animation that happens to
+    open the jaw by a third does not say that it opens no further.
     """
     found = _authored_range(channel, authored)
     if override.minimum is None and override.maximum is None and override.default is None:
@@ -89,9 +95,13 @@ def blend_shape_range(channel: int, authored: Authored, override: ControlSetting
 
 
 def custom_data(root: Usd.Prim, key: str) -> Any:
-    """A value from the SkelRoot's customData or else a layer's customLayerData; JSON text is parsed."""
+    """A value from the SkelRoot's customData or else a layer's customLayerData; JSON text is
+    parsed."""
     places: Iterator[Mapping[str, Any]] = iter(
-        [root.GetCustomData(), *(layer.customLayerData for layer in root.GetStage().GetLayerStack(False))]
+        [
+            root.GetCustomData(),
+            *(layer.customLayerData for layer in root.GetStage().GetLayerStack(False)),
+        ]
     )
     value = next((place[key] for place in places if key in place), None)
     if isinstance(value, str):
@@ -123,8 +133,11 @@ def _authored_range(channel: int, authored: Authored) -> tuple[float, float, Sou
     return low, high, source
 
 
-def _limits(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issues: list[Issue]) -> Floats:
-    """(channels, 2) from the `limits` metadata of blendShapeWeights (USD 25.11), soft before hard."""
+def _limits(
+    armatures: tuple[Armature, ...], channels: tuple[Channel, ...], issues: list[Issue]
+) -> Floats:
+    """(channels, 2) from the `limits` metadata of blendShapeWeights (USD 25.11), soft before
+    hard."""
     found = np.full((len(channels), 2), np.nan)
     tables: dict[str, Floats | None] = {}
     for armature in armatures:
@@ -158,20 +171,26 @@ def _limit_table(armature: Armature, issues: list[Issue]) -> Floats | None:
 
 def _checked(entry: Mapping[str, Any], count: int, path: str, issues: list[Issue]) -> Floats | None:
     try:
-        ends = [np.broadcast_to(np.asarray(entry[end], dtype=np.float64), count) for end in ("minimum", "maximum")]
+        ends = [
+            np.broadcast_to(np.asarray(entry[end], dtype=np.float64), count)
+            for end in ("minimum", "maximum")
+        ]
     except (TypeError, ValueError):
         issues.append(issue("RANGE_INVALID", path, f"limits must hold {count} numbers each"))
         return None
     table = np.stack(ends, axis=1)
     bad = ~(np.isfinite(table).all(axis=1) & (table[:, 0] < table[:, 1]))
     if bad.any():
-        issues.append(issue("RANGE_INVALID", path, f"limits of {np.count_nonzero(bad)} blend shapes"))
+        issues.append(
+            issue("RANGE_INVALID", path, f"limits of {np.count_nonzero(bad)} blend shapes")
+        )
         table[bad] = np.nan
     return table
 
 
 def _metadata(root: Usd.Prim, channels: tuple[Channel, ...], issues: list[Issue]) -> Floats:
-    """(channels, 2) from ``ranges``: a dictionary, or JSON text of one, of token to [minimum, maximum]."""
+    """(channels, 2) from ``ranges``: a dictionary, or JSON text of one, of token to [minimum,
+    maximum]."""
     found = np.full((len(channels), 2), np.nan)
     ranges = custom_data(root, "ranges")
     if not isinstance(ranges, Mapping):
@@ -180,7 +199,9 @@ def _metadata(root: Usd.Prim, channels: tuple[Channel, ...], issues: list[Issue]
         if channel.token in ranges:
             pair = _pair(ranges[channel.token])
             if pair is None:
-                issues.append(issue("RANGE_INVALID", str(root.GetPath()), f"ranges of {channel.token!r}"))
+                issues.append(
+                    issue("RANGE_INVALID", str(root.GetPath()), f"ranges of {channel.token!r}")
+                )
             else:
                 found[row] = pair
     return found

@@ -1,8 +1,9 @@
-"""From a layer back to layouts, whoever wrote it; `usdrigui.usd.first_format` reads those of the first format.
+"""From a layer back to layouts, whoever wrote it; `usdrigui.usd.first_format` reads those of the
+first format.
 
-Reads through composition, so that a layout in a sublayer of the asset, or one that stronger layers have
-changed, is found as USD sees it.  The schema plug-in need not be registered: fallback values come from
-the schema's own file.
+Reads through composition, so that a layout in a sublayer of the asset, or one that stronger layers
+have changed, is found as USD sees it.  The schema plug-in need not be registered: fallback values
+come from the schema's own file.
 """
 
 from __future__ import annotations
@@ -16,7 +17,17 @@ import numpy as np
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Glyph, Indices, Layout, LayoutPart, LeftOff, Member, Status
+from usdrigui.model import (
+    Element,
+    Floats,
+    Glyph,
+    Indices,
+    Layout,
+    LayoutPart,
+    LeftOff,
+    Member,
+    Status,
+)
 from usdrigui.usd import first_format, schema
 from usdrigui.usd.properties import (
     applied,
@@ -49,11 +60,12 @@ _FLATTENED = "Flattened_Prototype_"
 def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...]:
     """All layouts that a layer or stage holds, one per character, in stage order.
 
-    What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the order in which
-    the layer names the controls (`base_controls`).
+    What the layer leaves out takes the schema's fallback.  `Layout.base_values` are in the order in
+    which the layer names the controls (`base_controls`).
 
-    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING (no prim has
-    RigUILayoutAPI), LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
+    Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING
+    (no prim has RigUILayoutAPI), LAYOUT_INVALID (a property contradicts another) and
+    LAYOUT_VERSION.
     """
     stage, name = _stage(source)
     layouts = tuple(_layout(scope) for scope in layout_scopes(stage))
@@ -69,18 +81,23 @@ def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Lay
     """
     scopes = {str(scope.GetPath().GetParentPath()): scope for scope in layout_scopes(stage)}
     return tuple(
-        replace(layout, elements=tuple(map(corrected, layout.elements, element_prims(scopes[layout.root]))))
+        replace(
+            layout,
+            elements=tuple(map(corrected, layout.elements, element_prims(scopes[layout.root]))),
+        )
         for layout in layouts
     )
 
 
 def layout_scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
-    """The prims below which layouts stand, defined or not: a layout is there even when its source is not."""
+    """The prims below which layouts stand, defined or not: a layout is there even when its source
+    is not."""
     return (prim for prim in _scopes(stage) if prim.IsActive())
 
 
 def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
-    """The same, with those that are inactive; neither classes nor prototypes of a flattened stage are characters."""
+    """The same, with those that are inactive; neither classes nor prototypes of a flattened stage
+    are characters."""
     walk = iter(Usd.PrimRange(stage.GetPseudoRoot(), _EVERYTHING))
     for prim in walk:
         if prim.IsAbstract() or prim.GetName().startswith(_FLATTENED):
@@ -91,8 +108,11 @@ def _scopes(stage: Usd.Stage) -> Iterator[Usd.Prim]:
 
 
 def element_prims(scope: Usd.Prim) -> tuple[Usd.Prim, ...]:
-    """The elements of a layout: those that it lists, in that order, and the others as they stand below it."""
-    listed = [scope.GetStage().GetPrimAtPath(path) for path in targets(scope, schema.LAYOUT, "elements")]
+    """The elements of a layout: those that it lists, in that order, and the others as they stand
+    below it."""
+    listed = [
+        scope.GetStage().GetPrimAtPath(path) for path in targets(scope, schema.LAYOUT, "elements")
+    ]
     walk = Usd.PrimRange(scope, _EVERYTHING)
     found = dict.fromkeys([*(prim for prim in listed if prim), *walk])
     return tuple(prim for prim in found if has(prim, schema.ELEMENT))
@@ -111,7 +131,8 @@ def layout_paths(layer: Sdf.Layer) -> tuple[Sdf.Path, ...]:
 
 
 def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
-    """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings in."""
+    """Scopes of the layouts that the root layer of a stage authors, rather than one that it brings
+    in."""
     root = stage.GetRootLayer()
     return tuple(
         str(scope.GetPath())
@@ -121,12 +142,15 @@ def own_layouts(stage: Usd.Stage) -> tuple[str, ...]:
 
 
 def composed_layouts(stage: Usd.Stage) -> dict[str, str]:
-    """By SkelRoot, the file of the layout that another layer than the root layer brings in, active or not."""
+    """By SkelRoot, the file of the layout that another layer than the root layer brings in, active
+    or not."""
     found: dict[str, str] = {}
     for scope in _scopes(stage):
         layers = [spec.layer for spec in scope.GetPrimStack() if _is_layout(spec)]
         if layers and stage.GetRootLayer() not in layers:
-            found[str(scope.GetPath().GetParentPath())] = str(layers[0].realPath or layers[0].identifier)
+            found[str(scope.GetPath().GetParentPath())] = str(
+                layers[0].realPath or layers[0].identifier
+            )
     return found
 
 
@@ -138,12 +162,14 @@ def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
 def source_of(path: Path) -> str:
     """The asset that a layout layer stands over; empty if it has none.
 
-    That is its first sublayer, anchored; or, where the layout itself is in a sublayer (attached to the
-    asset), the file.  Raises FILE_NOT_FOUND and FILE_NOT_USD.
+    That is its first sublayer, anchored; or, where the layout itself is in a sublayer (attached to
+    the asset), the file.  Raises FILE_NOT_FOUND and FILE_NOT_USD.
     """
     layer = Sdf.Layer.FindOrOpen(str(path)) if path.is_file() else None
     if layer is None:
-        raise refuse("FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer")
+        raise refuse(
+            "FILE_NOT_USD" if path.is_file() else "FILE_NOT_FOUND", str(path), "is not a USD layer"
+        )
     paths = list(layer.subLayerPaths)
     if paths and not layout_paths(layer) and any(_brings_layout(layer, each) for each in paths):
         return str(path)
@@ -159,7 +185,9 @@ def _brings_layout(layer: Sdf.Layer, sublayer: str) -> bool:
 def _is_layout(spec: Sdf.PrimSpec | None) -> bool:
     """Whether a layer itself says that the prim is a layout."""
     applied = spec.GetInfo("apiSchemas") if spec is not None else None
-    return isinstance(applied, Sdf.TokenListOp) and any(map(schema.is_layout, applied.GetAppliedItems()))
+    return isinstance(applied, Sdf.TokenListOp) and any(
+        map(schema.is_layout, applied.GetAppliedItems())
+    )
 
 
 def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
@@ -170,7 +198,7 @@ def _stage(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Usd.Stage, str]:
     return open_stage(Path(source)), str(source)
 
 
-# --- records -----------------------------------------------------------------------------------------
+# --- records --------------------------------------------------------------------------------------
 
 
 def _layout(scope: Usd.Prim) -> Layout:
@@ -204,7 +232,9 @@ def _layout(scope: Usd.Prim) -> Layout:
 def _variant_path(scope: Usd.Prim) -> str:
     """Its SkelRoot with the asset's variants that bring the layout in, from whichever layer."""
     paths = [str(spec.path) for spec in scope.GetPrimStack() if _is_layout(spec)]
-    return with_sets(variant_path(scope.GetParent()), frozenset[str]().union(*map(asset_selections, paths)))
+    return with_sets(
+        variant_path(scope.GetParent()), frozenset[str]().union(*map(asset_selections, paths))
+    )
 
 
 def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
@@ -214,17 +244,28 @@ def _parts(scope: Usd.Prim) -> tuple[LayoutPart, ...]:
     views = array_of(value_of(scope, schema.LAYOUT, "partViewDirections")).reshape(-1, 3)
     proofs = [strings(_noted(scope, "solution", "partStatuses", ()))]
     proofs += [list(_noted(scope, "solution", f"part{each}", ())) for each in ("Costs", "Bounds")]
-    statuses, costs, bounds = proofs if len(proofs[0]) else (["stopped"] * len(names), *np.zeros((2, len(names))))
+    statuses, costs, bounds = (
+        proofs if len(proofs[0]) else (["stopped"] * len(names), *np.zeros((2, len(names))))
+    )
     check_equal(scope, "rigUI:layout:parts", names, widths, views, statuses, costs, bounds)
     rows = zip(names, widths.tolist(), views, statuses, costs, bounds, strict=True)
     return tuple(
-        LayoutPart(name, width, view, "optimal" if status == "optimal" else "stopped", float(cost), float(bound))
+        LayoutPart(
+            name,
+            width,
+            view,
+            "optimal" if status == "optimal" else "stopped",
+            float(cost),
+            float(bound),
+        )
         for name, width, view, status, cost, bound in rows
     )
 
 
 def _base_values(scope: Usd.Prim) -> Floats:
-    names, values = (value_of(scope, schema.LAYOUT, f"base{each}") for each in ("Controls", "Values"))
+    names, values = (
+        value_of(scope, schema.LAYOUT, f"base{each}") for each in ("Controls", "Values")
+    )
     if not len(values):
         return np.zeros(len(names))
     check_equal(scope, "rigUI:layout:baseValues", names, values)
@@ -249,7 +290,9 @@ def _solution(scope: Usd.Prim) -> dict[str, Any]:
 
 
 def _left_off(scope: Usd.Prim) -> tuple[LeftOff, ...]:
-    columns = [strings(_noted(scope, "leftOff", name, ())) for name in ("controls", "stages", "reasons")]
+    columns = [
+        strings(_noted(scope, "leftOff", name, ())) for name in ("controls", "stages", "reasons")
+    ]
     check_equal(scope, "leftOff", *columns)
     return tuple(LeftOff(*row) for row in zip(*columns, strict=True))
 
@@ -259,7 +302,11 @@ def _noted(scope: Usd.Prim, part: str, key: str, fallback: Any) -> Any:
     books = scope.GetCustomDataByKey(schema.NOTES)
     page = books.get(part) if isinstance(books, Mapping) else None
     value = page.get(key, fallback) if isinstance(page, Mapping) else fallback
-    kinds = (Vt.StringArray, Vt.DoubleArray, tuple) if isinstance(fallback, tuple) else (type(fallback),)
+    kinds = (
+        (Vt.StringArray, Vt.DoubleArray, tuple)
+        if isinstance(fallback, tuple)
+        else (type(fallback),)
+    )
     if not isinstance(value, kinds):
         raise _misnoted(scope, part, key, f"is {type(value).__name__}")
     if isinstance(value, (float, Vt.DoubleArray)) and np.isnan(value).any():
@@ -268,7 +315,9 @@ def _noted(scope: Usd.Prim, part: str, key: str, fallback: Any) -> Any:
 
 
 def _misnoted(scope: Usd.Prim, part: str, key: str, what: str) -> Exception:
-    return refuse("LAYOUT_INVALID", str(scope.GetPath()), f"customData {schema.NOTES}:{part}:{key} {what}")
+    return refuse(
+        "LAYOUT_INVALID", str(scope.GetPath()), f"customData {schema.NOTES}:{part}:{key} {what}"
+    )
 
 
 def _element(prim: Usd.Prim) -> Element:
@@ -284,7 +333,11 @@ def _element(prim: Usd.Prim) -> Element:
         opposed=_opposed(prim, instances),
         anchor=read_anchor(prim),
         side=get("side"),
-        reversed=tuple(i for i, each in enumerate(instances) if value_of(prim, schema.CONTROL, "mirrorReversed", each)),
+        reversed=tuple(
+            i
+            for i, each in enumerate(instances)
+            if value_of(prim, schema.CONTROL, "mirrorReversed", each)
+        ),
         mirror=next(iter(element_names(prim, "mirror")), ""),
         category=str(get("category")),
         part=str(value_of(prim.GetParent(), schema.DRAWING, "part")),
@@ -302,7 +355,11 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
 
     points, values = array_of(get("trackPoints")).reshape(-1, 3), array_of(get("trackValues"))
     if len(points) < 2:
-        raise refuse("LAYOUT_INVALID", f"{prim.GetPath()}.rigUI:control:{instance}:trackPoints", "has not two points")
+        raise refuse(
+            "LAYOUT_INVALID",
+            f"{prim.GetPath()}.rigUI:control:{instance}:trackPoints",
+            "has not two points",
+        )
     if not len(values):
         values = np.linspace(get("minimum"), get("maximum"), len(points))
     check_equal(prim, f"rigUI:control:{instance}:trackValues", values, points)
@@ -322,7 +379,11 @@ def _opposed(prim: Usd.Prim, instances: list[str]) -> tuple[tuple[int, int], ...
     pairs = [] if unknown else [(instances.index(each), i) for i, each in enumerate(named) if each]
     ends = [end for pair in pairs for end in pair]
     if unknown or len(set(ends)) < len(ends):
-        raise refuse("LAYOUT_INVALID", str(prim.GetPath()), f"rigUI:control:*:opposes makes no pairs of {instances}")
+        raise refuse(
+            "LAYOUT_INVALID",
+            str(prim.GetPath()),
+            f"rigUI:control:*:opposes makes no pairs of {instances}",
+        )
     return tuple(pairs)
 
 
@@ -335,7 +396,9 @@ def _glyph(prim: Usd.Prim) -> Glyph | None:
     points = array_of(get("glyphOffsets")).reshape(-1, 3)
     if not len(points):
         return None
-    counts, indices = (np.array(get(f"glyph{each}"), dtype=np.int64) for each in ("Counts", "Indices"))
+    counts, indices = (
+        np.array(get(f"glyph{each}"), dtype=np.int64) for each in ("Counts", "Indices")
+    )
     if get("glyphType") == "curve":
         indices = np.arange(counts.sum(), dtype=np.int64)
     return checked_glyph(prim, Glyph(str(get("glyph")), get("glyphType"), points, counts, indices))
@@ -351,20 +414,29 @@ def _drawn_width(scope: Usd.Prim) -> float:
 
 
 def handle_points(prim: Usd.Prim) -> Floats:
-    """(n, 3) what is drawn of an element's handle, each point once; none where nothing is.  Raises LAYOUT_INVALID."""
+    """(n, 3) what is drawn of an element's handle, each point once; none where nothing is.  Raises
+    LAYOUT_INVALID."""
     mesh = UsdGeom.Mesh(prim.GetParent())
-    handle, _ = points_of_subset(prim) if mesh and prim.IsA(UsdGeom.Subset) else (np.zeros(0, dtype=np.int64),) * 2
+    handle, _ = (
+        points_of_subset(prim)
+        if mesh and prim.IsA(UsdGeom.Subset)
+        else (np.zeros(0, dtype=np.int64),) * 2
+    )
     points = vectors_of(mesh.GetPointsAttr()) if len(handle) else np.zeros((0, 3))
     return points[handle[handle < len(points)]]
 
 
 def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
-    """Indices of the points that a GeomSubset draws: of its element's handle, and of everything else.
+    """Indices of the points that a GeomSubset draws: of its element's handle, and of everything
+    else.
 
     All of them are of everything else where it has no RigUIElementAPI.  Raises LAYOUT_INVALID.
     """
     mesh = UsdGeom.Mesh(prim.GetParent())
-    counts, corners = (integers_of(each) for each in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr()))
+    counts, corners = (
+        integers_of(each)
+        for each in (mesh.GetFaceVertexCountsAttr(), mesh.GetFaceVertexIndicesAttr())
+    )
     faces = integers_of(UsdGeom.Subset(prim).GetIndicesAttr())
     if counts.sum() != len(corners) or ((faces < 0) | (faces >= len(counts))).any():
         raise refuse("LAYOUT_INVALID", str(prim.GetPath()), "its faces are not those of its mesh")
@@ -372,4 +444,6 @@ def points_of_subset(prim: Usd.Prim) -> tuple[Indices, Indices]:
     drawn = [corners[ends[face] - counts[face] : ends[face]] for face in faces]
     first = int(value_of(prim, schema.HANDLE, "faceCount"))
     none = [np.zeros(0, dtype=np.int64)]
-    return np.unique(np.concatenate([*none, *drawn[:first]])), np.unique(np.concatenate([*none, *drawn[first:]]))
+    return np.unique(np.concatenate([*none, *drawn[:first]])), np.unique(
+        np.concatenate([*none, *drawn[first:]])
+    )

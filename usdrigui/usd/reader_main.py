@@ -1,8 +1,8 @@
 """The reader's side of `usdrigui.usd.reader_process`: ``python -m usdrigui.usd.reader_main``.
 
 Takes one request on standard input and writes one answer to standard output, both in the format of
-`usdrigui.usd.serialization`.  While foreign data is being parsed, the process can write no file, open no
-connection from Python, and is bound to end: by its alarm, or with its parent.
+`usdrigui.usd.serialization`.  While foreign data is being parsed, the process can write no file,
+open no connection from Python, and is bound to end: by its alarm, or with its parent.
 """
 
 from __future__ import annotations
@@ -21,7 +21,15 @@ from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Performance, Rig
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
-from usdrigui.usd.reader_records import FaultsResult, LayerResult, LayoutsResult, Limits, ReadResult, Request, Response
+from usdrigui.usd.reader_records import (
+    FaultsResult,
+    LayerResult,
+    LayoutsResult,
+    Limits,
+    ReadResult,
+    Request,
+    Response,
+)
 from usdrigui.usd.source import SourceFile, check_unchanged, hashed
 
 _GRACE = 1.0
@@ -31,7 +39,8 @@ _OUT_OF_MEMORY = ("bad_alloc", "Cannot allocate memory", "Resource temporarily u
 
 
 def main() -> NoReturn:
-    """Answer one request and leave without the interpreter's farewell, which may crash on what was read."""
+    """Answer one request and leave without the interpreter's farewell, which may crash on what was
+    read."""
     outbox = os.fdopen(os.dup(1), "wb", buffering=0)
     os.dup2(2, 1)
     request = serialization.decode(sys.stdin.buffer.read(), Request)
@@ -62,7 +71,9 @@ def respond(request: Request) -> Response:
             return Response(layer=_layer(path))
         return Response(rigs=_rigs(path, request.settings))
     except RigUIError as error:
-        return _refusal(_starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error)
+        return _refusal(
+            _starved(request) if _is_memory(error.issue, _peak() - peak, request.limits) else error
+        )
     except MemoryError:
         return _refusal(_starved(request))
     except Exception as error:
@@ -78,7 +89,8 @@ def write_response(response: Response, descriptor: int) -> None:
 
 
 def bound(limits: Limits) -> None:
-    """Limit this process: private memory, no core dump, no file that grows, an alarm that ends it."""
+    """Limit this process: private memory, no core dump, no file that grows, an alarm that ends
+    it."""
     processes.stay_offline()
     data = processes.limit_memory(limits.memory)
     if sys.platform == "win32":
@@ -91,7 +103,7 @@ def bound(limits: Limits) -> None:
     signal.setitimer(signal.ITIMER_REAL, limits.seconds + _GRACE)
 
 
-# --- the tasks ---------------------------------------------------------------------------------------
+# --- the tasks ------------------------------------------------------------------------------------
 
 
 def _rigs(path: Path, settings: Settings) -> ReadResult:
@@ -104,12 +116,16 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         rigs = _told(read_rigs(path, settings), path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
-        metadata = {key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()}
+        metadata = {
+            key: _as_json(value) for key, value in stage_metadata(stage.GetRootLayer()).items()
+        }
         layouts = own_layouts(stage)
         below = source_of(path) if layouts else ""
         sources = _sources(path, stages.GetAllStages(), before)
         paths = {rig.root: variant_path(stage.GetPrimAtPath(rig.root)) for rig in rigs}
-        return ReadResult(rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage), paths)
+        return ReadResult(
+            rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage), paths
+        )
 
 
 def _layouts(path: Path, settings: Settings) -> LayoutsResult:
@@ -118,7 +134,9 @@ def _layouts(path: Path, settings: Settings) -> LayoutsResult:
     from usdrigui.usd.variants import select_unselected
 
     with _hashed_before(path, settings) as (before, _), _kept_stages() as stages:
-        stage = open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
+        stage = open_stage(
+            path, settings.read.variants
+        )  # kept, so that what opens it next finds it so
         if not stage.GetRootLayer().subLayerPaths:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
         found = _layouts_in(path, stages, before)
@@ -132,7 +150,9 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
     layouts = read_layout(path)
     stage = _stage_of(path, stages)
     sources = _sources(path, stages.GetAllStages(), before)
-    return LayoutsResult(layouts, source_of(path), sources, existing_prims(stage), composed_layouts(stage))
+    return LayoutsResult(
+        layouts, source_of(path), sources, existing_prims(stage), composed_layouts(stage)
+    )
 
 
 def _composed(path: Path, settings: Settings) -> Response:
@@ -146,7 +166,8 @@ def _composed(path: Path, settings: Settings) -> Response:
         rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
         cameras = cameras_toward(_stage_of(path, stages), rigs, settings.candidates.view)
         return Response(
-            rigs=ReadResult(rigs, {}, cameras, _sources(path, stages.GetAllStages(), before)), layouts=found
+            rigs=ReadResult(rigs, {}, cameras, _sources(path, stages.GetAllStages(), before)),
+            layouts=found,
         )
 
 
@@ -180,7 +201,8 @@ def _layer(path: Path) -> LayerResult:
     needed: dict[str, str] = {}
 
     def follow(layer: Any, folder: Path) -> None:
-        """Note the files that a layer names, and those that these name, as far as they are there."""
+        """Note the files that a layer names, and those that these name, as far as they are
+        there."""
         for each in sorted(layer.GetCompositionAssetDependencies()):
             found = folder / each
             if os.path.realpath(found) not in needed:
@@ -193,7 +215,12 @@ def _layer(path: Path) -> LayerResult:
     standing = dict.fromkeys(map(str, layout_paths(layer)))
     chosen = {tuple(sorted(asset_selections(each).items())): None for each in standing}
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
-    return LayerResult(tuple(layer.subLayerPaths), tuple(needed.values()), SIGNATURE in layer.customLayerData, variants)
+    return LayerResult(
+        tuple(layer.subLayerPaths),
+        tuple(needed.values()),
+        SIGNATURE in layer.customLayerData,
+        variants,
+    )
 
 
 @contextlib.contextmanager
@@ -209,16 +236,21 @@ def _kept_stages() -> Iterator[Any]:
 def _stage_of(path: Path, stages: Any) -> Any:
     """The stage of the asset itself, where others were opened beside it."""
     own, found = os.path.realpath(path), stages.GetAllStages()
-    return next((each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own), found[0])
+    return next(
+        (each for each in found if os.path.realpath(each.GetRootLayer().realPath) == own), found[0]
+    )
 
 
 @contextlib.contextmanager
-def _hashed_before(path: Path, settings: Settings) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
-    """The files that compose an asset of several, by path, as they were before anything is read for good.
+def _hashed_before(
+    path: Path, settings: Settings
+) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
+    """The files that compose an asset of several, by path, as they were before anything is read for
+    good.
 
-    Which files they are only composition tells, so they are composed, let go, and hashed.  An asset of one file
-    was hashed by the parent: its layer is kept for the reading, which will not hear what USD says while it parses
-    the file; that comes second.
+    Which files they are only composition tells, so they are composed, let go, and hashed.  An asset
+    of one file was hashed by the parent: its layer is kept for the reading, which will not hear
+    what USD says while it parses the file; that comes second.
     """
     from usdrigui.usd.stage import listening, open_stage
 
@@ -241,8 +273,11 @@ def _depends(stage: Any) -> bool:
     return any(layer.GetCompositionAssetDependencies() for layer in stage.GetUsedLayers())
 
 
-def _sources(path: Path, stages: Iterable[Any], before: Mapping[str, SourceFile]) -> tuple[SourceFile, ...]:
-    """Every file behind the layers of the stages: the asset first, the others by path; packages are checked.
+def _sources(
+    path: Path, stages: Iterable[Any], before: Mapping[str, SourceFile]
+) -> tuple[SourceFile, ...]:
+    """Every file behind the layers of the stages: the asset first, the others by path; packages are
+    checked.
 
     Raises RigUIError SOURCE_CHANGED where one is not what it was `before` it was read.
     """
@@ -261,7 +296,10 @@ def _files(path: Path, stages: Iterable[Any]) -> tuple[str, ...]:
     from pxr import Ar
 
     used = {layer.realPath for stage in stages for layer in stage.GetUsedLayers() if layer.realPath}
-    files = {Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each for each in used}
+    files = {
+        Ar.SplitPackageRelativePathOuter(each)[0] if Ar.IsPackageRelativePath(each) else each
+        for each in used
+    }
     own = os.path.realpath(path)
     others = sorted({os.path.realpath(each) for each in files} - {own})
     return (own, *(each for each in others if os.path.isfile(each)))  # noqa: PTH113
@@ -298,11 +336,13 @@ def _as_json(value: Any) -> Any:
     return str(value)
 
 
-# --- failures ----------------------------------------------------------------------------------------
+# --- failures -------------------------------------------------------------------------------------
 
 
 def _refusal(error: RigUIError) -> Response:
-    first, *others = (replace(each, path=_text(each.path), message=_text(each.message)) for each in error.issues)
+    first, *others = (
+        replace(each, path=_text(each.path), message=_text(each.message)) for each in error.issues
+    )
     return Response(refusal=first, exit_code=int(error.exit_code), others=tuple(others))
 
 
@@ -316,25 +356,34 @@ def _starved(request: Request) -> RigUIError:
 
 
 def _is_memory(found: Issue, grown: int, limits: Limits) -> bool:
-    """Whether what USD says of the asset is really about the limit: it catches failed allocations itself."""
+    """Whether what USD says of the asset is really about the limit: it catches failed allocations
+    itself."""
     if found.code not in ("FILE_NOT_USD", "LAYER_UNREADABLE", "LAYER_MISSING", "USD_ERROR"):
         return False
-    return any(message in found.message for message in _OUT_OF_MEMORY) or grown > 0.7 * (limits.memory << 20)
+    return any(message in found.message for message in _OUT_OF_MEMORY) or grown > 0.7 * (
+        limits.memory << 20
+    )
 
 
 def _unexpected(error: Exception, path: str) -> RigUIError:
     """USD's own exceptions blame the asset; all others are ours."""
     kind = type(error)
-    if kind.__module__.partition(".")[0] in ("pxr", "Boost") or isinstance(error, UnicodeDecodeError):
+    if kind.__module__.partition(".")[0] in ("pxr", "Boost") or isinstance(
+        error, UnicodeDecodeError
+    ):
         return refuse("USD_ERROR", path, f"USD raised {kind.__name__} while it was read")
     place = error.__traceback__
     while place is not None and place.tb_next is not None:
         place = place.tb_next
-    where = f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})" if place is not None else ""
+    where = (
+        f" ({Path(place.tb_frame.f_code.co_filename).name}:{place.tb_lineno})"
+        if place is not None
+        else ""
+    )
     return refuse("BUG", path, f"{kind.__name__}: {_text(error)}{where}")
 
 
-# --- the bounds --------------------------------------------------------------------------------------
+# --- the bounds -----------------------------------------------------------------------------------
 
 
 def load() -> None:

@@ -1,8 +1,9 @@
 """Reading USD that nobody has vouched for, in a process that may be lost.
 
-A file of a few kilobytes can make USD crash, take gigabytes or never return, and nothing inside the same
-process can prevent that.  So the asset is parsed by a reader with limits on time and memory, which answers
-with plain records; whatever becomes of it is an issue code here.  `usdrigui.usd.reader_main` is the reader's side.
+A file of a few kilobytes can make USD crash, take gigabytes or never return, and nothing inside the
+same process can prevent that.  So the asset is parsed by a reader with limits on time and memory,
+which answers with plain records; whatever becomes of it is an issue code here.
+`usdrigui.usd.reader_main` is the reader's side.
 """
 
 from __future__ import annotations
@@ -20,7 +21,16 @@ from typing import IO, TypeVar
 from usdrigui import worker
 from usdrigui.errors import Exit, RigUIError, refuse
 from usdrigui.model import Performance
-from usdrigui.processes import End, Printed, Reading, environment, kill, reading_failed, reaped, signals_later
+from usdrigui.processes import (
+    End,
+    Printed,
+    Reading,
+    environment,
+    kill,
+    reading_failed,
+    reaped,
+    signals_later,
+)
 from usdrigui.settings import Settings
 from usdrigui.usd import serialization
 from usdrigui.usd.reader_records import (
@@ -42,8 +52,8 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     """As `usdrigui.usd.rig.read_rigs`, in a child process that may crash or hang without harm.
 
     Raises RigUIError with what the reader raises, unchanged, and FILE_NOT_FOUND, SOURCE_NOT_A_FILE,
-    SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT, SOURCE_MEMORY_LIMIT,
-    SOURCE_READER_LOST, SOURCE_CHANGED.
+    SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
+    SOURCE_MEMORY_LIMIT, SOURCE_READER_LOST, SOURCE_CHANGED.
     """
     limits = limits or Limits.of(settings)
     before = check_source(path, limits.size)
@@ -57,43 +67,59 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     return result
 
 
-def read_layouts_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayoutsResult:
-    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as `read_rigs_isolated`."""
+def read_layouts_isolated(
+    path: Path, settings: Settings, limits: Limits | None = None
+) -> LayoutsResult:
+    """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as
+    `read_rigs_isolated`."""
     return _understood(_asked("layouts", path, settings, limits).layouts, path)
 
 
 def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
-    """The layouts of a stage, and their characters as that stage composes them: variants, overrides, instances and all.
+    """The layouts of a stage, and their characters as that stage composes them: variants,
+    overrides, instances and all.
 
-    Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the characters, SOURCE_MISSING for
-    a layer that brings in no character at all.
+    Raises as `read_rigs_isolated`, LAYOUT_MISSING, LAYOUT_STALE where it has none of the
+    characters, SOURCE_MISSING for a layer that brings in no character at all.
     """
     try:
         response = _asked("composed", path, settings, None)
     except RigUIError as error:
-        if error.issue.code == "SKELROOT_MISSING" and not read_layouts_isolated(path, settings).source:
+        if (
+            error.issue.code == "SKELROOT_MISSING"
+            and not read_layouts_isolated(path, settings).source
+        ):
             raise refuse("SOURCE_MISSING", str(path), "does not sublayer any asset") from error
         raise
     return _understood(response.layouts, path), _understood(response.rigs, path)
 
 
-def read_performances_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> tuple[Performance, ...]:
+def read_performances_isolated(
+    path: Path, settings: Settings, limits: Limits | None = None
+) -> tuple[Performance, ...]:
     """As `usdrigui.usd.clips.read_performances`, in a reader; raises as `read_rigs_isolated`."""
     return _understood(_asked("clips", path, settings, limits).performances or None, path)
 
 
-def read_faults_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> FaultsResult:
-    """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where nothing can be read."""
+def read_faults_isolated(
+    path: Path, settings: Settings, limits: Limits | None = None
+) -> FaultsResult:
+    """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
+    nothing can be read."""
     return _understood(_asked("faults", path, settings, limits).faults, path)
 
 
-def read_layer_isolated(path: Path, settings: Settings, limits: Limits | None = None) -> LayerResult:
-    """A layer by itself, in a reader; what it composes need not be there.  Raises as `read_rigs_isolated`."""
+def read_layer_isolated(
+    path: Path, settings: Settings, limits: Limits | None = None
+) -> LayerResult:
+    """A layer by itself, in a reader; what it composes need not be there.  Raises as
+    `read_rigs_isolated`."""
     return _understood(_asked("layer", path, settings, limits).layer, path)
 
 
 def read_variants_isolated(path: Path, settings: Settings) -> Mapping[str, tuple[str, ...]]:
-    """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and VARIANT_UNKNOWN."""
+    """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
+    VARIANT_UNKNOWN."""
     return _understood(_asked("variants", path, settings, None).variants, path)
 
 
@@ -116,7 +142,8 @@ def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) ->
 
 
 def _response(task: Task, path: Path, settings: Settings, limits: Limits) -> Response:
-    request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100 (keeps links)
+    # It keeps symbolic links, where resolve() would follow them.
+    request = Request(task, os.path.abspath(path), settings, limits, os.getpid())  # noqa: PTH100
     response = _from_here(request, path) if worker.active() else _from_reader(request, path)
     if response.refusal is not None:
         raise RigUIError(response.refusal, Exit(response.exit_code), response.others)
@@ -148,7 +175,7 @@ def _from_reader(request: Request, path: Path) -> Response:
     return response
 
 
-# --- the process -------------------------------------------------------------------------------------
+# --- the process ----------------------------------------------------------------------------------
 
 
 def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds: float) -> End:
@@ -160,7 +187,9 @@ def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds:
             try:
                 process = _started(request_file, response_file)
             except (OSError, TypeError) as error:
-                raise refuse("SOURCE_READER_LOST", str(path), f"cannot be started: {error}") from error
+                raise refuse(
+                    "SOURCE_READER_LOST", str(path), f"cannot be started: {error}"
+                ) from error
             assert process.stderr is not None
             printed = Printed(process.stderr)
         late = not printed.ended(deadline - time.monotonic())
@@ -173,7 +202,8 @@ def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds:
 
 
 def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Popen[bytes]:
-    """The reader, leader of a process group of its own, so that all that it may start can be killed with it."""
+    """The reader, leader of a process group of its own, so that all that it may start can be killed
+    with it."""
     return subprocess.Popen(
         [sys.executable, "-P", "-m", "usdrigui.usd.reader_main"],
         stdin=request_file,
@@ -184,7 +214,7 @@ def _started(request_file: IO[bytes], response_file: IO[bytes]) -> subprocess.Po
     )
 
 
-# --- the response --------------------------------------------------------------------------------------
+# --- the response ---------------------------------------------------------------------------------
 
 
 def _private_file() -> IO[bytes]:
@@ -199,6 +229,8 @@ def _opened(response_file: IO[bytes]) -> Response | None:
     if not os.fstat(response_file.fileno()).st_size:
         return None
     try:
-        return serialization.decode(mmap.mmap(response_file.fileno(), 0, access=mmap.ACCESS_READ), Response)
+        return serialization.decode(
+            mmap.mmap(response_file.fileno(), 0, access=mmap.ACCESS_READ), Response
+        )
     except serialization.SerializationError:
         return None

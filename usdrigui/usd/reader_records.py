@@ -1,4 +1,5 @@
-"""What a reader is asked and what it answers: plain records that both sides of `usdrigui.usd.reader_process` know."""
+"""What a reader is asked and what it answers: plain records that both sides of
+`usdrigui.usd.reader_process` know."""
 
 from __future__ import annotations
 
@@ -38,9 +39,11 @@ class ReadResult(Record):
 
     rigs: tuple[Rig, ...]
     metadata: Mapping[str, Any]
-    """What a layer over the asset must repeat (`usdrigui.usd.layer.stage_metadata`), as JSON values."""
+    """What a layer over the asset must repeat (`usdrigui.usd.layer.stage_metadata`), as JSON
+    values."""
     cameras: Mapping[str, Floats]
-    """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by SkelRoot."""
+    """Direction (3,) to the viewer of the camera that `candidates.view` names, in root space, by
+    SkelRoot."""
     sources: tuple[SourceFile, ...]
     """Every file that composed it, the asset first."""
     layouts: tuple[str, ...] = ()
@@ -112,11 +115,13 @@ class LayerResult(Record):
     sublayers: tuple[str, ...]
     """As authored."""
     needed: tuple[str, ...]
-    """Every file that it, or what it brings along, names for composition; each need not be there."""
+    """Every file that it, or what it brings along, names for composition; each need not be
+    there."""
     ours: bool
     """Whether it is a layout layer that we wrote, not one that brings such a layer in."""
     variants: tuple[Mapping[str, str], ...] = ()
-    """The asset's variants in which its own layouts stand: a selection for each of them; empty where none names any."""
+    """The asset's variants in which its own layouts stand: a selection for each of them; empty
+    where none names any."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,7 +138,8 @@ class Request:
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """What the reader answers: one of the results, two of a composed stage, or a refusal with its exit code."""
+    """What the reader answers: one of the results, two of a composed stage, or a refusal with its
+    exit code."""
 
     rigs: ReadResult | None = None
     layouts: LayoutsResult | None = None

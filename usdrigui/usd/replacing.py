@@ -1,8 +1,10 @@
-"""Replacing a source file with its edited content, if it still is the file that was read, and only then.
+"""Replacing a source file with its edited content, if it still is the file that was read, and only
+then.
 
-Edits by usdrigui wait for each other (`editing`).  Other programs know nothing of our locks, so the file that is
-replaced is looked at after the fact: where the system can let two files change places in one step, what comes out
-is compared with what was read, and goes back if it is something else (`replace_source`; decision 090).
+Edits by usdrigui wait for each other (`editing`).  Other programs know nothing of our locks, so the
+file that is replaced is looked at after the fact: where the system can let two files change places
+in one step, what comes out is compared with what was read, and goes back if it is something else
+(`replace_source`; decision 090).
 """
 
 from __future__ import annotations
@@ -35,7 +37,8 @@ _AT_FDCWD = -100
 def editing(asset: Path, seconds: float) -> Iterator[None]:
     """Hold the lock against other edits of `asset` by usdrigui.
 
-    Raises ATTACH_BUSY when another one has it for more than `seconds`, and the FILE_ codes of writing.
+    Raises ATTACH_BUSY when another one has it for more than `seconds`, and the FILE_ codes of
+    writing.
     """
     path, descriptor = _lock(asset, time.monotonic() + seconds)
     try:
@@ -52,17 +55,25 @@ def check_content(content: bytes, before: SourceFile) -> None:
         raise refuse("SOURCE_CHANGED", before.path, "is not the file that was read")
 
 
-def replace_source(content: bytes, asset: Path, original: bytes, before: SourceFile, verify: Verify) -> None:
-    """Let `content` take the place of `asset`, which must still hold `original`, the content of `before`.
+def replace_source(
+    content: bytes, asset: Path, original: bytes, before: SourceFile, verify: Verify
+) -> None:
+    """Let `content` take the place of `asset`, which must still hold `original`, the content of
+    `before`.
 
-    At every moment one of the two, or a save that came meanwhile, stands there complete.  Owner, group, mode, access
-    list and other attributes are kept.  Raises SOURCE_CHANGED, ATTACH_BUSY (a program has the file open for writing),
-    ATTACH_HARD_LINK, ATTACH_ATTRIBUTES and the FILE_ codes; then the asset is as it was, or as somebody saved it.
+    At every moment one of the two, or a save that came meanwhile, stands there complete.  Owner,
+    group, mode, access list and other attributes are kept.  Raises SOURCE_CHANGED, ATTACH_BUSY (a
+    program has the file open for writing), ATTACH_HARD_LINK, ATTACH_ATTRIBUTES and the FILE_ codes;
+    then the asset is as it was, or as somebody saved it.
     """
     place = Path(before.path)
     try:
         if place.stat().st_nlink > 1:
-            raise refuse("ATTACH_HARD_LINK", str(asset), f"is one of {place.stat().st_nlink} names of its file")
+            raise refuse(
+                "ATTACH_HARD_LINK",
+                str(asset),
+                f"is one of {place.stat().st_nlink} names of its file",
+            )
         temporaries.sweep(place.parent)
         staged = write_beside(place, content, asset, verify, original=original)
         try:
@@ -88,11 +99,12 @@ def _lock(asset: Path, deadline: float) -> tuple[Path, int]:
         raise file_error(asset, error) from error
 
 
-# --- the exchange ------------------------------------------------------------------------------------
+# --- the exchange ---------------------------------------------------------------------------------
 
 
 def _take_place(staged: Staged, before: SourceFile) -> None:
-    """Swap the new file with the one that it replaces, and swap back unless that is the one that was read."""
+    """Swap the new file with the one that it replaces, and swap back unless that is the one that
+    was read."""
     accepted = False
     try:
         if not _exchange(staged.path, staged.place):
@@ -109,7 +121,8 @@ def _take_place(staged: Staged, before: SourceFile) -> None:
 
 
 def _put_back(staged: Staged) -> None:
-    """Let the file that came out have its place again, or the last one that was saved over ours meanwhile."""
+    """Let the file that came out have its place again, or the last one that was saved over ours
+    meanwhile."""
     expected = os.fstat(staged.descriptor)
     while True:
         returned = staged.path.stat()
@@ -117,7 +130,9 @@ def _put_back(staged: Staged) -> None:
         if _is_file(staged.path, expected):
             staged.path.unlink()  # ours, or a save that a later one has replaced
             return
-        expected = returned  # something newer came out than what we had put there: it goes back in turn
+        expected = (
+            returned  # something newer came out than what we had put there: it goes back in turn
+        )
 
 
 def _is_file(path: Path, known: os.stat_result) -> bool:
@@ -127,7 +142,8 @@ def _is_file(path: Path, known: os.stat_result) -> bool:
 
 
 def _exchange(first: Path, second: Path) -> bool:
-    """Let two files change places in one step; False where the system or the file system cannot.  Raises OSError."""
+    """Let two files change places in one step; False where the system or the file system cannot.
+    Raises OSError."""
     call = _renameat2()
     if call is None:
         return False
@@ -152,13 +168,15 @@ def _renameat2() -> Callable[..., int] | None:
     return call
 
 
-# --- writers -----------------------------------------------------------------------------------------
+# --- writers --------------------------------------------------------------------------------------
 
 
 def _check_no_writer(path: Path, asset: Path) -> None:
-    """Refuse a file that a program has open for writing: what it writes after our look at it would be lost.
+    """Refuse a file that a program has open for writing: what it writes after our look at it would
+    be lost.
 
-    The system tells by granting a lease or not.  Where leases mean nothing (some network file systems) nobody can tell.
+    The system tells by granting a lease or not.  Where leases mean nothing (some network file
+    systems) nobody can tell.
     """
     if sys.platform != "linux" or _lease_error(path) != errno.EAGAIN:
         return
@@ -177,7 +195,8 @@ def _lease_error(path: Path) -> int:
 
     descriptor = os.open(path, os.O_RDONLY)
     try:
-        # A program that opens the file now waits for us, and the system tells us by a signal: SIGIO would end us.
+        # A program that opens the file now waits for us, and the system tells us by a signal: SIGIO
+        # would end us.
         fcntl.fcntl(descriptor, fcntl.F_SETSIG, signal.SIGURG)
         fcntl.fcntl(descriptor, fcntl.F_SETLEASE, fcntl.F_RDLCK)
         fcntl.fcntl(descriptor, fcntl.F_SETLEASE, fcntl.F_UNLCK)

@@ -1,7 +1,7 @@
 """From a stage to `Rig` records: every control, mesh, shape and joint of every SkelRoot.
 
-The asset is only ever read.  What UsdSkel resolves (inherited bindings, joint orders, rest poses) is
-asked of UsdSkel, so that a rig means here what it means in any other application.
+The asset is only ever read.  What UsdSkel resolves (inherited bindings, joint orders, rest poses)
+is asked of UsdSkel, so that a rig means here what it means in any other application.
 """
 
 from __future__ import annotations
@@ -60,38 +60,58 @@ _VARIANTS_TRIED = 64
 """Variants that are looked into for a character that the selected ones lack."""
 
 
-def read_rigs(source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None) -> tuple[Rig, ...]:
+def read_rigs(
+    source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
+) -> tuple[Rig, ...]:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
-    `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only these are read, in
-    instances too.  Raises LAYOUT_STALE where none of them is there.
+    `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only
+    these are read, in instances too.  Raises LAYOUT_STALE where none of them is there.
 
-    Raises RigUIError: FILE_*, LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or, where no character is
-    left, the code of the first array that cannot be right.  What can be lived with stands in `Rig.issues`, what became
-    no control in `Rig.left_off`; findings about the stage as a whole stand with the first rig.
+    Raises RigUIError: FILE_*, LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or, where
+    no character is left, the code of the first array that cannot be right.  What can be lived with
+    stands in `Rig.issues`, what became no control in `Rig.left_off`; findings about the stage as a
+    whole stand with the first rig.
     """
     with listening() as messages:
-        stage = source if isinstance(source, Usd.Stage) else open_stage(source, settings.read.variants)
+        stage = (
+            source if isinstance(source, Usd.Stage) else open_stage(source, settings.read.variants)
+        )
         path = Path(stage.GetRootLayer().identifier) if isinstance(source, Usd.Stage) else source
         roots = _skel_roots(stage, settings.read.skel_root)
         issues = (*composition_issues(stage, roots), *outside_issues(stage))
         if not roots:
-            raise refuse("SKELROOT_MISSING", str(path), f"no prim on the stage is a SkelRoot{_in_variants(stage)}")
+            raise refuse(
+                "SKELROOT_MISSING",
+                str(path),
+                f"no prim on the stage is a SkelRoot{_in_variants(stage)}",
+            )
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
         readings = [_guarded(root, settings, instances=laid_out is not None) for root in roots]
         glyphs = _guarded_glyphs(stage, path, settings)
     _check_names(readings, settings)
-    rigs = tuple(replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls)
+    rigs = tuple(
+        replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls
+    )
     if not rigs:
         faults = [fault for reading in readings for fault in reading.faults]
         if faults:
             raise faults[0]
         lost = [each for reading in readings for each in reading.rig.left_off]
         reasons = tuple({each.reason for each in lost})
-        vain = [each for reading in readings for each in reading.bound_in_vain if not each.message.endswith(reasons)]
+        vain = [
+            each
+            for reading in readings
+            for each in reading.bound_in_vain
+            if not each.message.endswith(reasons)
+        ]
         why = f"{_lost_told(lost)}{_vain_told(vain)}" or _joints_told(readings[0])
-        raise refuse("CONTROLS_MISSING", readings[0].rig.root, f"no blend shape, animated joint or named pose{why}")
+        raise refuse(
+            "CONTROLS_MISSING",
+            readings[0].rig.root,
+            f"no blend shape, animated joint or named pose{why}",
+        )
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
 
@@ -128,7 +148,9 @@ class _Scene:
     bound_in_vain: tuple[Issue, ...]
 
 
-def _with_layout(roots: tuple[Usd.Prim, ...], laid_out: Collection[str], path: Path) -> tuple[Usd.Prim, ...]:
+def _with_layout(
+    roots: tuple[Usd.Prim, ...], laid_out: Collection[str], path: Path
+) -> tuple[Usd.Prim, ...]:
     found = tuple(root for root in roots if str(root.GetPath()) in laid_out)
     if not found:
         raise refuse("LAYOUT_STALE", min(laid_out), f"{path} has no such character any more")
@@ -152,7 +174,9 @@ def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[st
 
 def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
-        reason = f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
+        reason = (
+            f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
+        )
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings, instances=instances)
     drafts, left_off, issues = _drafts(root, scene, settings)
@@ -183,7 +207,9 @@ def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
     everything = Usd.TraverseInstanceProxies()
     skel_root = UsdSkel.Root(root)
     cache.Populate(skel_root, everything)
-    bindings = [each for each in cache.ComputeSkelBindings(skel_root, everything) if _belongs(each, root)]
+    bindings = [
+        each for each in cache.ComputeSkelBindings(skel_root, everything) if _belongs(each, root)
+    ]
     time = settings.read.time
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
     armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
@@ -208,11 +234,16 @@ def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
     found.issues.extend(notes)
     authored = weights_at(armatures, channels, None)
     base = np.zeros(len(channels)) if time is None else weights_at(armatures, channels, time)
-    return _Scene(armatures, joints, channels, meshes, base, authored, clip, still, names, found, vain)
+    return _Scene(
+        armatures, joints, channels, meshes, base, authored, clip, still, names, found, vain
+    )
 
 
-def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
-    """Every control that the asset could have, what is left off, and what is odd about the ranges."""
+def _drafts(
+    root: Usd.Prim, scene: _Scene, settings: Settings
+) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
+    """Every control that the asset could have, what is left off, and what is odd about the
+    ranges."""
     used = {shape.channel for mesh in scene.meshes for shape in mesh.shapes}
     authored, issues = read_ranges(
         root, scene.armatures, scene.channels, scene.meshes, scene.authored_weights, scene.clip
@@ -221,8 +252,12 @@ def _drafts(root: Usd.Prim, scene: _Scene, settings: Settings) -> tuple[list[Dra
     drafts += joint_drafts(scene.joints, scene.clip, bool(scene.names.frames), settings)
     if settings.read.joints != "none" and not scene.names.frames:
         issues += ignored_motion(str(root.GetPath()), scene.joints, scene.clip)
-    base = State(scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4))
-    poses = named_poses(scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings)
+    base = State(
+        scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4)
+    )
+    poses = named_poses(
+        scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings
+    )
     more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
     lost = [*left_off_tokens(scene.found, used), *left_off]
     if not (drafts or more or lost or scene.found.faults) and settings.read.joints == "auto":
@@ -240,18 +275,26 @@ def _joints(armatures: tuple[Armature, ...], time: float | None, found: Found) -
 
 
 def _refuse_instances(armatures: tuple[Armature, ...], stage: Usd.Stage) -> None:
-    """Raise INSTANCE for a skeleton or an animation that no layer can say anything about; of meshes none needs to."""
-    for path in (path for each in armatures for path in (each.record.path, each.record.animation) if path):
+    """Raise INSTANCE for a skeleton or an animation that no layer can say anything about; of meshes
+    none needs to."""
+    for path in (
+        path for each in armatures for path in (each.record.path, each.record.animation) if path
+    ):
         if stage.GetPrimAtPath(path).IsInstanceProxy():
             raise refuse("INSTANCE", path, "moves the character and lies inside an instance")
 
 
 def _belongs(binding: UsdSkel.Binding, root: Usd.Prim) -> bool:
     """Whether it moves anything of this SkelRoot, not only of one nested in it."""
-    return any(UsdSkel.Root.Find(query.GetPrim()).GetPrim() == root for query in binding.GetSkinningTargets())
+    return any(
+        UsdSkel.Root.Find(query.GetPrim()).GetPrim() == root
+        for query in binding.GetSkinningTargets()
+    )
 
 
-def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> dict[Sdf.Path, Binding]:
+def _bound(
+    bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]
+) -> dict[Sdf.Path, Binding]:
     return {
         query.GetPrim().GetPath(): Binding(armature, query)
         for binding, armature in zip(bindings, armatures, strict=True)
@@ -259,12 +302,16 @@ def _bound(bindings: list[UsdSkel.Binding], armatures: tuple[Armature, ...]) -> 
     }
 
 
-def _with_unanimated(root: Usd.Prim, channels: tuple[Channel, ...], found: Found) -> tuple[Channel, ...]:
+def _with_unanimated(
+    root: Usd.Prim, channels: tuple[Channel, ...], found: Found
+) -> tuple[Channel, ...]:
     """The channels with those added that meshes name but no animation lists."""
     more = [token for (token, animation), index in found.tokens.items() if index >= len(channels)]
     if more:
         listed = ", ".join(more[:3]) + (" and more" if len(more) > 3 else "")
-        found.issues.append(issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{len(more)} of them: {listed}"))
+        found.issues.append(
+            issue("TOKEN_NOT_ANIMATED", str(root.GetPath()), f"{len(more)} of them: {listed}")
+        )
     return (*channels, *(Channel(token, "", -1) for token in more))
 
 
@@ -278,7 +325,11 @@ def _rest_weights(scene: _Scene, controls: tuple[Control, ...]) -> Floats:
 
 
 def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
-    roots = tuple(prim for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()) if prim.IsA(UsdSkel.Root))
+    roots = tuple(
+        prim
+        for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+        if prim.IsA(UsdSkel.Root)
+    )
     if not wanted:
         return roots
     chosen = tuple(root for root in roots if str(root.GetPath()) == wanted)
@@ -289,7 +340,8 @@ def _skel_roots(stage: Usd.Stage, wanted: str) -> tuple[Usd.Prim, ...]:
 
 
 def _in_variants(stage: Usd.Stage) -> str:
-    """A clause with the variants that would bring in a SkelRoot, each being selected by itself; empty without."""
+    """A clause with the variants that would bring in a SkelRoot, each being selected by itself;
+    empty without."""
     places = [
         (prim.GetPath(), name, variant)
         for prim in stage.Traverse()
@@ -305,7 +357,11 @@ def _in_variants(stage: Usd.Stage) -> str:
             if any(prim.IsA(UsdSkel.Root) for prim in below):
                 found.append(f"{variant!r} of the variant set {name!r} of {path}")
             stage.GetPrimAtPath(path).GetVariantSet(name).ClearVariantSelection()
-    return f"; there is one in {', '.join(found[:3])}{' and more' if len(found) > 3 else ''}" if found else ""
+    return (
+        f"; there is one in {', '.join(found[:3])}{' and more' if len(found) > 3 else ''}"
+        if found
+        else ""
+    )
 
 
 def _instance(prim: Usd.Prim) -> Usd.Prim:
@@ -316,24 +372,42 @@ def _instance(prim: Usd.Prim) -> Usd.Prim:
 
 
 def _others_told(instance: Usd.Prim) -> str:
-    """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no such."""
+    """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no
+    such."""
     roots = _skel_roots(instance.GetStage(), "")
-    free = [str(each.GetPath()) for each in roots if not each.IsInstance() and not each.IsInstanceProxy()]
+    free = [
+        str(each.GetPath())
+        for each in roots
+        if not each.IsInstance() and not each.IsInstanceProxy()
+    ]
     if not free:
         return ""
-    return f"; in no instance: {', '.join(free[:_ROOTS_TOLD])}{' and more' if len(free) > _ROOTS_TOLD else ''}"
+    return (
+        "; in no instance:"
+        f" {', '.join(free[:_ROOTS_TOLD])}{' and more' if len(free) > _ROOTS_TOLD else ''}"
+    )
 
 
 def _up(root: Usd.Prim) -> Floats:
-    vertical = Gf.Vec3d(0, 0, 1) if UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z else Gf.Vec3d(0, 1, 0)
+    vertical = (
+        Gf.Vec3d(0, 0, 1)
+        if UsdGeom.GetStageUpAxis(root.GetStage()) == UsdGeom.Tokens.z
+        else Gf.Vec3d(0, 1, 0)
+    )
     return Frames(root, Usd.TimeCode.Default()).direction(vertical)
 
 
 def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     layer = stage.GetRootLayer()
-    value = layer.pseudoRoot.GetInfo("metersPerUnit") if layer.pseudoRoot.HasInfo("metersPerUnit") else None
+    value = (
+        layer.pseudoRoot.GetInfo("metersPerUnit")
+        if layer.pseudoRoot.HasInfo("metersPerUnit")
+        else None
+    )
     if metres_per_unit(layer) is None:
-        return (issue("UNITS_TYPE", layer.identifier, f"metersPerUnit is {value!r}; 0.01 is taken"),)
+        return (
+            issue("UNITS_TYPE", layer.identifier, f"metersPerUnit is {value!r}; 0.01 is taken"),
+        )
     return ()
 
 
@@ -342,16 +416,24 @@ def _check_names(readings: list[_Reading], settings: Settings) -> None:
     faults = Faults()
     for name in settings.controls:
         if all(name in reading.unknown_controls for reading in readings):
-            hint = meant(name, (control.name for reading in readings for control in reading.rig.controls))
+            hint = meant(
+                name, (control.name for reading in readings for control in reading.rig.controls)
+            )
             what = f"no rig of the asset has this control{hint}"
             with faults.collected():
                 raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', what)
     for name in settings.joints:
         if all(name in reading.unknown_joints for reading in readings):
-            hint = meant(name, (each for reading in readings for each in _names_of_joints(reading.rig)))
+            hint = meant(
+                name, (each for reading in readings for each in _names_of_joints(reading.rig))
+            )
             known = hint or "".join(map(_joints_told, readings))
             with faults.collected():
-                raise refuse("CONFIG_UNKNOWN_CONTROL", f'joints."{name}"', f"no rig of the asset has this joint{known}")
+                raise refuse(
+                    "CONFIG_UNKNOWN_CONTROL",
+                    f'joints."{name}"',
+                    f"no rig of the asset has this joint{known}",
+                )
     faults.raise_all()
 
 
@@ -364,11 +446,16 @@ def _joints_told(reading: _Reading) -> str:
     """A clause with the names of the first joints of a rig, empty if it has none."""
     names = joint_names(reading.rig.joints)
     more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
-    return f"; {reading.rig.root} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}" if names else ""
+    return (
+        f"; {reading.rig.root} has the joints {', '.join(names[:_JOINTS_TOLD])}{more}"
+        if names
+        else ""
+    )
 
 
 def _lost_told(lost: list[LeftOff]) -> str:
-    """A clause with the reasons for which everything was left off, and how many controls share each; empty if none."""
+    """A clause with the reasons for which everything was left off, and how many controls share
+    each; empty if none."""
     if not lost:
         return ""
     names: dict[str, list[str]] = {}

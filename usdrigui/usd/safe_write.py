@@ -1,9 +1,9 @@
 """Writing files so that at every moment the old or the new one is there, complete.
 
-A temporary file in the target's folder is written, synced, read back and checked, and then renamed over
-the target; the rename is atomic on every file system worth the name, and the folder is synced after it.
-Whatever fails, the old file stays byte for byte and no temporary stays behind; those of runs that were
-killed are swept by the next run (`usdrigui.usd.temporaries`).
+A temporary file in the target's folder is written, synced, read back and checked, and then renamed
+over the target; the rename is atomic on every file system worth the name, and the folder is synced
+after it. Whatever fails, the old file stays byte for byte and no temporary stays behind; those of
+runs that were killed are swept by the next run (`usdrigui.usd.temporaries`).
 """
 
 from __future__ import annotations
@@ -40,7 +40,11 @@ _CODES = {
 
 
 def commit(
-    content: str | bytes, target: Path, *, verify: Verify | None = None, read: Iterable[Path | str] = ()
+    content: str | bytes,
+    target: Path,
+    *,
+    verify: Verify | None = None,
+    read: Iterable[Path | str] = (),
 ) -> State:
     """Make `target` hold `content`, or leave everything as it was: a `Transaction` of one file."""
     with Transaction(read) as files:
@@ -50,10 +54,11 @@ def commit(
 
 
 class Transaction:
-    """The files of one run: all are written and checked beside their targets before the first takes its place.
+    """The files of one run: all are written and checked beside their targets before the first takes
+    its place.
 
-    `read` are the files that the run has read, none of which is ever replaced.  Leaving the block without `commit`
-    leaves every target as it was.
+    `read` are the files that the run has read, none of which is ever replaced.  Leaving the block
+    without `commit` leaves every target as it was.
     """
 
     def __init__(self, read: Iterable[Path | str]) -> None:
@@ -71,9 +76,10 @@ class Transaction:
     def stage(self, content: str | bytes, target: Path, *, verify: Verify | None = None) -> State:
         """Prepare `target` to hold `content` (text as UTF-8); ``unchanged`` if it does already.
 
-        `verify` is asked about the temporary file, which has the target's suffix, after its bytes have been compared.
-        A target that is a symbolic link is followed: the file that it leads to is replaced, the link stays.  An
-        existing file keeps its permission bits, and owner and access list where the process may give them.
+        `verify` is asked about the temporary file, which has the target's suffix, after its bytes
+        have been compared. A target that is a symbolic link is followed: the file that it leads to
+        is replaced, the link stays.  An existing file keeps its permission bits, and owner and
+        access list where the process may give them.
 
         Raises RigUIError with one of the FILE_ codes.
         """
@@ -82,7 +88,9 @@ class Transaction:
             check_not_read([target], self._read)
             place = _resolved(target)
             if place in self._places:
-                raise refuse("FILE_TARGET", str(target), f"is {place.name}, which this run writes already")
+                raise refuse(
+                    "FILE_TARGET", str(target), f"is {place.name}, which this run writes already"
+                )
             self._places.add(place)
             temporaries.sweep(place.parent)
             if _holds(place, wanted):
@@ -93,9 +101,11 @@ class Transaction:
         return "written"
 
     def commit(self) -> None:
-        """Let the files take their places, the first staged last, so that a kill leaves it with what it describes.
+        """Let the files take their places, the first staged last, so that a kill leaves it with
+        what it describes.
 
-        Raises RigUIError with one of the FILE_ codes; then the files that had theirs already have given them back.
+        Raises RigUIError with one of the FILE_ codes; then the files that had theirs already have
+        given them back.
         """
         targets = [str(each.target) for each in self._staged]
         with worker.committing(targets), contextlib.ExitStack() as placed:
@@ -126,20 +136,27 @@ class Staged:
 
 
 def check_not_read(targets: Iterable[Path], read: Iterable[Path | str]) -> None:
-    """Refuse an output that is, by whatever name or link, a file that the run reads; raises FILE_TARGET."""
+    """Refuse an output that is, by whatever name or link, a file that the run reads; raises
+    FILE_TARGET."""
     known = {key: each for each in read for key in _identities(each)}
     for target in targets:
         for key in known.keys() & set(_identities(target)):
-            raise refuse("FILE_TARGET", str(target), f"is {known[key]}, which this run reads and never replaces")
+            raise refuse(
+                "FILE_TARGET",
+                str(target),
+                f"is {known[key]}, which this run reads and never replaces",
+            )
 
 
 def same_file(first: Path | str, second: Path | str) -> bool:
-    """Whether two names lead to one file, through links, hard links and other cases too; neither need exist."""
+    """Whether two names lead to one file, through links, hard links and other cases too; neither
+    need exist."""
     return not set(_identities(first)).isdisjoint(_identities(second))
 
 
 def _identities(path: Path | str) -> tuple[object, ...]:
-    """What a file has in common with its other names: the place behind all links and, if it exists, its inode."""
+    """What a file has in common with its other names: the place behind all links and, if it exists,
+    its inode."""
     place = os.path.realpath(path)
     try:
         found = os.stat(place)  # noqa: PTH116 (names may hold bytes that are not text)
@@ -154,11 +171,12 @@ def file_error(target: Path, error: OSError) -> RigUIError:
     return refuse(_CODES.get(error.errno or 0, "FILE_WRITE"), str(target), reason)
 
 
-# --- one file ----------------------------------------------------------------------------------------
+# --- one file -------------------------------------------------------------------------------------
 
 
 def _resolved(target: Path) -> Path:
-    """The file to replace: behind all symbolic links, in a folder that exists, and not something else."""
+    """The file to replace: behind all symbolic links, in a folder that exists, and not something
+    else."""
     place = Path(os.path.realpath(target))
     if place.is_symlink():
         raise refuse("FILE_TARGET", str(target), "is a symbolic link that leads to itself")
@@ -174,12 +192,17 @@ def _holds(place: Path, wanted: bytes) -> bool:
 
 
 def write_beside(
-    place: Path, wanted: bytes, target: Path, verify: Verify | None, *, original: bytes | None = None
+    place: Path,
+    wanted: bytes,
+    target: Path,
+    verify: Verify | None,
+    *,
+    original: bytes | None = None,
 ) -> Staged:
     """The new file, complete and checked, under the name of a temporary.
 
-    With `original`, the content of the source that it is to be swapped with, it must have all attributes of that one.
-    Raises OSError, FILE_VERIFY and ATTACH_ATTRIBUTES.
+    With `original`, the content of the source that it is to be swapped with, it must have all
+    attributes of that one. Raises OSError, FILE_VERIFY and ATTACH_ATTRIBUTES.
     """
     mode = _mode(place)
     digests = "" if original is None else temporaries.swap_name(original, wanted)
@@ -188,9 +211,15 @@ def write_beside(
         _write(staged.descriptor, wanted)
         lost = keep_attributes(staged.descriptor, place, mode)
         if lost and original is not None:
-            raise refuse("ATTACH_ATTRIBUTES", str(target), f"the new file cannot have the same {', '.join(lost)}")
+            raise refuse(
+                "ATTACH_ATTRIBUTES",
+                str(target),
+                f"the new file cannot have the same {', '.join(lost)}",
+            )
         os.fsync(staged.descriptor)
-        if staged.path.read_bytes() != wanted or (verify is not None and not _accepted(verify, staged.path)):
+        if staged.path.read_bytes() != wanted or (
+            verify is not None and not _accepted(verify, staged.path)
+        ):
             raise refuse("FILE_VERIFY", str(target), "the new file does not read back")
     except BaseException:
         staged.discard()
@@ -200,7 +229,8 @@ def write_beside(
 
 @contextlib.contextmanager
 def _placed(staged: Staged, *, undo: bool) -> Iterator[None]:
-    """The file in its target's place; with `undo` the old one, or none, is there again if the block fails."""
+    """The file in its target's place; with `undo` the old one, or none, is there again if the block
+    fails."""
     existed = staged.place.exists()
     old = _second_name(staged.place) if undo and existed else None
     try:
@@ -222,7 +252,8 @@ def _placed(staged: Staged, *, undo: bool) -> Iterator[None]:
 
 
 def _second_name(place: Path) -> Path | None:
-    """Another name of a file, under which it outlives its replacement; none where the file system has but one."""
+    """Another name of a file, under which it outlives its replacement; none where the file system
+    has but one."""
     second = place.with_name(f".{os.urandom(8).hex()}.rigui-tmp")
     try:
         os.link(place, second)
@@ -232,9 +263,11 @@ def _second_name(place: Path) -> Path | None:
 
 
 def keep_attributes(descriptor: int, place: Path, mode: int) -> list[str]:
-    """Give a new file the owner, group, extended attributes (access lists among them) and mode of the one at `place`.
+    """Give a new file the owner, group, extended attributes (access lists among them) and mode of
+    the one at `place`.
 
-    Returns the names of what it could not be given.  What `security.` attributes say is for the system to decide.
+    Returns the names of what it could not be given.  What `security.` attributes say is for the
+    system to decide.
     """
     lost = []
     if place.exists() and hasattr(os, "fchown"):
@@ -256,7 +289,11 @@ def keep_attributes(descriptor: int, place: Path, mode: int) -> list[str]:
 
 def _attributes(file: Path | int) -> dict[str, bytes]:
     try:
-        return {each: os.getxattr(file, each) for each in os.listxattr(file) if not each.startswith("security.")}
+        return {
+            each: os.getxattr(file, each)
+            for each in os.listxattr(file)
+            if not each.startswith("security.")
+        }
     except OSError:  # a file system without any
         return {}
 
@@ -270,7 +307,8 @@ def _failed(name: str, call: Callable[..., None], *arguments: object) -> list[st
 
 
 def _mode(place: Path) -> int:
-    """Permission bits for the new file: those of the old one, which must be writable, or the default."""
+    """Permission bits for the new file: those of the old one, which must be writable, or the
+    default."""
     if not place.exists():
         mask = os.umask(0)
         os.umask(mask)

@@ -1,8 +1,8 @@
 """The usdrigui schema: its names, where it lies, and how to register it.
 
-Importing this module loads no USD, and neither does `schema_path`.  Nobody needs the schema registered
-to read, write or show a layout: registration serves hosts that want fallback values, documentation and
-`HasAPI` queries.
+Importing this module loads no USD, and neither does `schema_path`.  Nobody needs the schema
+registered to read, write or show a layout: registration serves hosts that want fallback values,
+documentation and `HasAPI` queries.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ WITH, WITHOUT = "ui", "none"
 
 LAYOUT_FAMILY = "RigUILayoutAPI"
 LAYOUT = "RigUILayoutAPI_1"
-"""The version of the family that written layouts keep (schemas/CONTRACT.md); the first format is without a number."""
+"""The version of the family that written layouts keep (schemas/CONTRACT.md); the first format is
+without a number."""
 DRAWING = "RigUIDrawingAPI"
 ELEMENT = "RigUIElementAPI"
 ANCHOR = "RigUIAnchorAPI"
@@ -53,9 +54,9 @@ def schema_path() -> Path:
 def register() -> None:
     """Register the schema with the USD of this process; does nothing if it is registered already.
 
-    USD builds its schema registry once, when the first stage is opened, and ignores plug-ins that come
-    later without a word.  Raises SCHEMA_TOO_LATE in that case, SCHEMA_MISSING where the folder is not
-    found.
+    USD builds its schema registry once, when the first stage is opened, and ignores plug-ins that
+    come later without a word.  Raises SCHEMA_TOO_LATE in that case, SCHEMA_MISSING where the folder
+    is not found.
     """
     from pxr import Plug, Usd
 
@@ -64,4 +65,6 @@ def register() -> None:
     registry = Usd.SchemaRegistry()
     lacking = [name for name in APIS if registry.FindAppliedAPIPrimDefinition(name) is None]
     if lacking:
-        raise refuse("SCHEMA_TOO_LATE", str(schema_path()), f"USD does not know {', '.join(lacking)}")
+        raise refuse(
+            "SCHEMA_TOO_LATE", str(schema_path()), f"USD does not know {', '.join(lacking)}"
+        )

@@ -1,12 +1,14 @@
 """Frozen records as bytes and back: how a reading process hands over what it found.
 
-A stream is a preamble, a JSON header and the arrays, each aligned, in the order of the header's table:
+A stream is a preamble, a JSON header and the arrays, each aligned, in the order of the header's
+table:
 
-    magic (8) · header length (u64) · stream length (u64) · CRC-32 of the header (u32) · 4 zero bytes · header · arrays
+    magic (8) · header length (u64) · stream length (u64) · CRC-32 of the header (u32) · 4 zero
+    bytes · header · arrays
 
-Decoding goes by the annotations of the record that is *expected*: the stream names no classes, so it can
-build nothing else, and nothing in it is ever executed (no pickle).  Arrays come back as read-only views of
-the buffer, without a copy.
+Decoding goes by the annotations of the record that is *expected*: the stream names no classes, so
+it can build nothing else, and nothing in it is ever executed (no pickle).  Arrays come back as
+read-only views of the buffer, without a copy.
 """
 
 from __future__ import annotations
@@ -35,7 +37,8 @@ class SerializationError(Exception):
 
 
 def encode(record: Any) -> Iterator[memoryview]:
-    """The chunks of a stream that holds `record`, to be written one after the other; arrays are not copied.
+    """The chunks of a stream that holds `record`, to be written one after the other; arrays are not
+    copied.
 
     `record` is a dataclass of dataclasses, arrays, tuples, string-keyed mappings and plain values.
     """
@@ -70,7 +73,10 @@ def decode(stream: Any, kind: type[_T]) -> _T:
             raise SerializationError("the header is damaged")
         content = json.loads(header)
         body = view[_PREAMBLE.size + length :]
-        arrays = [np.frombuffer(body, *_span(entry, len(body))).reshape(entry[1]) for entry in content["arrays"]]
+        arrays = [
+            np.frombuffer(body, *_span(entry, len(body))).reshape(entry[1])
+            for entry in content["arrays"]
+        ]
         return typing.cast(_T, _record(kind, content["record"], arrays))
     except (struct.error, ValueError, TypeError, KeyError, IndexError, RecursionError) as error:
         raise SerializationError(f"{type(error).__name__}: {error}") from error
@@ -96,7 +102,8 @@ def _outgoing(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
 
 
 def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
-    """dtype, count and offset of an entry of the array table; `available` bytes follow the header."""
+    """dtype, count and offset of an entry of the array table; `available` bytes follow the
+    header."""
     code, shape, offset = entry
     dtype = np.dtype(code)
     if dtype.hasobject or any(not isinstance(size, int) or size < 0 for size in shape):
@@ -109,7 +116,7 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     return dtype, count, offset if count else 0
 
 
-# --- by annotation -----------------------------------------------------------------------------------
+# --- by annotation --------------------------------------------------------------------------------
 
 
 def _record(kind: Any, value: Any, arrays: list[Any]) -> Any:
@@ -144,7 +151,9 @@ def _incoming(hint: Any, value: Any, arrays: list[Any]) -> Any:
     if origin is tuple:
         return _tuple(arguments, value, arrays)
     _checked(origin is Mapping and isinstance(value, dict), value)
-    return types.MappingProxyType({key: _incoming(arguments[1], item, arrays) for key, item in value.items()})
+    return types.MappingProxyType(
+        {key: _incoming(arguments[1], item, arrays) for key, item in value.items()}
+    )
 
 
 def _plain(hint: Any, value: Any) -> Any:

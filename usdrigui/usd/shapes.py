@@ -26,7 +26,8 @@ PART_FAULTS = {
     "TARGETS_LENGTH",
     "TOPOLOGY_INVALID",
 }
-"""Codes of what makes one mesh, shape or subset unusable and says nothing about the others (decision 023)."""
+"""Codes of what makes one mesh, shape or subset unusable and says nothing about the others
+(decision 023)."""
 
 
 @dataclass
@@ -43,7 +44,8 @@ class Found:
 
     @contextlib.contextmanager
     def leaving_off(self, path: str, names: Iterable[str] = ()) -> Iterator[None]:
-        """Leave off the part at `path`, and with it the shapes of these `names`, if its arrays cannot be right."""
+        """Leave off the part at `path`, and with it the shapes of these `names`, if its arrays
+        cannot be right."""
         try:
             yield
         except RigUIError as error:
@@ -51,7 +53,9 @@ class Found:
                 raise
             refusal = error.issue
             where = "" if refusal.path == path else f" {refusal.path}:"
-            self.issues.append(issue("PART_LEFT_OFF", path, f"{refusal.code}:{where} {refusal.message}"))
+            self.issues.append(
+                issue("PART_LEFT_OFF", path, f"{refusal.code}:{where} {refusal.message}")
+            )
             self.faults.append(error)
             self.shapeless.update(dict.fromkeys(names, f"{refusal.path}: {refusal.message}"))
 
@@ -64,10 +68,14 @@ class Binding:
     query: UsdSkel.SkinningQuery
 
 
-def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Found) -> tuple[Shape, ...]:
-    """The shapes of a mesh of `count` points, in the order of its tokens; `found` takes tokens and issues.
+def read_shapes(
+    prim: Usd.Prim, binding: Binding | None, count: int, found: Found
+) -> tuple[Shape, ...]:
+    """The shapes of a mesh of `count` points, in the order of its tokens; `found` takes tokens and
+    issues.
 
-    A shape whose arrays cannot be right is left off; so are all where names and targets differ in number.
+    A shape whose arrays cannot be right is left off; so are all where names and targets differ in
+    number.
     """
     path = str(prim.GetPath())
     names: tuple[str, ...] = ()
@@ -76,7 +84,9 @@ def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Foun
         names, targets = _names_and_targets(prim)
     if names and binding is None:
         why = why_unbound(prim)
-        found.issues.append(issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes{why and '; '}{why}"))
+        found.issues.append(
+            issue("MESH_UNBOUND", path, f"has {len(names)} blend shapes{why and '; '}{why}")
+        )
         found.shapeless.update(dict.fromkeys(names, why or f"no Skeleton is bound to {path}"))
     if not names or binding is None:
         return ()
@@ -91,7 +101,8 @@ def read_shapes(prim: Usd.Prim, binding: Binding | None, count: int, found: Foun
 
 
 def shape_tokens(prim: Usd.Prim) -> tuple[str, ...]:
-    """The names of the blend shapes of a mesh, none where nothing is authored; raises ARRAY_TYPE."""
+    """The names of the blend shapes of a mesh, none where nothing is authored; raises
+    ARRAY_TYPE."""
     attribute = UsdSkel.BindingAPI(prim).GetBlendShapesAttr()
     return tokens(attribute.Get(), str(prim.GetPath()), "skel:blendShapes")
 
@@ -106,7 +117,10 @@ def legible_tokens(prim: Usd.Prim) -> tuple[str, ...]:
 
 def _names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], Sequence[Sdf.Path]]:
     """As many targets as names; raises ARRAY_TYPE and TARGETS_LENGTH."""
-    names, targets = shape_tokens(prim), UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets()
+    names, targets = (
+        shape_tokens(prim),
+        UsdSkel.BindingAPI(prim).GetBlendShapeTargetsRel().GetTargets(),
+    )
     if len(names) != len(targets):
         counts = f"{len(names)} skel:blendShapes but {len(targets)} skel:blendShapeTargets"
         raise refuse("TARGETS_LENGTH", str(prim.GetPath()), counts)
@@ -144,10 +158,13 @@ def _assembled(
     size: int,
     count: int,
 ) -> tuple[Floats, Indices, Singles]:
-    """Weights, points and offsets of a Shape: rows in the order of weight, points ascending and unique."""
+    """Weights, points and offsets of a Shape: rows in the order of weight, points ascending and
+    unique."""
     rows = sorted([(1.0, offsets), *between], key=lambda row: row[0])
     empty = np.zeros((size, 3), dtype=np.float32)
-    table = np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
+    table = (
+        np.stack([each if len(each) else empty for _, each in rows]) if between else offsets[None]
+    )
     if not len(indices):
         points = np.flatnonzero(table.any(axis=(0, 2)))
         table = table if len(points) == count else table[:, points]
@@ -176,7 +193,11 @@ def _inbetweens(prim: Usd.Prim, found: Found) -> list[tuple[float, Singles]]:
     path, taken, between = str(prim.GetPath()), {0.0, 1.0}, []
     for each in UsdSkel.BlendShape(prim).GetInbetweens():
         weight, name = each.GetWeight(), each.GetAttr().GetName()
-        if weight is None or not np.isfinite(weight) or any(abs(weight - other) < 1e-6 for other in taken):
+        if (
+            weight is None
+            or not np.isfinite(weight)
+            or any(abs(weight - other) < 1e-6 for other in taken)
+        ):
             found.issues.append(issue("INBETWEEN_INVALID", path, f"{name} has weight {weight}"))
             continue
         taken.add(float(weight))
@@ -189,7 +210,8 @@ def _offsets(values: Any, path: str, name: str) -> Singles:
 
 
 def _channel(token: str, armature: Armature, found: Found) -> int:
-    """Index of the weight that drives a token under a Skeleton; a new one if no animation lists it."""
+    """Index of the weight that drives a token under a Skeleton; a new one if no animation lists
+    it."""
     key = (token, armature.record.animation)
     if key in found.tokens:
         return found.tokens[key]

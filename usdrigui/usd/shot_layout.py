@@ -1,8 +1,9 @@
-"""The layer of a shot: what it adds to a layout that stands in another layer, and nothing of that one.
+"""The layer of a shot: what it adds to a layout that stands in another layer, and nothing of that
+one.
 
-The new elements are children of the same Scope.  Where a shape of the shot moves the anchor of an existing
-element, its drawn prims get that shape's offsets too, so that they follow the face in every application.
-Without this layer the existing layout is what it was.
+The new elements are children of the same Scope.  Where a shape of the shot moves the anchor of an
+existing element, its drawn prims get that shape's offsets too, so that they follow the face in
+every application. Without this layer the existing layout is what it was.
 """
 
 from __future__ import annotations
@@ -62,10 +63,12 @@ def write_shot_layouts(
     bare: bool,
     write: Callable[..., State],
 ) -> State:
-    """Write the layer atomically over `shot` and, unless that is `composed` with it already, over `base`.
+    """Write the layer atomically over `shot` and, unless that is `composed` with it already, over
+    `base`.
 
-    A `base` that has the character at the shot's path becomes a sublayer, weaker than the shot; otherwise a
-    reference.  `bare` leaves all of them to whoever composes.  Raises as `layer.write_layout`.
+    A `base` that has the character at the shot's path becomes a sublayer, weaker than the shot;
+    otherwise a reference.  `bare` leaves all of them to whoever composes.  Raises as
+    `layer.write_layout`.
     """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     below = "" if composed or bare else relative_asset_path(base, target)
@@ -90,7 +93,11 @@ def write_shot_layouts(
 def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     rig, layout = shot.rig, shot.layout
     as_variant = all(prim.in_variant for prim in shot.prims)
-    root = author_variant(layer, rig.variant_path or rig.root) if as_variant else Sdf.CreatePrimInLayer(layer, rig.root)
+    root = (
+        author_variant(layer, rig.variant_path or rig.root)
+        if as_variant
+        else Sdf.CreatePrimInLayer(layer, rig.root)
+    )
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
     author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)
@@ -105,17 +112,33 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
 def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence[Element]) -> None:
     """Let what is drawn of existing elements follow the shapes that their layer does not know."""
     skin, width = SkinBinding(shot.rig, shot.layout), shot.layout.handle_width_of
-    parts = {each.name: drawn_parts(skin, each, width(each)) for each in elements if not each.anchor.on_board}
+    parts = {
+        each.name: drawn_parts(skin, each, width(each))
+        for each in elements
+        if not each.anchor.on_board
+    }
     prefixes = Sdf.Path(shot.base_root), Sdf.Path(shot.rig.root)
     for prim in shot.prims:
-        spans = [span for each in prim.spans if each.element in parts for span in _moved(parts[each.element], each)]
+        spans = [
+            span
+            for each in prim.spans
+            if each.element in parts
+            for span in _moved(parts[each.element], each)
+        ]
         known = set(prim.shapes)
         new = [
-            (points, [shape for shape in shapes if shot.rig.channels[shape.channel].token not in known])
+            (
+                points,
+                [shape for shape in shapes if shot.rig.channels[shape.channel].token not in known],
+            )
             for points, shapes in spans
         ]
         if any(shapes for _, shapes in new):
-            path = Sdf.Path(prim.path).ReplacePrefix(*prefixes).ReplacePrefix(shot.rig.root, scope.path.GetParentPath())
+            path = (
+                Sdf.Path(prim.path)
+                .ReplacePrefix(*prefixes)
+                .ReplacePrefix(shot.rig.root, scope.path.GetParentPath())
+            )
             targets = [Sdf.Path(each).ReplacePrefix(*prefixes) for each in prim.targets]
             existing = list(zip(prim.shapes, targets, strict=True))
             spec = Sdf.CreatePrimInLayer(scope.layer, path)
@@ -123,14 +146,22 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             author_shapes(spec, shot.rig, new, taken, existing)
 
 
-def _moved(parts: Sequence[Drawn], span: ExistingSpan) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
-    """The points of a span with the shapes that move them: whoever drew it may draw otherwise than we do."""
+def _moved(
+    parts: Sequence[Drawn], span: ExistingSpan
+) -> Iterator[tuple[Indices, Sequence[PointShape]]]:
+    """The points of a span with the shapes that move them: whoever drew it may draw otherwise than
+    we do."""
     meant = parts[:1] if span.role == "handle" else parts[1:]
     ends = np.cumsum([len(part.points) for part in meant])
     if len(ends) and ends[-1] == len(span.points):
-        yield from zip(np.split(span.points, ends[:-1]), (part.shapes for part in meant), strict=True)
+        yield from zip(
+            np.split(span.points, ends[:-1]), (part.shapes for part in meant), strict=True
+        )
     elif len(span.points):
-        yield span.points, [_fitted(shape, len(span.points)) for part in meant[:1] for shape in part.shapes]
+        yield (
+            span.points,
+            [_fitted(shape, len(span.points)) for part in meant[:1] for shape in part.shapes],
+        )
 
 
 def _fitted(shape: PointShape, count: int) -> PointShape:

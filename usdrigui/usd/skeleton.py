@@ -44,7 +44,8 @@ class Armature:
 
 
 class Frames:
-    """Transforms relative to the SkelRoot at one time code; for the default time, at the earliest."""
+    """Transforms relative to the SkelRoot at one time code; for the default time, at the
+    earliest."""
 
     def __init__(self, root: Usd.Prim, time: Usd.TimeCode) -> None:
         self.time = time
@@ -55,13 +56,16 @@ class Frames:
 
     def to_root(self, prim: Usd.Prim) -> Floats:
         """(4, 4) transform from the prim's space to root space."""
-        found = np.array(self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64)
+        found = np.array(
+            self._cache.GetLocalToWorldTransform(prim) * self._world_to_root, dtype=np.float64
+        )
         if not np.isfinite(found).all():
             raise refuse("NOT_FINITE", str(prim.GetPath()), "its transform holds NaN or infinity")
         return found
 
     def collapsing(self, prim: Usd.Prim) -> Usd.Prim | None:
-        """The uppermost prim whose own transform cannot be inverted, of those between the prim's space and root space.
+        """The uppermost prim whose own transform cannot be inverted, of those between the prim's
+        space and root space.
 
         None where each of them can by itself.
         """
@@ -80,7 +84,9 @@ class Frames:
         return np.array(self._world_to_root.TransformDir(world).GetNormalized(), dtype=np.float64)
 
 
-def read_armatures(skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, frames: Frames) -> tuple[Armature, ...]:
+def read_armatures(
+    skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, frames: Frames
+) -> tuple[Armature, ...]:
     """The bound Skeletons, in the order given, with their joints numbered through.
 
     Raises SKELETON_INVALID, ANIMATION_LENGTH and ARRAY_TYPE.
@@ -93,8 +99,11 @@ def read_armatures(skeletons: list[UsdSkel.Skeleton], cache: UsdSkel.Cache, fram
     return tuple(found)
 
 
-def read_joints(armature: Armature, time: float | None) -> tuple[tuple[Joint, ...], tuple[Issue, ...]]:
-    """Joints of one Skeleton, based on the rest pose or, if `time` is given, on the animation there.
+def read_joints(
+    armature: Armature, time: float | None
+) -> tuple[tuple[Joint, ...], tuple[Issue, ...]]:
+    """Joints of one Skeleton, based on the rest pose or, if `time` is given, on the animation
+    there.
 
     Raises SKELETON_INVALID.
     """
@@ -103,7 +112,9 @@ def read_joints(armature: Armature, time: float | None) -> tuple[tuple[Joint, ..
         return (), ()
     path = armature.record.path
     parents = _parents(query, path)
-    bind = _matrices(query.GetJointWorldBindTransforms() if query.HasBindPose() else None, len(names))
+    bind = _matrices(
+        query.GetJointWorldBindTransforms() if query.HasBindPose() else None, len(names)
+    )
     if bind is None:
         raise refuse("SKELETON_INVALID", path, f"needs {len(names)} bindTransforms, one per joint")
     if not np.isfinite(bind).all() or (np.abs(np.linalg.det(bind)) < 1e-30).any():
@@ -153,7 +164,10 @@ def repeated(names: Sequence[str], path: str, name: str) -> list[Issue]:
 
 
 def read_clip(
-    armatures: tuple[Armature, ...], joints: tuple[Joint, ...], channels: tuple[Channel, ...], rate: float
+    armatures: tuple[Armature, ...],
+    joints: tuple[Joint, ...],
+    channels: tuple[Channel, ...],
+    rate: float,
 ) -> tuple[Clip | None, tuple[Issue, ...]]:
     """The authored animation, or None where nothing has more than one time sample.
 
@@ -165,13 +179,20 @@ def read_clip(
     issues: tuple[Issue, ...] = ()
     most = max(2, _CLIP_BYTES // (128 * len(joints) + 8 * len(channels) + 1))
     if len(times) > most:
-        issues = (issue("CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"),)
+        issues = (
+            issue(
+                "CLIP_THINNED", armatures[0].record.animation, f"{most} of {len(times)} frames kept"
+            ),
+        )
         times = [times[i] for i in np.linspace(0, len(times) - 1, most).round().astype(int)]
     return _sampled(armatures, joints, channels, times, rate), issues
 
 
 def read_still(
-    armatures: tuple[Armature, ...], joints: tuple[Joint, ...], channels: tuple[Channel, ...], rate: float
+    armatures: tuple[Armature, ...],
+    joints: tuple[Joint, ...],
+    channels: tuple[Channel, ...],
+    rate: float,
 ) -> Clip | None:
     """The one frame that USD evaluates where nothing moves; None where it cannot be shown."""
     time = min((time for armature in armatures for time in armature.times), default=0.0)
@@ -188,7 +209,8 @@ def _sampled(
     times: list[float],
     rate: float,
 ) -> Clip:
-    """Weights and joints at each of `times`, which USD holds before the first and after the last."""
+    """Weights and joints at each of `times`, which USD holds before the first and after the
+    last."""
     rest = np.array([joint.rest for joint in joints]).reshape(-1, 4, 4)
     local = np.repeat(rest[None], len(times), axis=0)
     for armature in armatures:
@@ -196,20 +218,30 @@ def _sampled(
         if armature.animation is not None:
             for frame, time in enumerate(times):
                 local[frame, part] = locals_at(armature, time, rest[part])
-    weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(len(times), -1)
+    weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(
+        len(times), -1
+    )
     if not (np.isfinite(local).all() and np.isfinite(weights).all()):
-        raise refuse("NOT_FINITE", armatures[0].record.animation, "the animation holds NaN or infinity")
+        raise refuse(
+            "NOT_FINITE", armatures[0].record.animation, "the animation holds NaN or infinity"
+        )
     return Clip(np.array(times, dtype=np.float64), weights, local, rate)
 
 
-def weights_at(armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None) -> Floats:
+def weights_at(
+    armatures: tuple[Armature, ...], channels: tuple[Channel, ...], time: float | None
+) -> Floats:
     """(channels,) authored weights at a time code; None for the default value.
 
     Raises ANIMATION_LENGTH, ARRAY_TYPE and NOT_FINITE.
     """
     tables = {armature.record.animation: _weights(armature, time) for armature in armatures}
     values = [
-        tables[each.animation][each.index] if each.index >= 0 and len(tables[each.animation]) else 0.0
+        (
+            tables[each.animation][each.index]
+            if each.index >= 0 and len(tables[each.animation])
+            else 0.0
+        )
         for each in channels
     ]
     return np.array(values, dtype=np.float64)
@@ -238,7 +270,8 @@ def _weights(armature: Armature, time: float | None) -> Floats:
 
 
 def _in_instance(path: Sdf.Path, beside: Usd.Prim) -> Sdf.Path:
-    """The path in the instance that the prim `beside` lies in, of one that UsdSkel gives in the prototype."""
+    """The path in the instance that the prim `beside` lies in, of one that UsdSkel gives in the
+    prototype."""
     if not beside.IsInstanceProxy():
         return path
     shared = beside.GetPrimInPrototype()
@@ -247,12 +280,16 @@ def _in_instance(path: Sdf.Path, beside: Usd.Prim) -> Sdf.Path:
     return path.ReplacePrefix(shared.GetPath(), beside.GetPath())
 
 
-def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, index: int, first: int) -> Armature:
+def _armature(
+    skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, index: int, first: int
+) -> Armature:
     prim = skeleton.GetPrim()
     path = str(prim.GetPath())
     query = cache.GetSkelQuery(skeleton)
     if not query:
-        raise refuse("SKELETON_INVALID", path, "UsdSkel cannot use it; are the joint paths valid and unique?")
+        raise refuse(
+            "SKELETON_INVALID", path, "UsdSkel cannot use it; are the joint paths valid and unique?"
+        )
     animation = query.GetAnimQuery()
     animated = animation.GetPrim() if animation else None
     shapes = tuple(str(token) for token in animation.GetBlendShapeOrder()) if animation else ()
@@ -262,7 +299,9 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
         reason = "its transform collapses space (is a scale 0?)"
         below = "" if culprit == prim else f", and with it that of the Skeleton {path}"
         raise refuse("SKELETON_INVALID", str(culprit.GetPath()), f"{reason}{below}")
-    record = Skeleton(path, str(_in_instance(animated.GetPath(), prim)) if animated else "", to_root)
+    record = Skeleton(
+        path, str(_in_instance(animated.GetPath(), prim)) if animated else "", to_root
+    )
     names = tuple(str(name) for name in query.GetJointOrder())
     if animation:
         _check_joint_values(UsdSkel.Animation(animated))
@@ -270,13 +309,16 @@ def _armature(skeleton: UsdSkel.Skeleton, cache: UsdSkel.Cache, frames: Frames, 
 
 
 def _check_joint_values(animation: UsdSkel.Animation) -> None:
-    """As many rotations, translations and scales as joints, wherever any are authored; raises also ARRAY_TYPE."""
+    """As many rotations, translations and scales as joints, wherever any are authored; raises also
+    ARRAY_TYPE."""
     path, first = str(animation.GetPath()), Usd.TimeCode.EarliestTime()
     joints = tokens(animation.GetJointsAttr().Get(), path, "joints")
     if not joints:
         return
     counts = {
-        "translations": vector_count(animation.GetTranslationsAttr().Get(first), path, "translations"),
+        "translations": vector_count(
+            animation.GetTranslationsAttr().Get(first), path, "translations"
+        ),
         "rotations": len(quaternions(animation.GetRotationsAttr().Get(first), path, "rotations")),
         "scales": vector_count(animation.GetScalesAttr().Get(first), path, "scales"),
     }

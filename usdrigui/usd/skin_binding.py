@@ -1,8 +1,9 @@
-"""What carries an element: where its anchor rests, and which shapes and joints move its drawn parts.
+"""What carries an element: where its anchor rests, and which shapes and joints move its drawn
+parts.
 
 Everything drawn stands in the *bind pose*: the space of the SkelRoot with the skeleton in its bind
-pose and no shape applied.  There the skin of a point is its mesh's, and the space is the same for every
-mesh.  numpy only.
+pose and no shape applied.  There the skin of a point is its mesh's, and the space is the same for
+every mesh.  numpy only.
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ from usdrigui.skinning import carrying_joint
 Method = Literal["classicLinear", "dualQuaternion"]
 
 _STILL = 1e-7
-"""Rotations (radians), logarithms of scales and translations (relative to the rig) below this move nothing."""
+"""Rotations (radians), logarithms of scales and translations (relative to the rig) below this move
+nothing."""
 _NO_OFFSET = 1e-9
 """Offsets below this share of the rig's size are noise of the file."""
 
@@ -48,7 +50,8 @@ class JointBinding(Record):
     """(k,)"""
     method: Method
     base: Floats
-    """(4, 3) affine map from the bind pose to root space in the base pose: ``p @ base[:3] + base[3]``."""
+    """(4, 3) affine map from the bind pose to root space in the base pose: ``p @ base[:3] +
+    base[3]``."""
 
     def unposed(self, positions: Floats) -> Floats:
         """Where points must rest to be at `positions` (q, 3) of root space in the base pose."""
@@ -56,7 +59,8 @@ class JointBinding(Record):
 
     @property
     def inverse(self) -> Floats:
-        """(3, 3) inverse of the linear part; of what is left of it where the base pose collapses it."""
+        """(3, 3) inverse of the linear part; of what is left of it where the base pose collapses
+        it."""
         return np.asarray(np.linalg.pinv(self.base[:3], rcond=1e-9), dtype=np.float64)
 
 
@@ -89,7 +93,8 @@ class AnchorBinding(Record):
     """(3,) anchor in the bind pose."""
     handle: JointBinding
     track: JointBinding
-    """As `handle`, less what the element's own controls move; on the board, those of any element there."""
+    """As `handle`, less what the element's own controls move; on the board, those of any element
+    there."""
     shapes: tuple[PointShape, ...]
     """Of the anchor, in the order of the channels; none for an element that does not deform."""
     own_channels: frozenset[int]
@@ -112,17 +117,26 @@ class SkinBinding:
         self.size = _size(rig)
         self._positions = {control.name: i for i, control in enumerate(rig.controls)}
         on_face = [self._anchored(each) for each in layout.elements if not each.anchor.on_board]
-        starts = dict(zip(self._meshes, rig.starts.tolist(), strict=False))  # one more start than meshes
+        starts = dict(
+            zip(self._meshes, rig.starts.tolist(), strict=False)
+        )  # one more start than meshes
         rows = [starts[mesh.path] + point for mesh, point in on_face]
         self._rigid = carrying_joint(rig, np.array(rows, dtype=np.int64))
         self._shapes = _shapes_of(rig, on_face, self.size)
-        on_board = [member.control for each in layout.elements if each.anchor.on_board for member in each.members]
+        on_board = [
+            member.control
+            for each in layout.elements
+            if each.anchor.on_board
+            for member in each.members
+        ]
         self._board = _own_joints([self.control(name) for name in on_board], self.size)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
         if name not in self._controls:
-            raise refuse("BUG", self.rig.root, f"the layout has a control {name!r} that the rig has not")
+            raise refuse(
+                "BUG", self.rig.root, f"the layout has a control {name!r} that the rig has not"
+            )
         return self._controls[name]
 
     def value(self, name: str) -> float:
@@ -147,7 +161,9 @@ class SkinBinding:
         track = self._joint_binding(mesh, skeleton, fixed)
         return AnchorBinding(
             rest=rest,
-            handle=self._joint_binding(mesh, skeleton, influences) if deforms and turning else track,
+            handle=(
+                self._joint_binding(mesh, skeleton, influences) if deforms and turning else track
+            ),
             track=track,
             shapes=self._shapes[mesh.path, point] if deforms else (),
             own_channels=frozenset(int(c) for control in controls for c in control.drive.channels),
@@ -156,37 +172,62 @@ class SkinBinding:
         )
 
     def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
-        """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base pose."""
+        """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base
+        pose."""
         maps = []
         for setting in settings:
             values = self.values.copy()
             for name, value in setting.items():
                 values[self._positions[name]] = value
-            maps.append(self._map(handle.skeleton, handle.joints, handle.weights, handle.method, values))
+            maps.append(
+                self._map(handle.skeleton, handle.joints, handle.weights, handle.method, values)
+            )
         return np.stack(maps)
 
     def _anchored(self, element: Element) -> tuple[RigMesh, int]:
         mesh = self._meshes.get(element.anchor.mesh)
         if mesh is None or not 0 <= element.anchor.point < len(mesh.points):
             raise refuse(
-                "BUG", element.anchor.mesh, f"the rig has no point {element.anchor.point} for {element.name!r}"
+                "BUG",
+                element.anchor.mesh,
+                f"the rig has no point {element.anchor.point} for {element.name!r}",
             )
         return mesh, element.anchor.point
 
-    def _joint_binding(self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]) -> JointBinding:
+    def _joint_binding(
+        self, mesh: RigMesh, skeleton: int, influences: tuple[Indices, Floats]
+    ) -> JointBinding:
         joints, weights = influences
         method: Method = mesh.skin.method if mesh.skin is not None else "classicLinear"
         return JointBinding(
-            skeleton, joints, weights, method, self._map(skeleton, joints, weights, method, self.values)
+            skeleton,
+            joints,
+            weights,
+            method,
+            self._map(skeleton, joints, weights, method, self.values),
         )
 
-    def _map(self, skeleton: int, joints: Indices, weights: Floats, method: Method, values: Floats) -> Floats:
+    def _map(
+        self, skeleton: int, joints: Indices, weights: Floats, method: Method, values: Floats
+    ) -> Floats:
         """(4, 3) map from bind pose to root space, by posing a rig of a single point."""
         if not len(joints):
             return np.eye(4)[:, :3]
         bound = np.asarray(np.linalg.inv(self.rig.skeletons[skeleton].to_root), dtype=np.float64)
         skin = Skin(joints[None], weights[None], method, bound, False)
-        single = RigMesh("", np.full((1, 3), self.size), _NONE, _NONE, False, True, "none", np.eye(4), skin, (), "")
+        single = RigMesh(
+            "",
+            np.full((1, 3), self.size),
+            _NONE,
+            _NONE,
+            False,
+            True,
+            "none",
+            np.eye(4),
+            skin,
+            (),
+            "",
+        )
         return np.array(posed(replace(self.rig, meshes=(single,)), values).maps[0][0])
 
 
@@ -196,13 +237,21 @@ _NONE: Indices = np.zeros(0, dtype=np.int64)
 def _base_values(rig: Rig, layout: Layout) -> Floats:
     if len(layout.base_values) != len(rig.controls):
         count = len(layout.base_values)
-        raise refuse("BUG", rig.root, f"the layout's base pose has {count} values for {len(rig.controls)} controls")
+        raise refuse(
+            "BUG",
+            rig.root,
+            f"the layout's base pose has {count} values for {len(rig.controls)} controls",
+        )
     return np.array(layout.base_values, dtype=np.float64)
 
 
 def _size(rig: Rig) -> float:
     """Diagonal of the box around the largest mesh, in the units of the bind pose."""
-    spans = [np.ptp(mesh.points @ _to_rest(rig, mesh)[:3], axis=0) for mesh in rig.meshes if len(mesh.points)]
+    spans = [
+        np.ptp(mesh.points @ _to_rest(rig, mesh)[:3], axis=0)
+        for mesh in rig.meshes
+        if len(mesh.points)
+    ]
     return max((float(np.linalg.norm(span)) for span in spans), default=1.0) or 1.0
 
 
@@ -217,7 +266,8 @@ def _to_rest(rig: Rig, mesh: RigMesh) -> Floats:
 
 
 def _skeleton_of(rig: Rig, mesh: RigMesh) -> int:
-    """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its shapes."""
+    """The Skeleton that a mesh is bound to: its joints', else the one whose animation drives its
+    shapes."""
     if mesh.skin is not None:
         return rig.joints[int(mesh.skin.joints[0, 0])].skeleton
     animations = [rig.channels[shape.channel].animation for shape in mesh.shapes]
@@ -240,17 +290,20 @@ def _own_joints(controls: list[Control], size: float) -> set[int]:
     for control in controls:
         drive = control.drive
         if len(drive.joints):
-            moves = np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > _STILL
+            moves = (
+                np.maximum(np.abs(drive.rotations), np.abs(drive.scales)).max(axis=(0, 2)) > _STILL
+            )
             moves |= np.abs(drive.translations).max(axis=(0, 2)) > _STILL * size
             own.update(drive.joints[moves].tolist())
     return own
 
 
 def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tuple[Indices, Floats]:
-    """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest joint above.
+    """Influences that the joints `own` cannot reach: each that hangs on them goes to the nearest
+    joint above.
 
-    Where there is none above, the others take its share; without others nothing moves the point any more.
-    Returns the very `influences` when nothing has to change.
+    Where there is none above, the others take its share; without others nothing moves the point any
+    more. Returns the very `influences` when nothing has to change.
     """
     joints, weights = influences
     moved = {int(joint): _free_ancestor(rig, int(joint), own) for joint in joints}
@@ -265,11 +318,14 @@ def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tup
         return _NONE, np.zeros(0)
     targets = sorted(shares)
     scale = (kept + lost) / kept
-    return np.array(targets, dtype=np.int64), np.array([shares[target] * scale for target in targets])
+    return np.array(targets, dtype=np.int64), np.array(
+        [shares[target] * scale for target in targets]
+    )
 
 
 def _free_ancestor(rig: Rig, joint: int, own: set[int]) -> int:
-    """The joint itself if no joint from it up to the root is in `own`, else the parent of the topmost that is."""
+    """The joint itself if no joint from it up to the root is in `own`, else the parent of the
+    topmost that is."""
     found, step = joint, joint
     while step >= 0:
         if step in own:
@@ -282,7 +338,9 @@ def _shapes_of(
     rig: Rig, anchors: list[tuple[RigMesh, int]], size: float
 ) -> dict[tuple[str, int], tuple[PointShape, ...]]:
     """The shapes that move each anchor, by mesh and point, in the order of their channels."""
-    found: dict[tuple[str, int], list[PointShape]] = {(mesh.path, point): [] for mesh, point in anchors}
+    found: dict[tuple[str, int], list[PointShape]] = {
+        (mesh.path, point): [] for mesh, point in anchors
+    }
     for mesh in {mesh.path: mesh for mesh, _ in anchors}.values():
         points = np.array(sorted(point for path, point in found if path == mesh.path))
         to_rest = _to_rest(rig, mesh)[:3]
@@ -290,7 +348,13 @@ def _shapes_of(
             place = np.searchsorted(shape.points, points)
             hit = np.flatnonzero(np.append(shape.points, -1)[place] == points)
             offsets = shape.offsets[:, place[hit]].astype(np.float64) @ to_rest
-            for column in np.flatnonzero(np.abs(offsets).max(axis=(0, 2), initial=0.0) > _NO_OFFSET * size):
+            for column in np.flatnonzero(
+                np.abs(offsets).max(axis=(0, 2), initial=0.0) > _NO_OFFSET * size
+            ):
                 point = int(points[hit[column]])
-                found[mesh.path, point].append(PointShape(shape.channel, shape.weights, offsets[:, column]))
-    return {key: tuple(sorted(shapes, key=lambda shape: shape.channel)) for key, shapes in found.items()}
+                found[mesh.path, point].append(
+                    PointShape(shape.channel, shape.weights, offsets[:, column])
+                )
+    return {
+        key: tuple(sorted(shapes, key=lambda shape: shape.channel)) for key, shapes in found.items()
+    }

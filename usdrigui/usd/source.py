@@ -33,8 +33,8 @@ class SourceFile:
 def check_source(path: Path, size_limit: int) -> SourceFile:
     """Look at a file before USD does, and remember its content.
 
-    `size_limit` in MiB.  Raises RigUIError FILE_NOT_FOUND, FILE_NAME (not UTF-8), SOURCE_NOT_A_FILE (a
-    folder, pipe, socket or device), SOURCE_TOO_LARGE or SOURCE_LFS_POINTER.
+    `size_limit` in MiB.  Raises RigUIError FILE_NOT_FOUND, FILE_NAME (not UTF-8), SOURCE_NOT_A_FILE
+    (a folder, pipe, socket or device), SOURCE_TOO_LARGE or SOURCE_LFS_POINTER.
     """
     try:
         str(path.absolute()).encode()  # USD resolves it against the working directory.
@@ -45,11 +45,17 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
         if not stat.S_ISREG(found.st_mode):
             raise refuse("SOURCE_NOT_A_FILE", str(path), f"is {_kind(found.st_mode)}")
         if found.st_size > size_limit << 20:
-            raise refuse("SOURCE_TOO_LARGE", str(path), f"has {found.st_size >> 20} MiB, more than {size_limit}")
+            raise refuse(
+                "SOURCE_TOO_LARGE",
+                str(path),
+                f"has {found.st_size >> 20} MiB, more than {size_limit}",
+            )
         with path.open("rb") as stream:
             pointer = stream.read(len(_LFS_POINTER)) == _LFS_POINTER
         if pointer:
-            raise refuse("SOURCE_LFS_POINTER", str(path), "holds the address of the file, not the file")
+            raise refuse(
+                "SOURCE_LFS_POINTER", str(path), "holds the address of the file, not the file"
+            )
         return hashed(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
@@ -59,15 +65,18 @@ def check_source(path: Path, size_limit: int) -> SourceFile:
 def hashed(path: Path | str) -> SourceFile:
     """Size and digest of a regular file as it is now; raises OSError."""
     absolute = os.path.realpath(path)
-    if not stat.S_ISREG(os.stat(absolute).st_mode):  # noqa: PTH116 (a pipe would keep us waiting, a device has no end)
+    # A pipe would keep us waiting, a device has no end.
+    if not stat.S_ISREG(os.stat(absolute).st_mode):  # noqa: PTH116
         raise OSError(errno.EINVAL, "is not a regular file", absolute)
-    with open(absolute, "rb") as stream:  # noqa: PTH123  (paths here may hold bytes that are not text)
+    # Paths here may hold bytes that are not text.
+    with open(absolute, "rb") as stream:  # noqa: PTH123
         digest = hashlib.file_digest(stream, "sha256")
         return SourceFile(absolute, stream.tell(), digest.hexdigest())
 
 
 def check_unchanged(sources: Iterable[SourceFile]) -> None:
-    """Refuse with SOURCE_CHANGED if any of the files differs from what was read; call it before a commit."""
+    """Refuse with SOURCE_CHANGED if any of the files differs from what was read; call it before a
+    commit."""
     for each in sources:
         if not _same(each):
             raise refuse("SOURCE_CHANGED", each.path, "is not the file that was read")

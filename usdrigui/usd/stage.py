@@ -16,7 +16,9 @@ from usdrigui.usd.variants import select
 
 _ADDRESS = re.compile("0x[0-9a-fA-F]{6,}")
 """Differs from run to run."""
-_NAMED = re.compile(r"Could not (?:open asset|load sublayer) @(@@)?(?P<path>.+?)@\1? (?:for|of) ", re.DOTALL)
+_NAMED = re.compile(
+    r"Could not (?:open asset|load sublayer) @(@@)?(?P<path>.+?)@\1? (?:for|of) ", re.DOTALL
+)
 """Which layer an error of composition is about; Pcp tells Python no more of it than its text."""
 _MISSING = (
     Pcp.ErrorInvalidSublayerPath,
@@ -27,8 +29,9 @@ _MISSING = (
 def open_stage(path: Path, variants: Mapping[str, str] = MappingProxyType({})) -> Usd.Stage:
     """The composed stage of a file, payloads loaded, with `variants` selected (`read.variants`).
 
-    Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums are wrong),
-    LAYER_MISSING or LAYER_UNREADABLE (a sublayer of the root layer stack), VARIANT_UNKNOWN.
+    Raises RigUIError FILE_NOT_FOUND, FILE_NAME, FILE_NOT_USD, FILE_CORRUPT (a usdz whose checksums
+    are wrong), LAYER_MISSING or LAYER_UNREADABLE (a sublayer of the root layer stack),
+    VARIANT_UNKNOWN.
     """
     _check_file(path)
     try:
@@ -58,13 +61,18 @@ def open_layer(path: Path) -> Sdf.Layer:
 def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[Issue, ...]:
     """What USD could not compose.
 
-    Raises LAYER_MISSING or LAYER_UNREADABLE where a reference or payload on, above or below one of `roots` (on any prim
-    if there are none) leads to no layer: the character would be read without a part of it.
+    Raises LAYER_MISSING or LAYER_UNREADABLE where a reference or payload on, above or below one of
+    `roots` (on any prim if there are none) leads to no layer: the character would be read without a
+    part of it.
     """
     found = []
     for error in stage.GetCompositionErrors():
         site = _site(error)
-        near = [root for root in roots if site.HasPrefix(root.GetPath()) or root.GetPath().HasPrefix(site)]
+        near = [
+            root
+            for root in roots
+            if site.HasPrefix(root.GetPath()) or root.GetPath().HasPrefix(site)
+        ]
         if isinstance(error, _MISSING) and (near or not roots):
             raise _without_layer(str(site), _described(error))
         found.append(issue("COMPOSITION_ERROR", str(site), _described(error)))
@@ -73,7 +81,8 @@ def composition_issues(stage: Usd.Stage, roots: tuple[Usd.Prim, ...]) -> tuple[I
 
 @contextmanager
 def listening() -> Iterator[list[str]]:
-    """Keep what USD would print while the block runs; the list holds the distinct texts afterwards."""
+    """Keep what USD would print while the block runs; the list holds the distinct texts
+    afterwards."""
     messages: list[str] = []
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:
@@ -91,7 +100,9 @@ def listening() -> Iterator[list[str]]:
 
 def _check_file(path: Path) -> None:
     if not path.is_file():
-        raise refuse("FILE_NOT_FOUND", str(path), "is not a file" if path.exists() else "does not exist")
+        raise refuse(
+            "FILE_NOT_FOUND", str(path), "is not a file" if path.exists() else "does not exist"
+        )
     try:
         with path.open("rb") as stream:
             empty = not stream.read(1)
@@ -100,22 +111,28 @@ def _check_file(path: Path) -> None:
     if empty:
         raise refuse("FILE_NOT_USD", str(path), "the file is empty")
     if ":SDF_FORMAT_ARGS:" in str(path):
-        raise refuse("FILE_NAME", str(path), "USD would take what follows ':SDF_FORMAT_ARGS:' for arguments")
+        raise refuse(
+            "FILE_NAME", str(path), "USD would take what follows ':SDF_FORMAT_ARGS:' for arguments"
+        )
     extension = path.suffix.removeprefix(".")
     if not extension or not Sdf.FileFormat.FindByExtension(extension):
-        raise refuse("FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}")
+        raise refuse(
+            "FILE_NOT_USD", str(path), f"USD has no reader for the extension {path.suffix!r}"
+        )
     if path.suffix.lower() == ".usdz":
         check_archive(path)
 
 
 def check_archive(path: Path) -> None:
-    """Refuse (FILE_CORRUPT) a usdz whose checksums are wrong, which USD itself ignores; nothing is extracted."""
+    """Refuse (FILE_CORRUPT) a usdz whose checksums are wrong, which USD itself ignores; nothing is
+    extracted."""
     try:
         with zipfile.ZipFile(path) as archive:
             damaged = archive.testzip()
     except MemoryError:
         raise
-    except Exception as error:  # Whatever zipfile, zlib, lzma or struct make of headers that contradict each other.
+    # Whatever zipfile, zlib, lzma or struct make of headers that contradict each other.
+    except Exception as error:
         raise refuse("FILE_CORRUPT", str(path), f"is not a valid archive: {error}") from error
     if damaged:
         raise refuse("FILE_CORRUPT", str(path), f"the checksum of {damaged} is wrong")

@@ -1,4 +1,5 @@
-"""Variants: a stage with others selected than it selects itself, and the variant in which a layout stands."""
+"""Variants: a stage with others selected than it selects itself, and the variant in which a layout
+stands."""
 
 from __future__ import annotations
 
@@ -11,7 +12,8 @@ from usdrigui.usd.variant_paths import unknown_set
 
 
 def select(stage: Usd.Stage, wanted: Mapping[str, str]) -> None:
-    """Select variants by the names of their sets, in the session layer, wherever a prim has that set and variant.
+    """Select variants by the names of their sets, in the session layer, wherever a prim has that
+    set and variant.
 
     Raises VARIANT_UNKNOWN for what no prim has.
     """
@@ -19,7 +21,9 @@ def select(stage: Usd.Stage, wanted: Mapping[str, str]) -> None:
         return
     done: set[tuple[Sdf.Path, str]] = set()
     with Usd.EditContext(stage, stage.GetSessionLayer()):
-        while more := [each for each in _having(stage, wanted) if each not in done]:  # a variant can bring in sets
+        while more := [
+            each for each in _having(stage, wanted) if each not in done
+        ]:  # a variant can bring in sets
             for path, name in more:
                 stage.GetPrimAtPath(path).GetVariantSet(name).SetVariantSelection(wanted[name])
             done.update(more)
@@ -28,12 +32,18 @@ def select(stage: Usd.Stage, wanted: Mapping[str, str]) -> None:
 
 
 def select_unselected(stage: Usd.Stage, within: Iterable[Sdf.Path]) -> None:
-    """Of the sets for which nothing is selected, take the first variant on one of the paths `within`.
+    """Of the sets for which nothing is selected, take the first variant on one of the paths
+    `within`.
 
     For a layer that stands alone (``--bare``): which variant is selected only the asset says.
     """
     with Usd.EditContext(stage, stage.GetSessionLayer()):
-        for path in (each for place in within for each in place.GetPrefixes() if each.IsPrimVariantSelectionPath()):
+        for path in (
+            each
+            for place in within
+            for each in place.GetPrefixes()
+            if each.IsPrimVariantSelectionPath()
+        ):
             prim = stage.GetPrimAtPath(path.StripAllVariantSelections())
             chosen = prim.GetVariantSet(path.GetVariantSelection()[0]) if prim else None
             if chosen is not None and not chosen.GetVariantSelection():
@@ -41,8 +51,8 @@ def select_unselected(stage: Usd.Stage, within: Iterable[Sdf.Path]) -> None:
 
 
 def variant_sets(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
-    """The variants of every set on the stage, by the name of the set: the one that is selected first, as that is what
-    others are like; those of prims that share a name together."""
+    """The variants of every set on the stage, by the name of the set: the one that is selected
+    first, as that is what others are like; those of prims that share a name together."""
     found: dict[str, dict[str, None]] = {}
     for prim in _prims(stage):
         for name in prim.GetVariantSets().GetNames():
@@ -54,7 +64,8 @@ def variant_sets(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
 
 
 def variant_path(prim: Usd.Prim) -> str:
-    """The path of a prim with all selections at it and above: ``/Char{LOD=low}{costume=plain}Head``."""
+    """The path of a prim with all selections at it and above:
+    ``/Char{LOD=low}{costume=plain}Head``."""
     path = Sdf.Path.absoluteRootPath
     for each in prim.GetPath().GetPrefixes():
         path = path.AppendChild(each.name)
@@ -66,7 +77,8 @@ def variant_path(prim: Usd.Prim) -> str:
 
 
 def within(path: Sdf.Path, variants: str) -> Sdf.Path:
-    """A path with the selections of a `variant_path` that it lies in: ``/Char/Anim`` → ``/Char{LOD=low}Anim``."""
+    """A path with the selections of a `variant_path` that it lies in: ``/Char/Anim`` →
+    ``/Char{LOD=low}Anim``."""
     for each in Sdf.Path(variants).GetPrefixes() if variants else ():
         if each.IsPrimVariantSelectionPath():
             path = path.ReplacePrefix(each.GetParentPath(), each)
@@ -90,4 +102,6 @@ def _unknown(stage: Usd.Stage, name: str, variant: str) -> Exception:
     if name not in sets:
         return unknown_set(name, sets)
     known = f"it has {', '.join(sets[name])}{meant(variant, sets[name])}"
-    return refuse("VARIANT_UNKNOWN", name, f"no prim has the variant {variant!r} in this set; {known}")
+    return refuse(
+        "VARIANT_UNKNOWN", name, f"no prim has the variant {variant!r} in this set; {known}"
+    )

@@ -1,4 +1,5 @@
-"""A character's own animation as values of its controls, for films and for judging a layout in motion."""
+"""A character's own animation as values of its controls, for films and for judging a layout in
+motion."""
 
 from __future__ import annotations
 
@@ -10,17 +11,22 @@ from usdrigui.rotation import rotation_part, rotation_vectors
 
 
 def clip_values(rig: Rig, count: int = 0) -> Floats:
-    """(frames, controls) control values at `count` frames spread over the rig's clip; 0 for every frame.
+    """(frames, controls) control values at `count` frames spread over the rig's clip; 0 for every
+    frame.
 
     Shape controls take the weights of the clip, rotations of joints the components of the joint's
-    rotation vector from its base; pose controls stay at their defaults, since many mixtures of poses
-    would give the same frame.  Raises RigUIError ANIMATION_MISSING.
+    rotation vector from its base; pose controls stay at their defaults, since many mixtures of
+    poses would give the same frame.  Raises RigUIError ANIMATION_MISSING.
     """
     clip = rig.clip
     if clip is None or len(clip.times) < 2:
         raise refuse("ANIMATION_MISSING", rig.root, "has no animation to show")
     last = len(clip.times) - 1
-    steps = np.arange(last + 1) if count <= 0 else np.unique(np.linspace(0, last, count).round().astype(int))
+    steps = (
+        np.arange(last + 1)
+        if count <= 0
+        else np.unique(np.linspace(0, last, count).round().astype(int))
+    )
     values = np.stack([_values(rig, clip, control) for control in rig.controls], axis=1)
     return np.asarray(values[steps], dtype=np.float64)
 

@@ -1,8 +1,10 @@
-"""Colours to judge a face by: those of the asset, and for what has none skin, eyes with pupils, lips, brows and teeth.
+"""Colours to judge a face by: those of the asset, and for what has none skin, eyes with pupils,
+lips, brows and teeth.
 
-What the asset does not say is found by form: a pair of balls in front are the eyes; the surface that faces itself
-across the mid-plane is the mouth; the ridge above an eye carries its brow; what lies behind the mouth are teeth and
-tongue.  Where the form does not tell, everything is skin.  The layout is not changed by any of this.
+What the asset does not say is found by form: a pair of balls in front are the eyes; the surface
+that faces itself across the mid-plane is the mouth; the ridge above an eye carries its brow; what
+lies behind the mouth are teeth and tongue.  Where the form does not tell, everything is skin.  The
+layout is not changed by any of this.
 """
 
 from __future__ import annotations
@@ -20,7 +22,12 @@ from usdrigui.model import Flags, Floats, Indices, Layout, Record, Rig, RigMesh
 from usdrigui.surface import components, mesh_triangles, vertex_normals, weld
 from usdrigui.view.shading import SKIN, Complexion, look
 
-_TRIM, _TEETH, _GUMS, _HAIR = (0.66, 0.63, 0.60), (0.80, 0.76, 0.68), (0.52, 0.20, 0.19), (0.07, 0.045, 0.03)
+_TRIM, _TEETH, _GUMS, _HAIR = (
+    (0.66, 0.63, 0.60),
+    (0.80, 0.76, 0.68),
+    (0.52, 0.20, 0.19),
+    (0.07, 0.045, 0.03),
+)
 _LIPS, _BROWS = (0.43, 0.17, 0.15), (0.12, 0.075, 0.05)
 _NAMED = (
     (re.compile(r"teeth|tooth|denture", re.IGNORECASE), _TEETH),
@@ -30,9 +37,11 @@ _NAMED = (
 """Colours of meshes by a word of their name; numbers are linear light."""
 
 _ROUND = 0.08
-"""Root mean square by which an eyeball may differ from a ball, in radii: corneas and flat irises do."""
+"""Root mean square by which an eyeball may differ from a ball, in radii: corneas and flat irises
+do."""
 _SHELL = (0.6, 1.6)
-"""What lies so many radii from an eye's centre lies over the eye: tears, corneas, shadows of lids."""
+"""What lies so many radii from an eye's centre lies over the eye: tears, corneas, shadows of
+lids."""
 _GAP = 2.0
 """Handle widths between lips that touch, at most."""
 
@@ -51,7 +60,8 @@ class _Seen:
     sheets: Indices
     """(n,) as `pieces`, but of points that share triangles, whatever else lies where they lie."""
     free: Flags
-    """(n,) visible points whose mesh says nothing about colour, neither by values nor by its name."""
+    """(n,) visible points whose mesh says nothing about colour, neither by values nor by its
+    name."""
     width: float
     """Of a handle."""
     middle: float
@@ -111,10 +121,15 @@ def _said(mesh: RigMesh) -> tuple[float, float, float] | None:
 def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     """None where no point is left to be coloured."""
     told = [mesh.colours is not None or _said(mesh) is not None for mesh in rig.meshes]
-    spans = [np.full(len(mesh.points), mesh.visible and not has) for mesh, has in zip(rig.meshes, told, strict=True)]
+    spans = [
+        np.full(len(mesh.points), mesh.visible and not has)
+        for mesh, has in zip(rig.meshes, told, strict=True)
+    ]
     free = np.concatenate([np.zeros(0, dtype=bool), *spans])
     corners = mesh_triangles(rig.meshes, visible_only=True)
-    on_face = [element.anchor.position for element in layout.elements if not element.anchor.on_board]
+    on_face = [
+        element.anchor.position for element in layout.elements if not element.anchor.on_board
+    ]
     if not free.any() or not len(corners) or not on_face:
         return None
     rows = look(layout.view, rig.up)
@@ -128,7 +143,18 @@ def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     middle = float(layout.plane_origin @ rows[0])
     normals = vertex_normals(points, corners, places) @ rows.T
     low, high = anchors.min(axis=0), anchors.max(axis=0)
-    return _Seen(points @ rows.T, normals, pieces, corners, sheets, free & used, layout.handle_width, middle, low, high)
+    return _Seen(
+        points @ rows.T,
+        normals,
+        pieces,
+        corners,
+        sheets,
+        free & used,
+        layout.handle_width,
+        middle,
+        low,
+        high,
+    )
 
 
 def _skin(seen: _Seen) -> Flags:
@@ -141,17 +167,29 @@ def _paint(colours: Floats, colour: tuple[float, float, float], share: Floats) -
     colours += share[:, None] * (np.array(colour) - colours)
 
 
-# --- eyes --------------------------------------------------------------------------------------------
+# --- eyes -----------------------------------------------------------------------------------------
 
 
 def _eyes(seen: _Seen, skin: Flags) -> list[_Eye]:
-    """The pair of balls that mirror each other farthest in front, the outer where several have one centre."""
-    balls = [ball for piece in np.unique(seen.pieces[seen.free & ~skin]) if (ball := _ball(seen, int(piece)))]
+    """The pair of balls that mirror each other farthest in front, the outer where several have one
+    centre."""
+    balls = [
+        ball
+        for piece in np.unique(seen.pieces[seen.free & ~skin])
+        if (ball := _ball(seen, int(piece)))
+    ]
     depth = float(seen.at[skin, 2].min() + seen.at[skin, 2].max()) / 2.0 if skin.any() else 0.0
-    pairs = [(a, b) for a in balls for b in balls if _mirrored(seen, a, b) and a.centre[2] + a.radius > depth]
+    pairs = [
+        (a, b)
+        for a in balls
+        for b in balls
+        if _mirrored(seen, a, b) and a.centre[2] + a.radius > depth
+    ]
     if not pairs:
         return []
-    foremost = max(pairs, key=lambda pair: (round(float(pair[0].centre[2]) / seen.width), pair[0].radius))
+    foremost = max(
+        pairs, key=lambda pair: (round(float(pair[0].centre[2]) / seen.width), pair[0].radius)
+    )
     return [*foremost]
 
 
@@ -165,38 +203,56 @@ def _ball(seen: _Seen, piece: int) -> _Eye | None:
     centre, radius = found[:3], float(np.sqrt(max(found[3] + found[:3] @ found[:3], 0.0)))
     off = np.linalg.norm(at - centre, axis=1) - radius
     spans = at.max(axis=0) - at.min(axis=0)
-    is_ball = radius > 0.0 and np.sqrt((off**2).mean()) < _ROUND * radius and (spans[:2] > 1.5 * radius).all()
+    is_ball = (
+        radius > 0.0
+        and np.sqrt((off**2).mean()) < _ROUND * radius
+        and (spans[:2] > 1.5 * radius).all()
+    )
     return _Eye(centre, radius, piece) if is_ball and spans[2] > radius else None
 
 
 def _mirrored(seen: _Seen, a: _Eye, b: _Eye) -> bool:
-    """Whether `b` is the mirror image of `a`, which lies to the right, and both leave room for a nose."""
+    """Whether `b` is the mirror image of `a`, which lies to the right, and both leave room for a
+    nose."""
     image = np.array([2.0 * seen.middle - b.centre[0], *b.centre[1:]])
     apart = a.centre[0] - seen.middle
-    near = float(np.linalg.norm(a.centre - image)) < 0.4 * a.radius and abs(a.radius - b.radius) < 0.15 * a.radius
+    near = (
+        float(np.linalg.norm(a.centre - image)) < 0.4 * a.radius
+        and abs(a.radius - b.radius) < 0.15 * a.radius
+    )
     return near and 1.02 * a.radius < apart < 5.0 * a.radius
 
 
 def _on_eye(seen: _Seen, eye: _Eye, skin: Flags) -> tuple[Flags, Flags]:
-    """(n,) points of the eyeball and of other balls about its centre, and of the shells that lie over its pupil."""
+    """(n,) points of the eyeball and of other balls about its centre, and of the shells that lie
+    over its pupil."""
     away = np.linalg.norm(seen.at - eye.centre, axis=1) / eye.radius
     within = seen.free & (away > _SHELL[0]) & (away < _SHELL[1])
-    on = np.isin(seen.pieces, [each for each in _whole(seen.pieces, within & ~skin) if _ball(seen, each) is not None])
+    on = np.isin(
+        seen.pieces,
+        [each for each in _whole(seen.pieces, within & ~skin) if _ball(seen, each) is not None],
+    )
     before = _around_axis(seen, eye)
-    over = [each for each in _whole(seen.sheets, within & ~on) if (seen.sheets[before] == each).any()]
+    over = [
+        each for each in _whole(seen.sheets, within & ~on) if (seen.sheets[before] == each).any()
+    ]
     return on | (seen.pieces == eye.piece), np.isin(seen.sheets, over)
 
 
 def _whole(labels: Indices, flags: Flags) -> list[int]:
     """The labels all of whose points have the flag."""
-    return [int(each) for each in np.unique(labels[flags]) if each >= 0 and flags[labels == each].all()]
+    return [
+        int(each) for each in np.unique(labels[flags]) if each >= 0 and flags[labels == each].all()
+    ]
 
 
 def _around_axis(seen: _Seen, eye: _Eye) -> Indices:
     """A point of each triangle that the line of sight from an eye passes through."""
     flat = (seen.at[seen.corners] - eye.centre)[..., :2]
     a, b, c = flat[:, 0], flat[:, 1], flat[:, 2]
-    turns = np.stack([p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((a, b), (b, c), (c, a))], axis=1)
+    turns = np.stack(
+        [p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0] for p, q in ((a, b), (b, c), (c, a))], axis=1
+    )
     through = (turns >= 0.0).all(axis=1) | (turns <= 0.0).all(axis=1)
     front = (seen.at[seen.corners, 2] > eye.centre[2]).all(axis=1)
     return np.asarray(seen.corners[through & front, 0])
@@ -211,7 +267,8 @@ def _directions(offsets: Floats, radius: float) -> Floats:
 
 
 def _brow(seen: _Seen, skin: Flags, eye: _Eye) -> Floats:
-    """(n,) how much of a point the brow above an eye covers: an arc along the ridge, thinner to the temple."""
+    """(n,) how much of a point the brow above an eye covers: an arc along the ridge, thinner to the
+    temple."""
     x, y, z = ((seen.at - eye.centre) / eye.radius).T
     outward = x * np.sign(eye.centre[0] - seen.middle)
     column = skin & (abs(x) < 0.4) & (y > 1.1) & (y < 2.3) & (z > 0.0) & (seen.normals[:, 2] > 0.2)
@@ -225,7 +282,7 @@ def _brow(seen: _Seen, skin: Flags, eye: _Eye) -> Floats:
     return np.asarray(0.8 * cover * (skin & (z > 0.0) & (seen.normals[:, 2] > 0.0)))
 
 
-# --- mouth -------------------------------------------------------------------------------------------
+# --- mouth ----------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,30 +293,47 @@ class _Mouth(Record):
     """(k, 3) from right to left of the picture."""
 
     def _place(self, at: Floats) -> tuple[Floats, Floats, Floats, float]:
-        """Share of the way from the middle to a corner, height and depth against the line, half the mouth's width."""
+        """Share of the way from the middle to a corner, height and depth against the line, half the
+        mouth's width."""
         half = 0.5 * float(self.line[-1, 0] - self.line[0, 0])
         middle = 0.5 * float(self.line[-1, 0] + self.line[0, 0])
-        height, depth = (np.interp(at[:, 0], self.line[:, 0], self.line[:, axis]) for axis in (1, 2))
-        return (at[:, 0] - middle) / half, (at[:, 1] - height) / half, (at[:, 2] - depth) / half, half
+        height, depth = (
+            np.interp(at[:, 0], self.line[:, 0], self.line[:, axis]) for axis in (1, 2)
+        )
+        return (
+            (at[:, 0] - middle) / half,
+            (at[:, 1] - height) / half,
+            (at[:, 2] - depth) / half,
+            half,
+        )
 
     def lips(self, at: Floats, normals: Floats) -> Floats:
         across, above, before, _ = self._place(at)
         full = np.sqrt(np.clip(1.0 - across**2, 0.0, 1.0))
         thick = np.where(above > 0.0, 0.30, 0.36) * full + 1e-9
         cover = _soft(2.5 * (1.0 - abs(above) / thick)) * (abs(before) < 0.8)
-        return np.asarray(0.75 * cover * (full > 0.0) * ((normals[:, 2] > -0.5) | (abs(above) < 0.2)))
+        return np.asarray(
+            0.75 * cover * (full > 0.0) * ((normals[:, 2] > -0.5) | (abs(above) < 0.2))
+        )
 
     def behind(self, at: Floats) -> Flags:
         across, above, before, _ = self._place(at)
-        return np.asarray((abs(across) < 1.4) & (abs(above) < 1.6) & (before < 0.1) & (before > -4.0))
+        return np.asarray(
+            (abs(across) < 1.4) & (abs(above) < 1.6) & (before < 0.1) & (before > -4.0)
+        )
 
 
 def _mouth(seen: _Seen, skin: Flags) -> _Mouth | None:
-    """Where the skin faces itself across a small gap, in one stretch over the mid-plane; the widest one counts."""
+    """Where the skin faces itself across a small gap, in one stretch over the mid-plane; the widest
+    one counts."""
     room = (seen.high - seen.low).max() * 0.15
     inside = ((seen.at[:, :2] > seen.low - room) & (seen.at[:, :2] < seen.high + room)).all(axis=1)
     near = np.flatnonzero(skin & inside)
-    facing = near[_faces_itself(seen.at[near], seen.normals[near], _GAP * seen.width)] if len(near) else near
+    facing = (
+        near[_faces_itself(seen.at[near], seen.normals[near], _GAP * seen.width)]
+        if len(near)
+        else near
+    )
     best: tuple[float, _Mouth | None] = (3.0 * seen.width, None)
     for stretch in _stretches(seen.at[facing], 1.5 * seen.width):
         line = _front_line(seen.at[facing[stretch]], seen.width)
@@ -276,7 +350,9 @@ def _faces_itself(at: Floats, normals: Floats, reach: float) -> Flags:
     length = np.maximum(np.linalg.norm(apart, axis=1), 1e-12)
     out, back = normals[pairs[:, 0]], normals[pairs[:, 1]]
     against = np.einsum("ni,ni->n", out, back) < 0.0
-    ahead = (np.einsum("ni,ni->n", out, apart) > 0.2 * length) & (np.einsum("ni,ni->n", back, apart) < -0.2 * length)
+    ahead = (np.einsum("ni,ni->n", out, apart) > 0.2 * length) & (
+        np.einsum("ni,ni->n", back, apart) < -0.2 * length
+    )
     found = np.zeros(len(at), dtype=bool)
     found[pairs[against & ahead].ravel()] = True
     return found

@@ -1,7 +1,8 @@
 """What the directions from which a character is drawn are called, and which go well together.
 
-Directions are (3,) unit vectors from the character to the viewer, in root space.  Angles are degrees: azimuth
-from where the face looks toward the character's own left, elevation above the horizon.
+Directions are (3,) unit vectors from the character to the viewer, in root space.  Angles are
+degrees: azimuth from where the face looks toward the character's own left, elevation above the
+horizon.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from usdrigui.settings import TrajectorySettings
 TURN = 35.0
 """Azimuth of a three-quarter view."""
 _SAME = 0.5
-"""Views nearer to each other than this are called alike: more than single precision loses, less than one sees."""
+"""Views nearer to each other than this are called alike: more than single precision loses, less
+than one sees."""
 _NAMES = {
     0.0: "front",
     TURN: "three-quarter, character's left",
@@ -35,11 +37,14 @@ def ahead_of(rig: Rig, layout: Layout) -> Floats:
 
     `Layout.view` does not tell: a layout made for the side has the profile there.
     """
-    return front_of(rig.up, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal)
+    return front_of(
+        rig.up, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal
+    )
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:
-    """The direction turned about the up axis toward the character's own left, as high above the horizon."""
+    """The direction turned about the up axis toward the character's own left, as high above the
+    horizon."""
     level = direction - (direction @ up) * up
     angle = np.radians(degrees)
     around = np.cos(angle) * level + np.sin(angle) * np.cross(up, level)
@@ -67,7 +72,8 @@ def caption(direction: Floats, ahead: Floats, up: Floats) -> str:
 
 
 def companions(direction: Floats, ahead: Floats, up: Floats) -> tuple[Floats, ...]:
-    """At most two level views, front and three-quarter, that show what the layout's own view sees, nearest first."""
+    """At most two level views, front and three-quarter, that show what the layout's own view sees,
+    nearest first."""
     near = []
     for azimuth in (TURN, -TURN, 0.0):
         other = turned(ahead, up, azimuth)

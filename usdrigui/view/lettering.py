@@ -34,9 +34,11 @@ _FAMILIES = {
 _LARGEST, _LEAST = 12, 7
 """Sizes of names, pixels."""
 CALLED = 210.0
-"""Width of the longest name in a column of call-outs, pixels: longer ones would leave the face no room."""
+"""Width of the longest name in a column of call-outs, pixels: longer ones would leave the face no
+room."""
 _CLEAR = 18.0
-"""From the middle of a heading to the row below, where there is room: the air of half a line between them."""
+"""From the middle of a heading to the row below, where there is room: the air of half a line
+between them."""
 
 Named = Sequence[tuple[Element, Mark]]
 
@@ -51,8 +53,8 @@ def font(size: int) -> ImageFont.FreeTypeFont:
 
 
 def legible(text: str) -> str:
-    """The text as the typeface can show it: letters that it lacks lose their accents, kana and hangul are spelt as they
-    sound, other letters by their code point; line ends are spelt out."""
+    """The text as the typeface can show it: letters that it lacks lose their accents, kana and
+    hangul are spelt as they sound, other letters by their code point; line ends are spelt out."""
     return "".join(map(_shown, visible(text)))
 
 
@@ -66,10 +68,12 @@ def _shown(letter: str) -> str:
 
 
 def _spelt(letter: str) -> str:
-    """A letter that the typeface lacks as it sounds, where Unicode names it so: no font of the system is asked, for the
-    same layout gives the same picture everywhere."""
+    """A letter that the typeface lacks as it sounds, where Unicode names it so: no font of the
+    system is asked, for the same layout gives the same picture everywhere."""
     called = unicodedata.name(unicodedata.normalize("NFKC", letter)[0], "")
-    sound = re.fullmatch(r"(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?([A-Z]+)", called)
+    sound = re.fullmatch(
+        r"(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?([A-Z]+)", called
+    )
     if sound is not None:
         return sound[1].lower()
     return "-" if "PROLONGED SOUND MARK" in called else f"[U+{ord(letter):04X}]"
@@ -86,9 +90,11 @@ def widest(names: Sequence[str]) -> float:
 
 
 def name_on_board(picture: Image.Image, shown: Named) -> None:
-    """Write the name of each element on the board to its right, and the heading of each family above it.
+    """Write the name of each element on the board to its right, and the heading of each family
+    above it.
 
-    Names are set as large as the rows allow and cut in the middle where the next element is too near.
+    Names are set as large as the rows allow and cut in the middle where the next element is too
+    near.
     """
     if not shown:
         return
@@ -97,21 +103,33 @@ def name_on_board(picture: Image.Image, shown: Named) -> None:
     rows = np.array([_row(drawn) for _, drawn in shown])
     pitch = _pitch(boxes, rows)
     type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
-    free = np.array([_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))])
+    free = np.array(
+        [_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))]
+    )
     tight = np.array([type_.getlength(legible(element.label)) for element, _ in shown]) > free
     small = {element.name for (element, _), cut in zip(shown, tight, strict=True) if cut}
     for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
         # Twins have one size, so that they look alike.
         own = font(min(9, round(type_.size))) if small & {element.name, element.mirror} else type_
         place = (float(box[2]) + 9.0, float(y))
-        pen.text(place, cut(legible(element.label), own, float(room)), fill=_INK, font=own, anchor="lm", **_HALO)
+        pen.text(
+            place,
+            cut(legible(element.label), own, float(room)),
+            fill=_INK,
+            font=own,
+            anchor="lm",
+            **_HALO,
+        )
     for text, x, y in _headings(shown, boxes, rows, pitch):
         pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
 
 
 def call_out(picture: Image.Image, shown: Named) -> Image.Image:
-    """The picture with every element named in a column at the nearer edge, with a line to its handle."""
-    left, right = sides([float(drawn.handle[0]) for _, drawn in shown], [element.name for element, _ in shown])
+    """The picture with every element named in a column at the nearer edge, with a line to its
+    handle."""
+    left, right = sides(
+        [float(drawn.handle[0]) for _, drawn in shown], [element.name for element, _ in shown]
+    )
     on_left, on_right = ([shown[index] for index in column] for column in (left, right))
     names = _column(picture.size, on_left, True) + _column(picture.size, on_right, False)
     picture = leaders(picture, [name.line for name in names])
@@ -122,7 +140,8 @@ def call_out(picture: Image.Image, shown: Named) -> Image.Image:
 
 
 def sides(across: Sequence[float], names: Sequence[str]) -> tuple[list[int], list[int]]:
-    """Indices of what is named in the left column, and in the right one, by how far across it stands."""
+    """Indices of what is named in the left column, and in the right one, by how far across it
+    stands."""
     centre = float(np.median(across)) if across else 0.0
     ordered = sorted(range(len(across)), key=lambda index: (across[index], names[index]))
     left = [index for index in ordered if across[index] < centre]
@@ -146,8 +165,8 @@ class _Name:
 
 
 def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
-    """The names in the column at one edge; their lines leave it at one upright, level with the name, and run straight
-    from there."""
+    """The names in the column at one edge; their lines leave it at one upright, level with the
+    name, and run straight from there."""
     if not shown:
         return []
     shown = sorted(shown, key=lambda each: (float(each[1].handle[1]), each[0].name))
@@ -168,20 +187,22 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
 
 
 def uncrossed(handles: Floats, port: float, rows: Floats) -> list[int]:
-    """Which of the `handles` (n, 2) is named in each of the `rows` (n,), so that straight lines to them from the
-    upright at `port` do not cross.
+    """Which of the `handles` (n, 2) is named in each of the `rows` (n,), so that straight lines to
+    them from the upright at `port` do not cross.
 
-    The lines are shortest in sum: two that crossed would be shorter with their rows exchanged (Bekos et al. 2007).
+    The lines are shortest in sum: two that crossed would be shorter with their rows exchanged
+    (Bekos et al. 2007).
     """
     lengths = np.hypot(handles[None, :, 0] - port, handles[None, :, 1] - rows[:, None])
     return [int(each) for each in linear_sum_assignment(np.round(lengths, 3))[1]]
 
 
 def spread(wanted: Floats, pitch: float, low: float, high: float) -> Floats:
-    """Ascending rows at least `pitch` apart, within [low, high] if they fit, least squares from those wanted.
+    """Ascending rows at least `pitch` apart, within [low, high] if they fit, least squares from
+    those wanted.
 
-    ``wanted`` ascends.  Subtracting the pitch makes it isotonic regression, solved by pooling neighbours
-    that are out of order (Ayer et al. 1955).
+    ``wanted`` ascends.  Subtracting the pitch makes it isotonic regression, solved by pooling
+    neighbours that are out of order (Ayer et al. 1955).
     """
     steps = pitch * np.arange(len(wanted))
     pools: list[list[float]] = []
@@ -222,8 +243,11 @@ def _pitch(boxes: Floats, rows: Floats) -> float:
     return float(steps[same].min()) if same.any() else 2.0 * _LARGEST
 
 
-def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[tuple[str, float, float]]:
-    """Text and place of the first element of each family in each column: midway to the row above it."""
+def _headings(
+    shown: Named, boxes: Floats, rows: Floats, pitch: float
+) -> list[tuple[str, float, float]]:
+    """Text and place of the first element of each family in each column: midway to the row above
+    it."""
     found: list[tuple[str, float, float]] = []
     for column in _columns(shown, boxes, rows, pitch):
         family, above = "", -np.inf
@@ -232,7 +256,10 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
                 family = shown[index][0].category
                 top = float(boxes[index, 1])
                 line = max(0.5 * (top - above), 0.0) if np.isfinite(above) else np.inf
-                place = (float(boxes[column, 0].min()) - 4.0, top - min(line, max(0.5 * pitch + 4.0, _CLEAR)))
+                place = (
+                    float(boxes[column, 0].min()) - 4.0,
+                    top - min(line, max(0.5 * pitch + 4.0, _CLEAR)),
+                )
                 text = _FAMILIES.get(family, family).replace("face", shown[index][0].part or "face")
                 found.append((text, *place))
             above = float(boxes[index, 3])
@@ -240,11 +267,14 @@ def _headings(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[t
 
 
 def _columns(shown: Named, boxes: Floats, rows: Floats, pitch: float) -> list[list[int]]:
-    """Indices by column, from left to right; the right one of two twins in a row belongs with the left one."""
+    """Indices by column, from left to right; the right one of two twins in a row belongs with the
+    left one."""
     columns: list[list[int]] = []
     last = -np.inf
     for index in np.argsort(boxes[:, 0], kind="stable").tolist():
-        row = np.flatnonzero((np.abs(rows - rows[index]) < 0.4 * pitch) & (boxes[:, 0] < boxes[index, 0] - 1.0))
+        row = np.flatnonzero(
+            (np.abs(rows - rows[index]) < 0.4 * pitch) & (boxes[:, 0] < boxes[index, 0] - 1.0)
+        )
         if any(shown[other][0].name == shown[index][0].mirror for other in row.tolist()):
             continue
         if boxes[index, 0] > last + 3.0 * pitch:

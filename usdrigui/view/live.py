@@ -1,7 +1,8 @@
-"""The file of a live link: pages read it and replace it whole, each telling which content it means to replace.
+"""The file of a live link: pages read it and replace it whole, each telling which content it means
+to replace.
 
-A revision is the digest of the content, so that a change by whatever program is told, and one page never replaces what
-another has written without having seen it (docs/decisions/079).
+A revision is the digest of the content, so that a change by whatever program is told, and one page
+never replaces what another has written without having seen it (docs/decisions/079).
 """
 
 from __future__ import annotations
@@ -29,23 +30,30 @@ class Content:
 
 
 class LiveFile:
-    """One file that pages share.  `read` are the files that the run has read, none of which is ever replaced."""
+    """One file that pages share.  `read` are the files that the run has read, none of which is ever
+    replaced."""
 
     def __init__(self, path: Path, read: Iterable[Path | str]) -> None:
-        """Raises FILE_TARGET for a file that was read, is not named .usda, or is no animation layer of the viewer."""
+        """Raises FILE_TARGET for a file that was read, is not named .usda, or is no animation layer
+        of the viewer."""
         self.path, self._read = path, tuple(read)
         self._lock = threading.Lock()
         self._closed = False
         check_not_read([path], self._read)
         if path.suffix != ".usda":
-            raise refuse("FILE_TARGET", str(path), "the layer of a live link is USD text and ends in .usda")
+            raise refuse(
+                "FILE_TARGET", str(path), "the layer of a live link is USD text and ends in .usda"
+            )
         if not path.parent.is_dir():
             raise refuse("FILE_TARGET", str(path), f"there is no folder {path.parent}")
         if (found := self.content().text) and not is_animation(found):
-            raise refuse("FILE_TARGET", str(path), "exists and is no animation layer that the viewer wrote")
+            raise refuse(
+                "FILE_TARGET", str(path), "exists and is no animation layer that the viewer wrote"
+            )
 
     def content(self) -> Content:
-        """What the file holds; of none that is there, nothing.  Raises RigUIError with a FILE_ code."""
+        """What the file holds; of none that is there, nothing.  Raises RigUIError with a FILE_
+        code."""
         try:
             text = self.path.read_bytes()
         except FileNotFoundError:
@@ -55,7 +63,8 @@ class LiveFile:
         return Content(text, hashlib.sha256(text).hexdigest() if text else ABSENT)
 
     def replace(self, text: bytes, known: str) -> Content | None:
-        """Let the file hold `text` if it is as `known` says, and tell its new content; None where it is not.
+        """Let the file hold `text` if it is as `known` says, and tell its new content; None where
+        it is not.
 
         Raises RigUIError with a FILE_ code; what the file held is untouched then.
         """
@@ -72,5 +81,6 @@ class LiveFile:
 
 
 def is_animation(text: bytes) -> bool:
-    """Whether a file is an animation layer that the viewer wrote: USD text with the viewer's work in it."""
+    """Whether a file is an animation layer that the viewer wrote: USD text with the viewer's work
+    in it."""
     return text.startswith(b"#usda") and _MARK in text

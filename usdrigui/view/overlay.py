@@ -1,7 +1,8 @@
-"""The elements of a layout drawn over a picture: tracks, handles and the fields of patches and fans.
+"""The elements of a layout drawn over a picture: tracks, handles and the fields of patches and
+fans.
 
-Drawn in the plane of the picture at three times its resolution and reduced, so that lines stay crisp;
-what the character hides is drawn faintly.
+Drawn in the plane of the picture at three times its resolution and reduced, so that lines stay
+crisp; what the character hides is drawn faintly.
 """
 
 from __future__ import annotations
@@ -19,7 +20,13 @@ from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
 from usdrigui.view.shading import Camera
 
-FORMS = {"slider": "slider", "two-way": "two-way slider", "patch": "patch", "joystick": "joystick", "fan": "fan"}
+FORMS = {
+    "slider": "slider",
+    "two-way": "two-way slider",
+    "patch": "patch",
+    "joystick": "joystick",
+    "fan": "fan",
+}
 _FINE = 3
 """Sub-pixels along each axis."""
 _FAINT = 0.30
@@ -65,7 +72,9 @@ def form_of(element: Element) -> str:
     return "joystick" if element.kind == "patch" and both_ways else element.kind
 
 
-def mark(element: Element, posed: PosedElement, camera: Camera, depth: Floats, handle_width: float) -> Mark:
+def mark(
+    element: Element, posed: PosedElement, camera: Camera, depth: Floats, handle_width: float
+) -> Mark:
     """Project an element and decide what of it the character hides."""
     tracks = tuple(_resampled(camera.project(track)) for track in posed.tracks)
     handle = camera.project(posed.handle)
@@ -90,8 +99,11 @@ def _radius(camera: Camera, handle_width: float) -> float:
     return max(0.5 * handle_width * camera.scale, 3.2)
 
 
-def _outlines(element: Element, posed: PosedElement, camera: Camera, handle_width: float) -> tuple[Floats, ...]:
-    """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one is."""
+def _outlines(
+    element: Element, posed: PosedElement, camera: Camera, handle_width: float
+) -> tuple[Floats, ...]:
+    """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one
+    is."""
     if element.glyph is None:
         return ()
     points, centre = camera.project(posed.glyph), camera.project(posed.handle)
@@ -102,17 +114,21 @@ def _outlines(element: Element, posed: PosedElement, camera: Camera, handle_widt
 
 
 def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera) -> Image.Image:
-    """The picture with all marks over it: hidden parts, fields, tracks, then handles from far to near."""
+    """The picture with all marks over it: hidden parts, fields, tracks, then handles from far to
+    near."""
     radius = _radius(camera, layout.handle_width)
     ordered = sorted(marks, key=lambda each: float(each.handle[2]))
     picture = _over(picture, _hidden(picture.size, ordered, radius), _FAINT)
     picture = _over(picture, _spans(picture.size, ordered), _FIELD)
     picture = _over(picture, _lines(picture.size, ordered, radius), 1.0)
-    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0)
+    return _over(
+        picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0
+    )
 
 
 def leaders(picture: Image.Image, lines: list[Floats]) -> Image.Image:
-    """The picture with thin lines (k, 2) that can be followed over skin and paper alike: light, cased darkly."""
+    """The picture with thin lines (k, 2) that can be followed over skin and paper alike: light,
+    cased darkly."""
     layer = _layer(picture.size)
     pen = ImageDraw.Draw(layer)
     for width, ink in ((3.0, (52, 56, 63, 200)), (1.34, (255, 255, 255, 255))):
@@ -123,7 +139,8 @@ def leaders(picture: Image.Image, lines: list[Floats]) -> Image.Image:
 
 @cache
 def knob(form: str, colour: Colour, radius: float, coarse: bool = False) -> Image.Image:
-    """A handle as a small square picture at the fine resolution: a lit ball, block or diamond with a white rim.
+    """A handle as a small square picture at the fine resolution: a lit ball, block or diamond with
+    a white rim.
 
     What goes both ways has a thin ring of its own form, what is ``coarse`` a broad round one.
     """
@@ -147,7 +164,11 @@ def knob(form: str, colour: Colour, radius: float, coarse: bool = False) -> Imag
     rings = [(away, 1.28, 0.08)] if form in ("two-way", "joystick") else []
     rings += [(np.hypot(x, y), 1.75, 0.15)] if coarse else []
     for apart, at, half in rings:
-        casing = 0.6 * np.clip((half + 0.16 - np.abs(apart - at)) * radius * _FINE + 0.5, 0.0, 1.0) if coarse else 0.0
+        casing = (
+            0.6 * np.clip((half + 0.16 - np.abs(apart - at)) * radius * _FINE + 0.5, 0.0, 1.0)
+            if coarse
+            else 0.0
+        )
         ring = np.clip((half - np.abs(apart - at)) * radius * _FINE + 0.5, 0.0, 1.0)
         rgb = np.where(ring[..., None] > 0.0, np.array(colour, dtype=np.float64), rgb)
         alpha = np.maximum(alpha, np.maximum(ring, casing))
@@ -155,16 +176,23 @@ def knob(form: str, colour: Colour, radius: float, coarse: bool = False) -> Imag
 
 
 def paste_knob(
-    picture: Image.Image, form: str, colour: Colour, radius: float, at: tuple[float, float], coarse: bool = False
+    picture: Image.Image,
+    form: str,
+    colour: Colour,
+    radius: float,
+    at: tuple[float, float],
+    coarse: bool = False,
 ) -> None:
     """Put one handle on an RGB picture, for legends."""
     fine = knob(form, colour, radius, coarse)
-    small = fine.resize((round(fine.width / _FINE), round(fine.height / _FINE)), Image.Resampling.BOX)
+    small = fine.resize(
+        (round(fine.width / _FINE), round(fine.height / _FINE)), Image.Resampling.BOX
+    )
     corner = (round(at[0] - small.width / 2), round(at[1] - small.height / 2))
     picture.paste(small, corner, small)
 
 
-# --- geometry ----------------------------------------------------------------------------------------
+# --- geometry -------------------------------------------------------------------------------------
 
 
 def _resampled(line: Floats) -> Floats:
@@ -178,19 +206,25 @@ def _resampled(line: Floats) -> Floats:
 
 
 def _seen(at: Floats, depth: Floats, slack: float) -> Flags:
-    """(k,) whether projected points (k, 3) lie in front of the depth buffer, give or take `slack` scene units."""
+    """(k,) whether projected points (k, 3) lie in front of the depth buffer, give or take `slack`
+    scene units."""
     column = np.clip(at[:, 0].astype(np.int64), 0, depth.shape[1] - 1)
     row = np.clip(at[:, 1].astype(np.int64), 0, depth.shape[0] - 1)
     return np.asarray(at[:, 2] >= depth[row, column] - slack)
 
 
 def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floats, ...]:
-    """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle (paper section 4.2).
+    """Outlines (k, 2), pixels, of the parallelograms between arms next to each other by angle
+    (paper section 4.2).
 
-    A track that goes both ways from the rest is two arms: two such axes span all four quadrants.  Arms of one
-    axis and pairs more than 180 degrees apart span nothing.
+    A track that goes both ways from the rest is two arms: two such axes span all four quadrants.
+    Arms of one axis and pairs more than 180 degrees apart span nothing.
     """
-    lines = [(number, posed.tracks[i] - posed.rest) for number, axis in enumerate(element.axes) for i in axis]
+    lines = [
+        (number, posed.tracks[i] - posed.rest)
+        for number, axis in enumerate(element.axes)
+        for i in axis
+    ]
     halves = [(axis, arm) for axis, line in lines for arm in _arms(line)]
     if not halves:
         return ()
@@ -203,13 +237,16 @@ def _fields(element: Element, posed: PosedElement, camera: Camera) -> tuple[Floa
     for i, j in zip(order, np.roll(order, -1), strict=True):
         span = (angle[j] - angle[i]) % (2.0 * np.pi)
         if axes[i] != axes[j] and 1e-3 < span < np.pi - 1e-3:
-            out = np.concatenate([arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]])
+            out = np.concatenate(
+                [arms[i], arms[i][-1] + arms[j], (arms[j][-1] + arms[i])[::-1], arms[j][::-1]]
+            )
             found.append(camera.project(posed.rest + out)[:, :2])
     return tuple(found)
 
 
 def _arms(line: Floats) -> list[Floats]:
-    """A track (k, 3) relative to the rest, cut where it passes the rest: one or two lines that start there.
+    """A track (k, 3) relative to the rest, cut where it passes the rest: one or two lines that
+    start there.
 
     Tracks pass the rest at the base value of their control, which need not be one of the vertices.
     """
@@ -217,10 +254,14 @@ def _arms(line: Floats) -> list[Floats]:
     square = np.maximum((steps**2).sum(axis=1), 1e-300)
     share = np.clip(-(line[:-1] * steps).sum(axis=1) / square, 0.0, 1.0)
     nearest = line[:-1] + share[:, None] * steps
-    away, size = np.linalg.norm(nearest, axis=1), float(np.linalg.norm(line, axis=1).max(initial=0.0))
+    away, size = (
+        np.linalg.norm(nearest, axis=1),
+        float(np.linalg.norm(line, axis=1).max(initial=0.0)),
+    )
     if not len(away) or not size > 0.0:
         return []
-    # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of the second time.
+    # A loop that comes back to the rest is cut where it first passes, whatever rounding makes of
+    # the second time.
     piece = int(np.flatnonzero(away <= away.min() + 1e-9 * size)[0])
     cut = nearest[piece][None]
     halves = (np.concatenate([cut, line[piece::-1]]), np.concatenate([cut, line[piece + 1 :]]))
@@ -228,14 +269,16 @@ def _arms(line: Floats) -> list[Floats]:
     return [half for half, reach in zip(halves, reaches, strict=True) if reach > 1e-6 * size]
 
 
-# --- layers ------------------------------------------------------------------------------------------
+# --- layers ---------------------------------------------------------------------------------------
 
 
 def _over(picture: Image.Image, layer: Image.Image, opacity: float) -> Image.Image:
     """Reduce a fine layer and lay it over the picture."""
     small = layer.resize(picture.size, Image.Resampling.BOX)
     if opacity < 1.0:
-        small.putalpha(small.getchannel("A").point([round(value * opacity) for value in range(256)]))
+        small.putalpha(
+            small.getchannel("A").point([round(value * opacity) for value in range(256)])
+        )
     return Image.alpha_composite(picture.convert("RGBA"), small).convert("RGB")
 
 
@@ -276,7 +319,9 @@ def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Im
     for each in marks:
         for track, seen in zip(each.tracks, each.seen, strict=True):
             for run in _runs(track, ~seen):
-                _stroke(pen, run, float(np.clip(0.3 * radius, 1.2, 3.0)), (*_deep(each.colour), 255))
+                _stroke(
+                    pen, run, float(np.clip(0.3 * radius, 1.2, 3.0)), (*_deep(each.colour), 255)
+                )
         if not each.handle_seen:
             _dot(pen, each.handle, radius, (*each.colour, 255))
             _dot(pen, each.handle, 0.7 * radius, (*_WHITE, 140))
@@ -292,7 +337,12 @@ def _knobs(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Ima
         ball = knob(each.form, each.colour, round(radius, 2), each.coarse)
         x, y = (round(float(value) * _FINE - ball.width / 2) for value in each.handle[:2])
         if -ball.width < x < layer.width and -ball.height < y < layer.height:
-            box = (max(-x, 0), max(-y, 0), min(ball.width, layer.width - x), min(ball.height, layer.height - y))
+            box = (
+                max(-x, 0),
+                max(-y, 0),
+                min(ball.width, layer.width - x),
+                min(ball.height, layer.height - y),
+            )
             layer.alpha_composite(ball.crop(box), (max(x, 0), max(y, 0)))
     return layer
 
@@ -306,7 +356,9 @@ def _glyph(pen: ImageDraw.ImageDraw, drawn: Mark) -> None:
             _stroke(pen, line, width, ink)
     if drawn.solid:
         for part in parts:
-            pen.polygon([(float(x) * _FINE, float(y) * _FINE) for x, y in part], fill=(*drawn.colour, 255))
+            pen.polygon(
+                [(float(x) * _FINE, float(y) * _FINE) for x, y in part], fill=(*drawn.colour, 255)
+            )
 
 
 def _runs(track: Floats, wanted: Flags) -> list[Floats]:
@@ -316,14 +368,18 @@ def _runs(track: Floats, wanted: Flags) -> list[Floats]:
     return [part for part, flags in parts if flags[0] and len(part) > 1]
 
 
-def _stroke(pen: ImageDraw.ImageDraw, line: Floats, width: float, ink: tuple[int, int, int, int]) -> None:
+def _stroke(
+    pen: ImageDraw.ImageDraw, line: Floats, width: float, ink: tuple[int, int, int, int]
+) -> None:
     points = [(float(x) * _FINE, float(y) * _FINE) for x, y in line[:, :2]]
     pen.line(points, fill=ink, width=max(round(width * _FINE), 1), joint="curve")
     for end in (line[0], line[-1]):
         _dot(pen, end, 0.5 * width, ink)
 
 
-def _dot(pen: ImageDraw.ImageDraw, at: Floats, radius: float, ink: tuple[int, int, int, int]) -> None:
+def _dot(
+    pen: ImageDraw.ImageDraw, at: Floats, radius: float, ink: tuple[int, int, int, int]
+) -> None:
     x, y, r = float(at[0]) * _FINE, float(at[1]) * _FINE, radius * _FINE
     pen.ellipse((x - r, y - r, x + r, y + r), fill=ink)
 

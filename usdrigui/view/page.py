@@ -1,7 +1,8 @@
 """The web viewer: characters and their layouts as one self-contained HTML file.
 
 The file needs no network and no server: script, style, geometry and layout are inside it, and its
-content security policy forbids everything else.  The script is built from `viewer/` (see its README).
+content security policy forbids everything else.  The script is built from `viewer/` (see its
+README).
 """
 
 from __future__ import annotations
@@ -36,13 +37,16 @@ _PAGE = """<!DOCTYPE html>
 """
 
 
-def page_html(rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False, live: str = "") -> str:
+def page_html(
+    rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False, live: str = ""
+) -> str:
     """One HTML file in which the characters can be posed by their layouts.
 
-    The same records and title always give the same text.  With ``study`` the page offers the evaluation of
-    the paper's section 5 as well (docs/decisions/073); with the name of a file ``live`` it keeps its animation there,
-    by way of the server that it comes from (docs/decisions/079).  Raises RigUIError VIEW_MISMATCH when a layout
-    does not belong to its rig, or when there is no character at all.
+    The same records and title always give the same text.  With ``study`` the page offers the
+    evaluation of the paper's section 5 as well (docs/decisions/073); with the name of a file
+    ``live`` it keeps its animation there, by way of the server that it comes from
+    (docs/decisions/079).  Raises RigUIError VIEW_MISMATCH when a layout does not belong to its rig,
+    or when there is no character at all.
     """
     if not rig_layouts:
         raise refuse("VIEW_MISMATCH", "", "there is no character with a layout to show")
@@ -64,11 +68,13 @@ def _asset(name: str) -> str:
 
 
 def _policy(script: str, style: str, live: str) -> str:
-    """Content security policy: this script and this style, pictures made by them, the server of a live link."""
+    """Content security policy: this script and this style, pictures made by them, the server of a
+    live link."""
     link = "connect-src 'self'; " if live else ""
     return (
-        f"default-src 'none'; script-src 'sha256-{_digest(script)}'; style-src 'sha256-{_digest(style)}'; "
-        f"{link}img-src data: blob:; base-uri 'none'; form-action 'none'"
+        f"default-src 'none'; script-src 'sha256-{_digest(script)}'; style-src"
+        f" 'sha256-{_digest(style)}'; {link}img-src data: blob:; base-uri 'none'; form-action"
+        " 'none'"
     )
 
 

@@ -30,17 +30,20 @@ VIEWS = {
     "right": -90.0,
     "back": 180.0,
 }
-"""Degrees about the up axis from `Layout.view` toward the character's own left: ``front`` is the view that the
-layout was made for, whichever that is.  Captions say what is shown."""
+"""Degrees about the up axis from `Layout.view` toward the character's own left: ``front`` is the
+view that the layout was made for, whichever that is.  Captions say what is shown."""
 
 _TITLE, _CAPTION, _LEGEND, _GAP, _EDGE = 66, 24, 42, 14, 22
-"""Heights of the title above the panels, of captions and legend below, space between panels and around, in pixels."""
+"""Heights of the title above the panels, of captions and legend below, space between panels and
+around, in pixels."""
 _MARGIN = np.array([0.14, 0.20])
-"""Space around the elements on the face, to the sides and up and down, as a share of their extent."""
+"""Space around the elements on the face, to the sides and up and down, as a share of their
+extent."""
 _SIDE = 0.1
 """Space at the side of a head, in heights of the elements' frame."""
 _FAR = 0.6
-"""How far beyond the elements' frame the head may go on to be drawn whole, in heights of that frame."""
+"""How far beyond the elements' frame the head may go on to be drawn whole, in heights of that
+frame."""
 _HEADROOM = 34.0
 """Space above a board for its heading, in pixels."""
 _ON_BOARD = 9.0
@@ -64,27 +67,32 @@ def render(
     labels: bool = False,
     title: str = "",
 ) -> Image.Image:
-    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels; higher where there is a board.
+    """Picture of a character and its layout, RGB, of ``size`` (width, height) pixels; higher where
+    there is a board.
 
-    A character in several parts has a close-up of that size for each part, one below the other, unless ``views`` are
-    given.
-    ``values`` (controls,) is the pose, by default the layout's base pose.  ``views`` are some of `VIEWS`; by
-    default the view that the layout was made for, and of front and three-quarter views the nearest two that
-    show what it sees.  The board has a panel of its own below, as high as it needs, with the names of its elements;
-    ``labels`` names those on the character, too, in the layout's own view.  Raises RigUIError
-    CONFIG_VALUE for an unknown view or a size below 320 x 240, LAYOUT_STALE when the layout does not
-    belong to the rig, POSE_VALUE for a pose that is not one.
+    A character in several parts has a close-up of that size for each part, one below the other,
+    unless ``views`` are given. ``values`` (controls,) is the pose, by default the layout's base
+    pose.  ``views`` are some of `VIEWS`; by default the view that the layout was made for, and of
+    front and three-quarter views the nearest two that show what it sees.  The board has a panel of
+    its own below, as high as it needs, with the names of its elements; ``labels`` names those on
+    the character, too, in the layout's own view.  Raises RigUIError CONFIG_VALUE for an unknown
+    view or a size below 320 x 240, LAYOUT_STALE when the layout does not belong to the rig,
+    POSE_VALUE for a pose that is not one.
     """
     _check(views, size)
     posed = evaluate(prepare(rig, layout), values)
     if views is not None or len(layout.parts) < 2:
-        return _page(rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title)
+        return _page(
+            rig, layout, posed, _set_up(rig, layout, posed, views, size, labels), size, title
+        )
     pages, colours = [], complexion(rig, main_layout(layout))
     for each in sections(layout, posed, rig.up):
         scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, colours)
         name = title or rig.root.strip("/") or "character"
         held = len(each.layout.controls)
-        pages.append(_page(rig, each.layout, each.posed, scene, size, f"{name}: {each.title}", held))
+        pages.append(
+            _page(rig, each.layout, each.posed, scene, size, f"{name}: {each.title}", held)
+        )
     return _stacked(pages)
 
 
@@ -96,7 +104,8 @@ def film(
     size: tuple[int, int] = (760, 820),
     title: str = "",
 ) -> Iterator[Image.Image]:
-    """One picture per row of ``poses`` (frames, controls), all framed as the base pose is; raises as `render`."""
+    """One picture per row of ``poses`` (frames, controls), all framed as the base pose is; raises
+    as `render`."""
     _check(views, size)
     poser = prepare(rig, layout)
     scene = _set_up(rig, layout, evaluate(poser), views, size, False)
@@ -131,29 +140,52 @@ def _set_up(
     labels: bool,
     colours: Complexion | None = None,
 ) -> _Scene:
-    """Panels for ``views``, names or directions, or by default for the layout's own view and its companions.
+    """Panels for ``views``, names or directions, or by default for the layout's own view and its
+    companions.
 
     ``colours`` are by default those that the layout's own main part shows.
     """
     skin, ahead = _skin(rig, posed), directions.ahead_of(rig, layout)
     if views is None:
-        shown = [(layout.view, True), *((each, False) for each in directions.companions(layout.view, ahead, rig.up))]
+        shown = [
+            (layout.view, True),
+            *((each, False) for each in directions.companions(layout.view, ahead, rig.up)),
+        ]
     else:
         azimuths = [VIEWS[view] if isinstance(view, str) else None for view in views]
         shown = [
-            (directions.turned(layout.view, rig.up, at), at == 0.0) if at is not None else (np.asarray(view), i == 0)
+            (
+                (directions.turned(layout.view, rig.up, at), at == 0.0)
+                if at is not None
+                else (np.asarray(view), i == 0)
+            )
             for i, (view, at) in enumerate(zip(views, azimuths, strict=True))
         ]
     panels: list[_Framed] = []
     boards: list[_Framed] = []
     for at, own in shown:
         rows = shading.look(at, rig.up)
-        panels.append(_framed(layout, posed, skin, rows, directions.caption(at, ahead, rig.up), own, own and labels))
+        panels.append(
+            _framed(
+                layout,
+                posed,
+                skin,
+                rows,
+                directions.caption(at, ahead, rig.up),
+                own,
+                own and labels,
+            )
+        )
         if own and any(element.anchor.on_board for element in layout.elements):
             boards.append(_framed_board(layout, posed, rows))
     panels += boards
     cameras, corners = _arranged(panels, size)
-    return _Scene(tuple(panels), tuple(cameras), tuple(corners), colours or complexion(rig, main_layout(layout)))
+    return _Scene(
+        tuple(panels),
+        tuple(cameras),
+        tuple(corners),
+        colours or complexion(rig, main_layout(layout)),
+    )
 
 
 def _page(
@@ -168,7 +200,9 @@ def _page(
     """One page; ``controls`` is how many the title tells of, by default those of the rig."""
     subject = shading.body(rig, posed.points, scene.complexion)
     below = sum(
-        camera.height + _CAPTION for panel, camera in zip(scene.panels, scene.cameras, strict=True) if panel.board
+        camera.height + _CAPTION
+        for panel, camera in zip(scene.panels, scene.cameras, strict=True)
+        if panel.board
     )
     page = Image.new("RGB", (size[0], size[1] + below), _PAPER)
     for panel, camera, corner in zip(scene.panels, scene.cameras, scene.corners, strict=True):
@@ -189,16 +223,22 @@ def _page(
 def contact_sheet(
     images: Sequence[Image.Image], titles: Sequence[str] = (), columns: int = 2, width: int = 1800
 ) -> Image.Image:
-    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title if there are any.
+    """All ``images`` on one page of ``width`` pixels, in rows of ``columns``, each over its title
+    if there are any.
 
     Raises ValueError when there are no images or not one title for each.
     """
     if not images or len(titles) not in (0, len(images)):
-        raise ValueError(f"{len(images)} images and {len(titles)} titles do not make a contact sheet")
+        raise ValueError(
+            f"{len(images)} images and {len(titles)} titles do not make a contact sheet"
+        )
     columns = min(columns, len(images))
     cell = (width - _GAP * (columns + 1)) // columns
     small = [
-        each.resize((cell, max(1, round(each.height * cell / each.width))), Image.Resampling.LANCZOS) for each in images
+        each.resize(
+            (cell, max(1, round(each.height * cell / each.width))), Image.Resampling.LANCZOS
+        )
+        for each in images
     ]
     rows = [small[start : start + columns] for start in range(0, len(small), columns)]
     heights = [max(each.height for each in row) + (26 if titles else 0) for row in rows]
@@ -211,7 +251,9 @@ def contact_sheet(
             page.paste(each, (left, top))
             if titles:
                 text = lettering.legible(titles[number * columns + column])
-                pen.text((left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14))
+                pen.text(
+                    (left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14)
+                )
         top += height + _GAP
     return page
 
@@ -230,17 +272,24 @@ class _Framed:
     """Pixels kept free on the left and on the right for names."""
     labels: bool = False
     board: float = 0.0
-    """Pixels a scene unit at which names have their full size, of the panel that shows the board alone; else 0."""
+    """Pixels a scene unit at which names have their full size, of the panel that shows the board
+    alone; else 0."""
 
 
-# --- arrangement -------------------------------------------------------------------------------------
+# --- arrangement ----------------------------------------------------------------------------------
 
 
 def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
     if views is not None and (not views or any(view not in VIEWS for view in views)):
-        raise refuse("CONFIG_VALUE", "views", f"expected some of {', '.join(VIEWS)}, got {', '.join(views) or 'none'}")
+        raise refuse(
+            "CONFIG_VALUE",
+            "views",
+            f"expected some of {', '.join(VIEWS)}, got {', '.join(views) or 'none'}",
+        )
     if size[0] < 320 or size[1] < 240:
-        raise refuse("CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small")
+        raise refuse(
+            "CONFIG_VALUE", "size", f"a picture of {size[0]} x {size[1]} pixels is too small"
+        )
 
 
 def _skin(rig: Rig, posed: PosedLayout) -> Floats:
@@ -251,9 +300,16 @@ def _skin(rig: Rig, posed: PosedLayout) -> Floats:
 
 
 def _framed(
-    layout: Layout, posed: PosedLayout, skin: Floats, rows: Floats, caption: str, own: bool, labels: bool
+    layout: Layout,
+    posed: PosedLayout,
+    skin: Floats,
+    rows: Floats,
+    caption: str,
+    own: bool,
+    labels: bool,
 ) -> _Framed:
-    """The rectangle around the elements on the character and the head (`skin`, (m, 3)), with a margin.
+    """The rectangle around the elements on the character and the head (`skin`, (m, 3)), with a
+    margin.
 
     ``rows`` are those of the camera; the layout's ``own`` view is broader.
     """
@@ -272,22 +328,29 @@ def _framed_board(layout: Layout, posed: PosedLayout, rows: Floats) -> _Framed:
     low, high = _extent(layout, posed, rows, True)
     pad = 1.5 * layout.handle_width
     names = lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0
-    return _Framed("board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / layout.handle_width)
+    return _Framed(
+        "board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / layout.handle_width
+    )
 
 
-def _around_head(low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats) -> tuple[Floats, Floats]:
-    """A frame widened to both sides of the head, of points (m, 2), level with the box of the elements, raised to its
-    crown and lowered to its chin.
+def _around_head(
+    low: Floats, high: Floats, elements: tuple[Floats, Floats], across: Floats
+) -> tuple[Floats, Floats]:
+    """A frame widened to both sides of the head, of points (m, 2), level with the box of the
+    elements, raised to its crown and lowered to its chin.
 
-    A side of which more lies farther off than `_FAR` stays as it is: it is a body, or an arm, and the face would
-    get small.
+    A side of which more lies farther off than `_FAR` stays as it is: it is a body, or an arm, and
+    the face would get small.
     """
     reach, pad = _FAR * (high - low)[1], _SIDE * (high - low)[1]
     wide_low, wide_high = low.copy(), high.copy()
     level = across[(across[:, 1] >= elements[0][1]) & (across[:, 1] <= elements[1][1])]
     inner = across[(across[:, 0] >= elements[0][0]) & (across[:, 0] <= elements[1][0])]
     for axis, points in ((0, level), (1, inner)):
-        first, last = points[:, axis].min(initial=elements[0][axis]), points[:, axis].max(initial=elements[1][axis])
+        first, last = (
+            points[:, axis].min(initial=elements[0][axis]),
+            points[:, axis].max(initial=elements[1][axis]),
+        )
         if first - pad < low[axis] and first > low[axis] - reach:
             wide_low[axis] = first - pad
         if last + pad > high[axis] and last < high[axis] + reach:
@@ -308,8 +371,11 @@ def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tu
     return across.min(axis=0), across.max(axis=0)
 
 
-def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Camera], list[tuple[int, int]]]:
-    """One scale for all panels, their cameras, and where each goes on the page; boards go below the others."""
+def _arranged(
+    panels: Sequence[_Framed], size: tuple[int, int]
+) -> tuple[list[Camera], list[tuple[int, int]]]:
+    """One scale for all panels, their cameras, and where each goes on the page; boards go below the
+    others."""
     boards = [panel for panel in panels if panel.board]
     panels = [panel for panel in panels if not panel.board]
     low = min(float(panel.low[1]) for panel in panels)
@@ -319,8 +385,11 @@ def _arranged(panels: Sequence[_Framed], size: tuple[int, int]) -> tuple[list[Ca
     free = size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - names
     wide = sum(float(panel.high[0] - panel.low[0]) for panel in panels)
     scale = max(min(height / (high - low), max(free, 0.3 * size[0]) / wide), 1e-12)
-    widths = [round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels]
-    # Space that is left over widens the panels: more of the character is better than a broad border.
+    widths = [
+        round(scale * float(panel.high[0] - panel.low[0]) + sum(panel.columns)) for panel in panels
+    ]
+    # Space that is left over widens the panels: more of the character is better than a broad
+    # border.
     spare = (size[0] - 2 * _EDGE - _GAP * (len(panels) - 1) - sum(widths)) // len(panels)
     widths = [width + max(spare, 0) for width in widths]
     left, top = (size[0] - sum(widths) - _GAP * (len(panels) - 1)) // 2, _TITLE
@@ -343,14 +412,18 @@ def _board_camera(board: _Framed, width: int) -> Camera:
     across, tall = (board.high - board.low).tolist()
     scale = min(board.board, max(width - sum(board.columns), 0.3 * width) / across)
     height = round(scale * tall + _HEADROOM)
-    middle = np.array([board.low[0] + 0.5 * width / scale, board.high[1] + (_HEADROOM - 0.5 * height) / scale])
+    middle = np.array(
+        [board.low[0] + 0.5 * width / scale, board.high[1] + (_HEADROOM - 0.5 * height) / scale]
+    )
     return Camera(board.rows, middle @ board.rows[:2], scale, width, height)
 
 
-# --- one panel ---------------------------------------------------------------------------------------
+# --- one panel ------------------------------------------------------------------------------------
 
 
-def _panel(subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera) -> Image.Image:
+def _panel(
+    subject: Body, layout: Layout, posed: PosedLayout, panel: _Framed, camera: Camera
+) -> Image.Image:
     shaded = shading.empty(camera) if panel.board else shading.shade(subject, camera)
     picture = _developed(shaded)
     shown = [
@@ -376,11 +449,12 @@ def _developed(shaded: shading.Shaded) -> Image.Image:
     return Image.fromarray((255.0 * mixed).round().astype(np.uint8), "RGB")
 
 
-# --- title and legend --------------------------------------------------------------------------------
+# --- title and legend -----------------------------------------------------------------------------
 
 
 def _numbers(controls: int, layout: Layout, width: float) -> str:
-    """What the layout of so many controls holds, as far as it goes into a line of so many pixels."""
+    """What the layout of so many controls holds, as far as it goes into a line of so many
+    pixels."""
     on_face = sum(not element.anchor.on_board for element in layout.elements)
     board = len(layout.elements) - on_face
     held = {part for part in (element.part for element in layout.elements) if part}
@@ -391,7 +465,8 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     if np.isfinite(layout.bound) and np.isfinite(layout.cost):
         gap = max(0.0, layout.cost - layout.bound) / max(abs(layout.cost), 1e-12)
         parts.append(
-            f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at gap {gap:.2g}"
+            f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at"
+            f" gap {gap:.2g}"
         )
     font = lettering.font(14)
     while len(parts) > 1 and font.getlength(_BETWEEN.join(parts)) > width:
@@ -422,16 +497,25 @@ def _legend(page: Image.Image, layout: Layout) -> None:
 
 def _legend_entries(elements: Sequence[Element]) -> list[tuple[str, palette.Colour, str, bool]]:
     used = {"board" if each.anchor.on_board else each.side for each in elements}
-    names = {"left": "character's left", "right": "character's right", "middle": "middle", "none": "no side"}
+    names = {
+        "left": "character's left",
+        "right": "character's right",
+        "middle": "middle",
+        "none": "no side",
+    }
     if "board" in used:
         names |= {"none": "no side, board" if "none" in used else "board"}
         used = used - {"board"} | {"none"}
     colours = palette.SIDES
-    entries = [("slider", colours[side], text, False) for side, text in names.items() if side in used]
+    entries = [
+        ("slider", colours[side], text, False) for side, text in names.items() if side in used
+    ]
     forms = {overlay.form_of(each) for each in elements}
     grey = (128, 134, 142)
     if forms != {"slider"}:
-        entries += [(form, grey, text, False) for form, text in overlay.FORMS.items() if form in forms]
+        entries += [
+            (form, grey, text, False) for form, text in overlay.FORMS.items() if form in forms
+        ]
     if any(each.inner for each in elements):
         entries.append(("slider", grey, "coarse: opens into finer ones", True))
     return entries

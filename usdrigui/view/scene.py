@@ -1,9 +1,10 @@
 """Rig and Layout records packed into one compact binary scene for the web viewer.
 
-A scene is a JSON header and a body of arrays.  Positions are quantised to 16 bits within each mesh's
-bounding box, blend-shape offsets to 16 bits within each shape's own largest offset; arrays of integers
-are stored as differences and byte planes, which is what makes them deflate well.  The same records
-always give the same bytes (docs/decisions/070-viewer-scene.md has the measured errors).
+A scene is a JSON header and a body of arrays.  Positions are quantised to 16 bits within each
+mesh's bounding box, blend-shape offsets to 16 bits within each shape's own largest offset; arrays
+of integers are stored as differences and byte planes, which is what makes them deflate well.  The
+same records always give the same bytes (docs/decisions/070-viewer-scene.md has the measured
+errors).
 """
 
 from __future__ import annotations
@@ -20,7 +21,19 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.errors import refuse
-from usdrigui.model import Control, Drive, Element, Floats, Glyph, Layout, Member, Rig, RigMesh, Shape, Skin
+from usdrigui.model import (
+    Control,
+    Drive,
+    Element,
+    Floats,
+    Glyph,
+    Layout,
+    Member,
+    Rig,
+    RigMesh,
+    Shape,
+    Skin,
+)
 from usdrigui.pose.evaluate import evaluate, prepare
 from usdrigui.surface import triangles
 from usdrigui.view.complexion import complexion
@@ -38,13 +51,16 @@ _GAZE_STEP = 3.0 / 8192
 def pack(rig_layouts: Sequence[tuple[Rig, Layout]], title: str) -> bytes:
     """Everything the viewer needs to show and pose the characters, deflated.
 
-    The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON, padded
-    with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}`` refer to
-    arrays in the body.  Raises RigUIError VIEW_MISMATCH when a layout names a mesh or a control that its
-    rig does not have.
+    The inflated bytes are: the header's length (uint32, little endian), the header (UTF-8 JSON,
+    padded with spaces to a multiple of four), the body.  Header entries ``{"at", "kind", "shape"}``
+    refer to arrays in the body.  Raises RigUIError VIEW_MISMATCH when a layout names a mesh or a
+    control that its rig does not have.
     """
     body = _Body()
-    header = {"title": title, "characters": [_character(body, rig, layout) for rig, layout in rig_layouts]}
+    header = {
+        "title": title,
+        "characters": [_character(body, rig, layout) for rig, layout in rig_layouts],
+    }
     text = json.dumps(header, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return zlib.compress(len(text).to_bytes(4, "little") + text + bytes(body.content), 9)
@@ -58,7 +74,9 @@ class _Body:
 
     def integers(self, array: ArrayLike, kind: str) -> Json:
         """Store whole numbers of the little-endian `kind` (u1, u2, i2, u4, i4)."""
-        return self._planes(np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind)
+        return self._planes(
+            np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind
+        )
 
     def ascending(self, array: ArrayLike) -> Json:
         """Store an ascending list of indices as differences."""
@@ -73,7 +91,9 @@ class _Body:
 
     def reals(self, array: ArrayLike, kind: str = "f4") -> Json:
         """Store floating-point numbers as they are."""
-        return self._planes(np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind)
+        return self._planes(
+            np.ascontiguousarray(array, dtype=np.dtype(kind).newbyteorder("<")), kind
+        )
 
     def _planes(self, array: NDArray[Any], kind: str) -> Json:
         at = len(self.content)
@@ -83,7 +103,7 @@ class _Body:
         return {"at": at, "kind": kind, "shape": list(array.shape)}
 
 
-# --- the rig -----------------------------------------------------------------------------------------
+# --- the rig --------------------------------------------------------------------------------------
 
 
 def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
@@ -95,12 +115,19 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         "meshes": _meshes(body, rig, complexion(rig, main_layout(layout))),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
-            {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)} for each in rig.skeletons
+            {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)}
+            for each in rig.skeletons
         ],
-        "joints": [{"path": each.path, "skeleton": each.skeleton, "parent": each.parent} for each in rig.joints],
+        "joints": [
+            {"path": each.path, "skeleton": each.skeleton, "parent": each.parent}
+            for each in rig.joints
+        ],
         "bind": body.reals(np.array([each.bind for each in rig.joints]).reshape(-1, 4, 4), "f8"),
         "base": body.reals(np.array([each.base for each in rig.joints]).reshape(-1, 4, 4), "f8"),
-        "channels": [{"token": each.token, "animation": each.animation, "index": each.index} for each in rig.channels],
+        "channels": [
+            {"token": each.token, "animation": each.animation, "index": each.index}
+            for each in rig.channels
+        ],
         "baseWeights": _list(rig.base_weights),
         "controls": [_control(each) for each in rig.controls],
         "clip": _clip(body, rig),
@@ -109,7 +136,8 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
 
 
 def _identity(rig: Rig) -> str:
-    """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or animation."""
+    """Hex digest of what work on a character belongs to: its meshes and controls, not its layout or
+    animation."""
     found = hashlib.sha256(json.dumps([rig.root, [each.name for each in rig.controls]]).encode())
     for mesh in rig.meshes:
         found.update(mesh.path.encode() + np.ascontiguousarray(mesh.points, dtype="<f4").tobytes())
@@ -139,7 +167,11 @@ def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:
         "skin": None if mesh.skin is None else _skin(body, mesh.skin),
         "shapes": [_shape(body, shape) for shape in mesh.shapes],
         "colours": body.integers(np.rint(255.0 * encoded(look.colours)), "u1"),
-        "gaze": body.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2") if on_eye else None,
+        "gaze": (
+            body.integers(np.rint(look.gaze / _GAZE_STEP).clip(-32767, 32767), "i2")
+            if on_eye
+            else None
+        ),
     }
 
 
@@ -175,7 +207,9 @@ def _skin(body: _Body, skin: Skin) -> Json:
     """Influences; a rigid skin stores one row, and columns without any weight are left out."""
     rows = slice(0, 1) if skin.rigid else slice(None)
     joints, weights = skin.joints[rows], skin.weights[rows]
-    used = np.flatnonzero((weights > 0.0).any(axis=0)) if len(weights) else np.arange(weights.shape[1])
+    used = (
+        np.flatnonzero((weights > 0.0).any(axis=0)) if len(weights) else np.arange(weights.shape[1])
+    )
     return {
         "joints": body.integers(joints[:, used], "u2"),
         "weights": body.integers(np.rint(weights[:, used] * _WEIGHT_STEPS), "u2"),
@@ -221,7 +255,7 @@ def _clip(body: _Body, rig: Rig) -> Json | None:
     }
 
 
-# --- the layout --------------------------------------------------------------------------------------
+# --- the layout -----------------------------------------------------------------------------------
 
 
 def _layout(rig: Rig, layout: Layout) -> Json:
@@ -260,8 +294,14 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
 
 def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element: Element) -> Json:
     anchor = element.anchor
-    if anchor.mesh not in meshes or not 0 <= anchor.point < len(rig.meshes[meshes[anchor.mesh]].points):
-        raise refuse("VIEW_MISMATCH", anchor.mesh, f"element {element.name} is anchored where the rig has no point")
+    if anchor.mesh not in meshes or not 0 <= anchor.point < len(
+        rig.meshes[meshes[anchor.mesh]].points
+    ):
+        raise refuse(
+            "VIEW_MISMATCH",
+            anchor.mesh,
+            f"element {element.name} is anchored where the rig has no point",
+        )
     return {
         "name": element.name,
         "label": element.label,
@@ -285,16 +325,25 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
 
 
 def _glyph(glyph: Glyph | None) -> Json | None:
-    """The outlines of a custom handle: offsets from its centre, and which of them make each line or face."""
+    """The outlines of a custom handle: offsets from its centre, and which of them make each line or
+    face."""
     if glyph is None:
         return None
     parts = np.split(glyph.indices, np.cumsum(glyph.counts)[:-1])
-    return {"points": _list(glyph.points), "parts": [part.tolist() for part in parts], "closed": glyph.form == "mesh"}
+    return {
+        "points": _list(glyph.points),
+        "parts": [part.tolist() for part in parts],
+        "closed": glyph.form == "mesh",
+    }
 
 
 def _member(element: Element, controls: dict[str, int], member: Member) -> Json:
     if member.control not in controls:
-        raise refuse("VIEW_MISMATCH", member.control, f"element {element.name} has a control that the rig lacks")
+        raise refuse(
+            "VIEW_MISMATCH",
+            member.control,
+            f"element {element.name} has a control that the rig lacks",
+        )
     return {
         "control": controls[member.control],
         "values": _list(member.values),
@@ -303,7 +352,7 @@ def _member(element: Element, controls: dict[str, int], member: Member) -> Json:
     }
 
 
-# --- numbers -----------------------------------------------------------------------------------------
+# --- numbers --------------------------------------------------------------------------------------
 
 
 def _list(array: ArrayLike) -> list[Any]:

@@ -1,4 +1,5 @@
-"""The close-ups of a character in several parts: one section a part, and one a side where a part lies on both sides."""
+"""The close-ups of a character in several parts: one section a part, and one a side where a part
+lies on both sides."""
 
 from __future__ import annotations
 
@@ -25,7 +26,8 @@ class Section:
     """Of the elements shown, at their own handle width."""
     posed: PosedLayout
     views: tuple[Floats, ...]
-    """Directions to the viewer, the first with the board; empty for the layout's own and its companions."""
+    """Directions to the viewer, the first with the board; empty for the layout's own and its
+    companions."""
 
 
 def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, ...]:
@@ -38,19 +40,30 @@ def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, .
             found.append(_section(layout, posed, part, own, part.name, ()))
         for side, chosen in sides:
             views = _best_views(part, side, [layout.elements[i] for i in chosen], up)
-            found.append(_section(layout, posed, part, chosen, f"{part.name}, character's {side}", views))
+            found.append(
+                _section(layout, posed, part, chosen, f"{part.name}, character's {side}", views)
+            )
     return tuple(found)
 
 
 def main_layout(layout: Layout) -> Layout:
-    """The elements of the first part, which is the face where there is one; all of a character in one part."""
+    """The elements of the first part, which is the face where there is one; all of a character in
+    one part."""
     if not layout.parts:
         return layout
-    return replace(layout, elements=tuple(each for each in layout.elements if each.part == layout.parts[0].name))
+    return replace(
+        layout,
+        elements=tuple(each for each in layout.elements if each.part == layout.parts[0].name),
+    )
 
 
 def _section(
-    layout: Layout, posed: PosedLayout, part: LayoutPart, chosen: list[int], title: str, views: tuple[Floats, ...]
+    layout: Layout,
+    posed: PosedLayout,
+    part: LayoutPart,
+    chosen: list[int],
+    title: str,
+    views: tuple[Floats, ...],
 ) -> Section:
     shown = replace(
         layout,
@@ -63,11 +76,14 @@ def _section(
         bound=part.bound,
         parts=(),
     )
-    return Section(title, shown, replace(posed, elements=tuple(posed.elements[i] for i in chosen)), views)
+    return Section(
+        title, shown, replace(posed, elements=tuple(posed.elements[i] for i in chosen)), views
+    )
 
 
 def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
-    """The elements of either side of a part that has nothing between them; the board goes with the left."""
+    """The elements of either side of a part that has nothing between them; the board goes with the
+    left."""
     standing = [i for i in own if not layout.elements[i].anchor.on_board]
     sides: list[tuple[Side, list[int]]] = []
     boxes = []
@@ -86,9 +102,14 @@ def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
     return [("left", sorted(sides[0][1] + board)), sides[1]]
 
 
-def _best_views(part: LayoutPart, side: Side, elements: list[Element], up: Floats) -> tuple[Floats, ...]:
-    """The two level directions of its side that together face the most handles, the better one first."""
-    normals = np.array([element.anchor.normal for element in elements if not element.anchor.on_board])
+def _best_views(
+    part: LayoutPart, side: Side, elements: list[Element], up: Floats
+) -> tuple[Floats, ...]:
+    """The two level directions of its side that together face the most handles, the better one
+    first."""
+    normals = np.array(
+        [element.anchor.normal for element in elements if not element.anchor.on_board]
+    )
     views = [directions.turned(part.view, up, degrees) for degrees in _QUARTERS[side]]
     facing = np.array([np.maximum(normals @ view, 0.0) for view in views])
     first = int(np.argmax(np.round(facing.sum(axis=1), 6)))

@@ -1,4 +1,5 @@
-"""A loopback server for one page, and the file of its live link, behind an address that nobody can guess."""
+"""A loopback server for one page, and the file of its live link, behind an address that nobody can
+guess."""
 
 from __future__ import annotations
 
@@ -37,11 +38,11 @@ def serve(
 ) -> None:
     """Serve `html` on 127.0.0.1 until interrupted (Ctrl-C) or until `stop` is set.
 
-    The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits and a port that
-    `name` chooses: browsers keep what a page stores by its port, so that a page of the same name finds its work
-    again.  Every other path or host name gets 404, every other method than GET and HEAD gets 405.  `announce` is
-    told the address before the browser opens.  The file of a live link is at ``edit`` below the address, for GET and
-    PUT by the page itself.
+    The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits
+    and a port that `name` chooses: browsers keep what a page stores by its port, so that a page of
+    the same name finds its work again.  Every other path or host name gets 404, every other method
+    than GET and HEAD gets 405.  `announce` is told the address before the browser opens.  The file
+    of a live link is at ``edit`` below the address, for GET and PUT by the page itself.
     """
     with page_server(html, name, live) as server:
         threading.Thread(target=server.serve_forever, name="usdrigui-view", daemon=True).start()
@@ -60,7 +61,8 @@ def serve(
 
 
 def _wait(stop: threading.Event) -> None:
-    """Until `stop` is set or the run is to end: a request that comes amid a write interrupts nothing."""
+    """Until `stop` is set or the run is to end: a request that comes amid a write interrupts
+    nothing."""
     while not stop.wait(_ASKED_AGAIN) and not worker.stop_requested():
         pass
 
@@ -86,7 +88,8 @@ class PageServer(ThreadingHTTPServer):
 
 
 def page_server(html: str, name: str = "", live: LiveFile | None = None) -> PageServer:
-    """A server, bound but not yet serving, of one page; at any free port where those of its name are taken."""
+    """A server, bound but not yet serving, of one page; at any free port where those of its name
+    are taken."""
     first = int.from_bytes(hashlib.sha256(name.encode()).digest()[:4], "big") % _PORTS
     for port in (*(_FIRST_PORT + (first + i) % _PORTS for i in range(_PORTS_TRIED)), 0):
         with suppress(OSError):
@@ -118,11 +121,18 @@ class _Handler(BaseHTTPRequestHandler):
             return
         length = self.headers.get("Content-Length", "")
         if not length.isdecimal() or int(length) > _MOST_WRITTEN:
-            self.send_error(HTTPStatus.REQUEST_ENTITY_TOO_LARGE if length else HTTPStatus.LENGTH_REQUIRED)
+            self.send_error(
+                HTTPStatus.REQUEST_ENTITY_TOO_LARGE if length else HTTPStatus.LENGTH_REQUIRED
+            )
             return
         text = self.rfile.read(int(length))
         if len(text) < int(length) or not is_animation(text):
-            self._send(HTTPStatus.BAD_REQUEST, b"this is no animation layer\n", "text/plain", with_body=True)
+            self._send(
+                HTTPStatus.BAD_REQUEST,
+                b"this is no animation layer\n",
+                "text/plain",
+                with_body=True,
+            )
             return
         self._with_file(lambda: self._replaced(live, text))
 
@@ -136,7 +146,8 @@ class _Handler(BaseHTTPRequestHandler):
         self._send(status, self.server.page if found else b"", "text/html", with_body)
 
     def _is_asked(self, name: str) -> bool:
-        """Whether a name below the address is asked for, of this host: no other site's name can be pointed here."""
+        """Whether a name below the address is asked for, of this host: no other site's name can be
+        pointed here."""
         known = secrets.compare_digest(self.path.encode(), f"{self.server.path}{name}".encode())
         return known and self.headers.get("Host") == self.server.host
 
@@ -163,19 +174,32 @@ class _Handler(BaseHTTPRequestHandler):
             self._send(HTTPStatus.INSUFFICIENT_STORAGE, words, "text/plain", with_body=True)
 
     def send_error(self, code: int, *_words: str | None) -> None:
-        """One line instead of the base class's page; a method without a function here is told what there is."""
-        status = HTTPStatus.METHOD_NOT_ALLOWED if code == HTTPStatus.NOT_IMPLEMENTED else HTTPStatus(code)
+        """One line instead of the base class's page; a method without a function here is told what
+        there is."""
+        status = (
+            HTTPStatus.METHOD_NOT_ALLOWED
+            if code == HTTPStatus.NOT_IMPLEMENTED
+            else HTTPStatus(code)
+        )
         self._drain()
-        self._send(status, f"{status.value} {status.phrase}\n".encode(), "text/plain", self.command != "HEAD")
+        self._send(
+            status,
+            f"{status.value} {status.phrase}\n".encode(),
+            "text/plain",
+            self.command != "HEAD",
+        )
 
     def _drain(self) -> None:
-        """Read what a request brings, within bounds: closing before that would reset the connection."""
+        """Read what a request brings, within bounds: closing before that would reset the
+        connection."""
         length = self.headers.get("Content-Length", "") if hasattr(self, "headers") else ""
         if length.isdecimal():
             with suppress(OSError):
                 self.rfile.read(min(int(length), _MOST_DRAINED))
 
-    def _send(self, status: HTTPStatus, content: bytes, kind: str, with_body: bool, tag: str = "") -> None:
+    def _send(
+        self, status: HTTPStatus, content: bytes, kind: str, with_body: bool, tag: str = ""
+    ) -> None:
         self.send_response(status)
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))

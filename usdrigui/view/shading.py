@@ -1,7 +1,8 @@
-"""The character in its colours: an orthographic camera, three lights and smooth normals, by ray casting.
+"""The character in its colours: an orthographic camera, three lights and smooth normals, by ray
+casting.
 
-Needs no graphics card, no display and no GL library.  One ray is cast per pixel and four more where an
-outline passes through it.
+Needs no graphics card, no display and no GL library.  One ray is cast per pixel and four more where
+an outline passes through it.
 """
 
 from __future__ import annotations
@@ -44,7 +45,8 @@ class Camera(Record):
     height: int
 
     def project(self, points: Floats) -> Floats:
-        """Pixels (x to the right, y down) and depth (scene units, growing toward the viewer) of (..., 3)."""
+        """Pixels (x to the right, y down) and depth (scene units, growing toward the viewer) of
+        (..., 3)."""
         at = (points - self.centre) @ self.rows.T
         x = self.width / 2.0 + self.scale * at[..., 0]
         y = self.height / 2.0 - self.scale * at[..., 1]
@@ -63,8 +65,9 @@ class Complexion(Record):
     colours: Floats
     """(n, 3) linear."""
     gaze: Floats
-    """(n, 2) on eyeballs, where a point lies on the ball seen along the gaze, to the right and up: (0, 0) is the middle
-    of the pupil, 1 from it the equator, up to 2 what lies behind; (9, 9) off the eyes."""
+    """(n, 2) on eyeballs, where a point lies on the ball seen along the gaze, to the right and up:
+    (0, 0) is the middle of the pupil, 1 from it the equator, up to 2 what lies behind; (9, 9) off
+    the eyes."""
     clear: Flags
     """(n,) of what is transparent on a face and would hide the eyes."""
 
@@ -114,8 +117,8 @@ def empty(camera: Camera) -> Shaded:
 
 
 def body(rig: Rig, points: Floats, complexion: Complexion | None = None) -> Body:
-    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space; without a complexion all
-    is skin."""
+    """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space;
+    without a complexion all is skin."""
     look = complexion or _plain(len(points))
     corners = mesh_triangles(rig.meshes, visible_only=True)
     if not len(corners):
@@ -128,7 +131,9 @@ def body(rig: Rig, points: Floats, complexion: Complexion | None = None) -> Body
 
 
 def _plain(count: int) -> Complexion:
-    return Complexion(np.tile(np.array(SKIN), (count, 1)), np.full((count, 2), 9.0), np.zeros(count, dtype=bool))
+    return Complexion(
+        np.tile(np.array(SKIN), (count, 1)), np.full((count, 2), 9.0), np.zeros(count, dtype=bool)
+    )
 
 
 def shade(subject: Body, camera: Camera) -> Shaded:
@@ -173,10 +178,15 @@ def _samples(subject: Body, camera: Camera, pixels: Floats) -> tuple[Floats, Flo
 
 
 def eye_colours(gaze: Floats) -> Floats:
-    """(n, 3) linear albedo of an eye at `Complexion.gaze` (n, 2); the viewer has the same (viewer/src/eye.js)."""
+    """(n, 3) linear albedo of an eye at `Complexion.gaze` (n, 2); the viewer has the same
+    (viewer/src/eye.js)."""
     away = np.linalg.norm(gaze, axis=1, keepdims=True)
     rim = 1.0 - 0.6 * _step(0.75 * IRIS, IRIS, away)
-    inner = _mixed(np.array(EYE["pupil"]), rim * np.array(EYE["iris"]), _step(PUPIL - 0.015, PUPIL + 0.015, away))
+    inner = _mixed(
+        np.array(EYE["pupil"]),
+        rim * np.array(EYE["iris"]),
+        _step(PUPIL - 0.015, PUPIL + 0.015, away),
+    )
     return _mixed(inner, np.array(EYE["white"]), _step(IRIS - 0.025, IRIS + 0.025, away))
 
 
@@ -199,13 +209,18 @@ def encoded(linear: Floats) -> Floats:
 def _barycentric(corners: Floats, at: Floats) -> Floats:
     """(n, 3) weights of the corners (n, 3, 2) that give the points (n, 2)."""
     x, y = (corners[..., axis] - at[:, axis, None] for axis in (0, 1))
-    areas = np.stack([x[:, i] * y[:, j] - x[:, j] * y[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1)
+    areas = np.stack(
+        [x[:, i] * y[:, j] - x[:, j] * y[:, i] for i, j in ((1, 2), (2, 0), (0, 1))], axis=1
+    )
     total = areas.sum(axis=1, keepdims=True)
-    return np.asarray(np.divide(areas, total, out=np.full_like(areas, 1.0 / 3.0), where=np.abs(total) > 1e-30))
+    return np.asarray(
+        np.divide(areas, total, out=np.full_like(areas, 1.0 / 3.0), where=np.abs(total) > 1e-30)
+    )
 
 
 def _lit(normals: Floats) -> Floats:
-    """Linear light (n, 3) on surfaces with ``normals`` (n, 3) in the camera's frame, seen from either side."""
+    """Linear light (n, 3) on surfaces with ``normals`` (n, 3) in the camera's frame, seen from
+    either side."""
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     facing = np.where(normals[:, 2:] < 0.0, -1.0, 1.0)
     n = facing * normals / np.maximum(length, 1e-30)
@@ -232,10 +247,11 @@ def _outlines(depth: Floats, camera: Camera) -> Flags:
 
 
 def _openness(depth: Floats, camera: Camera) -> Floats:
-    """(height, width) factor on the light: less than 1 where the surface lies below its surroundings.
+    """(height, width) factor on the light: less than 1 where the surface lies below its
+    surroundings.
 
-    The depth buffer is compared with blurred copies of itself, after Luft, Colditz and Deussen 2006,
-    "Image enhancement by unsharp masking the depth buffer".
+    The depth buffer is compared with blurred copies of itself, after Luft, Colditz and Deussen
+    2006, "Image enhancement by unsharp masking the depth buffer".
     """
     known = np.isfinite(depth)
     if not known.any():
@@ -252,10 +268,13 @@ def _openness(depth: Floats, camera: Camera) -> Floats:
 
 
 def _blurred(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
-    """Gaussian blur by way of a smaller picture, where the blur is wide enough for that not to show."""
+    """Gaussian blur by way of a smaller picture, where the blur is wide enough for that not to
+    show."""
     step = max(1, int(sigma / 3.0))
     tall, wide = -(-image.shape[0] // step), -(-image.shape[1] // step)
-    padded = np.pad(image, ((0, tall * step - image.shape[0]), (0, wide * step - image.shape[1])), mode="edge")
+    padded = np.pad(
+        image, ((0, tall * step - image.shape[0]), (0, wide * step - image.shape[1])), mode="edge"
+    )
     small = padded.reshape(tall, step, wide, step).mean(axis=(1, 3))
     soft = gaussian_filter(small, sigma / step)
     large = Image.fromarray(soft).resize((wide * step, tall * step), Image.Resampling.BILINEAR)

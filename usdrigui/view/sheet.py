@@ -19,14 +19,17 @@ _FRAME = 80
 def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) -> bytes:
     """PNG bytes of all `characters`, the same for the same input."""
     images = [render(rig, layout, labels=labels) for rig, layout in characters]
-    page = images[0] if len(images) == 1 else contact_sheet(images)  # each names its character itself
+    page = (
+        images[0] if len(images) == 1 else contact_sheet(images)
+    )  # each names its character itself
     buffer = io.BytesIO()
     page.save(buffer, format="PNG")
     return buffer.getvalue()
 
 
 def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> bytes:
-    """GIF bytes of the first character playing its clip under its layout; `frames` pictures, looped.
+    """GIF bytes of the first character playing its clip under its layout; `frames` pictures,
+    looped.
 
     Raises RigUIError ANIMATION_MISSING.
     """
@@ -35,17 +38,26 @@ def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> b
     palette = _palette(pictures)
     reduced = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
     buffer = io.BytesIO()
-    reduced[0].save(buffer, format="GIF", save_all=True, append_images=reduced[1:], duration=_FRAME, loop=0)
+    reduced[0].save(
+        buffer, format="GIF", save_all=True, append_images=reduced[1:], duration=_FRAME, loop=0
+    )
     return buffer.getvalue()
 
 
 def _palette(pictures: Sequence[Image.Image]) -> Image.Image:
-    """256 colours for all frames: most of them the pictures' own, the rest kept for the small marks."""
-    marks = [tuple(round(part * shade) for part in colour) for colour in SIDES.values() for shade in (0.6, 0.8, 1.0)]
+    """256 colours for all frames: most of them the pictures' own, the rest kept for the small
+    marks."""
+    marks = [
+        tuple(round(part * shade) for part in colour)
+        for colour in SIDES.values()
+        for shade in (0.6, 0.8, 1.0)
+    ]
     pair = Image.new("RGB", (pictures[0].width * 2, pictures[0].height))
     pair.paste(pictures[0], (0, 0))
     pair.paste(pictures[len(pictures) // 2], (pictures[0].width, 0))
     common = pair.quantize(colors=256 - len(marks)).getpalette() or []
     palette = Image.new("P", (1, 1))
-    palette.putpalette([*common[: 3 * (256 - len(marks))], *(part for mark in marks for part in mark)])
+    palette.putpalette(
+        [*common[: 3 * (256 - len(marks))], *(part for mark in marks for part in mark)]
+    )
     return palette

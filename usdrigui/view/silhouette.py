@@ -1,7 +1,7 @@
 """The outline of a character against its background, as polygons, for flat pictures.
 
-The visible triangles are painted into a mask, whose borders are followed and simplified.  The same input gives
-the same polygons.
+The visible triangles are painted into a mask, whose borders are followed and simplified.  The same
+input gives the same polygons.
 """
 
 from __future__ import annotations
@@ -21,16 +21,19 @@ _TOLERANCE = 0.45
 
 
 def silhouette(flat: Floats, corners: Indices, low: Floats, high: Floats) -> tuple[Floats, ...]:
-    """Closed polygons (k, 2) around what triangles ``corners`` (t, 3) of points ``flat`` (n, 2) cover of a rectangle.
+    """Closed polygons (k, 2) around what triangles ``corners`` (t, 3) of points ``flat`` (n, 2)
+    cover of a rectangle.
 
-    Holes are polygons too: fill by the even-odd rule.  Positions are in the units of ``flat``; none come back
-    where nothing is covered.
+    Holes are polygons too: fill by the even-odd rule.  Positions are in the units of ``flat``; none
+    come back where nothing is covered.
     """
     size = np.asarray(high, dtype=np.float64) - low
     pixel = float(size.max()) / _FINENESS
     if not pixel > 0.0 or not len(corners):
         return ()
-    mask = _without_specks(_painted((flat - low) / pixel, corners, np.ceil(size / pixel).astype(int)))
+    mask = _without_specks(
+        _painted((flat - low) / pixel, corners, np.ceil(size / pixel).astype(int))
+    )
     loops = (_simplified(_softened(loop)) for loop in _borders(mask))
     return tuple(low + pixel * loop for loop in loops if len(loop) > 2)
 
@@ -59,15 +62,24 @@ def _without_specks(mask: Flags) -> Flags:
 
 
 def _borders(mask: Flags) -> list[Floats]:
-    """Closed loops (k, 2) of pixel corners around the set pixels, which lie on the right of each step."""
+    """Closed loops (k, 2) of pixel corners around the set pixels, which lie on the right of each
+    step."""
     inside = np.pad(mask, 1)
     nexts: dict[tuple[int, int], list[tuple[int, int]]] = {}
-    # Per side of a pixel: where its neighbour is, and from which to which corner the border goes there.
-    sides = (((-1, 0), (0, 0), (1, 0)), ((0, 1), (1, 0), (1, 1)), ((1, 0), (1, 1), (0, 1)), ((0, -1), (0, 1), (0, 0)))
+    # Per side of a pixel: where its neighbour is, and from which to which corner the border goes
+    # there.
+    sides = (
+        ((-1, 0), (0, 0), (1, 0)),
+        ((0, 1), (1, 0), (1, 1)),
+        ((1, 0), (1, 1), (0, 1)),
+        ((0, -1), (0, 1), (0, 0)),
+    )
     for (down, right), start, end in sides:
         rows, columns = np.nonzero(inside & ~np.roll(inside, (-down, -right), axis=(0, 1)))
         for row, column in zip((rows - 1).tolist(), (columns - 1).tolist(), strict=True):
-            nexts.setdefault((column + start[0], row + start[1]), []).append((column + end[0], row + end[1]))
+            nexts.setdefault((column + start[0], row + start[1]), []).append(
+                (column + end[0], row + end[1])
+            )
     loops = []
     for start in sorted(nexts):
         while nexts[start]:

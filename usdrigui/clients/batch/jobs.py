@@ -1,7 +1,8 @@
 """One asset of a batch: what is asked, what came of it, and the process that does it.
 
-`run_job` never raises for what an asset does to it: a refusal, a crash, a process that is killed or hangs
-are all rows of the summary.  It is a plain function of a plain record, so that a cluster can run it.
+`run_job` never raises for what an asset does to it: a refusal, a crash, a process that is killed or
+hangs are all rows of the summary.  It is a plain function of a plain record, so that a cluster can
+run it.
 """
 
 from __future__ import annotations
@@ -37,8 +38,9 @@ class Row:
     picture: str
     """Empty where none was asked for, and where there is no layout."""
     outcome: str
-    """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch), ``refused``, ``failed``, or
-    ``part``: no character by itself, but a part of another asset of the batch."""
+    """``written``, ``unchanged``, ``skipped`` (nothing has changed since the last batch),
+    ``refused``, ``failed``, or ``part``: no character by itself, but a part of another asset of the
+    batch."""
     exit: int
     """Exit code that `usdrigui process` gave or would have given."""
     code: str = ""
@@ -98,7 +100,10 @@ def _recalled(job: Job) -> Row | None:
     return replace(row, outcome="skipped", seconds=0.0)
 
 
-_KINDS = {each.name: {"str": str, "int": int, "float": float}.get(str(each.type), tuple) for each in fields(Row)}
+_KINDS = {
+    each.name: {"str": str, "int": int, "float": float}.get(str(each.type), tuple)
+    for each in fields(Row)
+}
 """Of each column its type."""
 
 
@@ -114,7 +119,14 @@ def _laid_out(job: Job) -> Row:
 
 def _supervised(job: Job) -> Outcome:
     """How `usdrigui process` ends on the asset, in a worker of its own."""
-    command = ["process", _no_option(job.asset), "-o", _no_option(job.output), "--json", *job.arguments]
+    command = [
+        "process",
+        _no_option(job.asset),
+        "-o",
+        _no_option(job.output),
+        "--json",
+        *job.arguments,
+    ]
     if job.picture:
         command += ["--preview", _no_option(job.picture)]
     late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {job.timeout:g} s")
@@ -122,7 +134,9 @@ def _supervised(job: Job) -> Outcome:
     with _ENTERING:
         _RUNNING.add(events)
     try:
-        return supervise(command, _ignore, events, limit=(job.timeout, late) if job.timeout else None, alone=True)
+        return supervise(
+            command, _ignore, events, limit=(job.timeout, late) if job.timeout else None, alone=True
+        )
     finally:
         with _ENTERING:
             _RUNNING.discard(events)
@@ -134,25 +148,35 @@ def _ignore(stream: str, text: str) -> None:
 
 def _no_option(path: str) -> str:
     """The path so that a command line cannot take it for an option, as it would ``-x.usda``."""
-    return os.path.join(os.curdir, path) if path.startswith("-") else path  # noqa: PTH118 (a Path drops the dot)
+    # A Path would drop the dot.
+    return os.path.join(os.curdir, path) if path.startswith("-") else path  # noqa: PTH118
 
 
-# --- the row -----------------------------------------------------------------------------------------
+# --- the row --------------------------------------------------------------------------------------
 
 
 def _row(job: Job, outcome: Outcome) -> Row:
     if outcome.death is not None:
         lost = outcome.death.issue.code == "WORKER_LOST"
-        return failed(job, refuse("BATCH_KILLED", "", outcome.death.issue.message) if lost else outcome.death)
+        return failed(
+            job, refuse("BATCH_KILLED", "", outcome.death.issue.message) if lost else outcome.death
+        )
     document = _report(outcome.out)
     if document is None:
-        return failed(job, refuse("BATCH_NO_REPORT", "", f"its process ended with code {outcome.code} without one"))
+        return failed(
+            job,
+            refuse(
+                "BATCH_NO_REPORT", "", f"its process ended with code {outcome.code} without one"
+            ),
+        )
     if document["outcome"] == "refused":
         found = document["issues"][0]
         where = f"{found['path']}: " if found["path"] not in ("", job.asset) else ""
         row = Row(job.asset, job.output, "", "refused", outcome.code, found["code"])
         return replace(row, message=where + found["message"])
-    return _with_counts(Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document)
+    return _with_counts(
+        Row(job.asset, job.output, job.picture, document["outcome"], outcome.code), document
+    )
 
 
 def _report(text: str) -> dict[str, Any] | None:
@@ -167,7 +191,9 @@ def _report(text: str) -> dict[str, Any] | None:
 def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
     counts = [each["counts"] for each in document["characters"]]
     gaps = [each["solution"]["gap"] for each in document["characters"]]
-    face, board, left_off = (sum(each[place] for each in counts) for place in ("face", "board", "left off"))
+    face, board, left_off = (
+        sum(each[place] for each in counts) for place in ("face", "board", "left off")
+    )
     folder = Path(row.asset).parent
     return replace(
         row,

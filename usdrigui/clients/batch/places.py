@@ -16,8 +16,9 @@ _SUFFIXES = (".usd", ".usda", ".usdc", ".usdz")
 def find_assets(patterns: Iterable[str]) -> tuple[Path, ...]:
     """The files that the patterns match, each once, in the order of the patterns and then by name.
 
-    ``**`` matches folders at any depth.  Layers that usdrigui has written (``*.rigui.*``) are no assets
-    unless a pattern names one in full.  Raises BATCH_NO_MATCH for a pattern without any match.
+    ``**`` matches folders at any depth.  Layers that usdrigui has written (``*.rigui.*``) are no
+    assets unless a pattern names one in full.  Raises BATCH_NO_MATCH for a pattern without any
+    match.
     """
     found: dict[str, Path] = {}
     for pattern in patterns:
@@ -30,34 +31,47 @@ def find_assets(patterns: Iterable[str]) -> tuple[Path, ...]:
 
 
 def outputs_of(assets: Sequence[Path], folder: Path | None) -> tuple[Path, ...]:
-    """Where the layer of each asset goes: beside it, or below `folder` as deep as it lies below all assets' folder.
+    """Where the layer of each asset goes: beside it, or below `folder` as deep as it lies below all
+    assets' folder.
 
-    Assets whose layers would have one name, as those that differ in their extension alone, get layers with the
-    extension in their names.  Raises FILE_TARGET where even so two of them would share one.
+    Assets whose layers would have one name, as those that differ in their extension alone, get
+    layers with the extension in their names.  Raises FILE_TARGET where even so two of them would
+    share one.
     """
     wheres = [each.parent for each in assets]
     if folder is not None:
-        common = os.path.commonpath([os.path.abspath(each) for each in wheres])  # noqa: PTH100 (keeps links)
+        # It keeps symbolic links, where resolve() would follow them.
+        common = os.path.commonpath([os.path.abspath(each) for each in wheres])  # noqa: PTH100
         wheres = [folder / os.path.relpath(each, common) for each in wheres]
-    real = {where: os.path.realpath(where) for where in wheres}  # one folder can be named in several ways
+    real = {
+        where: os.path.realpath(where) for where in wheres
+    }  # one folder can be named in several ways
     names = [each.stem for each in assets]
     twins: set[int] = set()
-    while more := _not_alone([(real[where], name) for where, name in zip(wheres, names, strict=True)]) - twins:
+    while (
+        more := _not_alone([(real[where], name) for where, name in zip(wheres, names, strict=True)])
+        - twins
+    ):
         twins |= more  # whose longer names may be those of others, as of char_usda.usda
         for index in more:
             names[index] = assets[index].name.replace(".", "_")
     outputs = tuple(where / f"{name}.rigui.usda" for where, name in zip(wheres, names, strict=True))
-    check_apart([(output, f"the layer of {asset}") for output, asset in zip(outputs, assets, strict=True)])
+    check_apart(
+        [(output, f"the layer of {asset}") for output, asset in zip(outputs, assets, strict=True)]
+    )
     return outputs
 
 
 def check_apart(files: Iterable[tuple[Path, str]]) -> None:
-    """Refuse to write one file twice; each comes with a word on what it is to be.  Raises FILE_TARGET."""
+    """Refuse to write one file twice; each comes with a word on what it is to be.  Raises
+    FILE_TARGET."""
     seen: dict[str, str] = {}
     for path, what in files:
         place = os.path.normcase(os.path.realpath(path))
         if place in seen:
-            raise refuse("FILE_TARGET", str(path), f"would be {seen[place]} and {what}; make them apart")
+            raise refuse(
+                "FILE_TARGET", str(path), f"would be {seen[place]} and {what}; make them apart"
+            )
         seen[place] = what
 
 
@@ -72,6 +86,7 @@ def _matches(pattern: str) -> list[Path]:
         return [Path(pattern)]
     return sorted(
         path
-        for path in map(Path, glob.glob(pattern, recursive=True))  # noqa: PTH207 (patterns may be absolute)
+        # A pattern may be absolute, which Path.glob refuses.
+        for path in map(Path, glob.glob(pattern, recursive=True))  # noqa: PTH207
         if path.suffix.lower() in _SUFFIXES and ".rigui" not in path.suffixes and path.is_file()
     )

@@ -1,7 +1,7 @@
 """A whole batch: jobs in, rows out as they are done, a summary at the end.
 
-`run_local` uses processes of this machine, `run_on_dask` the workers of a dask.distributed cluster, which
-must see the same files under the same paths and have usdrigui installed.
+`run_local` uses processes of this machine, `run_on_dask` the workers of a dask.distributed cluster,
+which must see the same files under the same paths and have usdrigui installed.
 """
 
 from __future__ import annotations
@@ -59,46 +59,64 @@ def run_local(jobs: Sequence[Job], workers: int) -> Generator[Row, None, None]:
     futures: list[Future[Row]] = []
     told: set[Future[Row]] = set()
     try:
-        for job in jobs:  # within, as Python would do at its exit all that an interruption leaves in the pool
-            futures.append(pool.submit(run_job, job))  # noqa: PERF401 (what was handed out until then is known)
+        for job in (
+            jobs
+        ):  # within, as Python would do at its exit all that an interruption leaves in the pool
+            # Where it is interrupted, what was handed out until then is known.
+            futures.append(pool.submit(run_job, job))  # noqa: PERF401
         for future in as_completed(futures):
             told.add(future)
             yield future.result()
     except KeyboardInterrupt:
         _end(pool, futures)
-        yield from [each.result() for each in futures if each not in told and each.done() and not each.cancelled()]
+        yield from [
+            each.result()
+            for each in futures
+            if each not in told and each.done() and not each.cancelled()
+        ]
         raise
     finally:
         _end(pool, futures)
 
 
 def _end(pool: ThreadPoolExecutor, futures: Sequence[Future[Row]]) -> None:
-    """End what runs; a thread that compares what is remembered of a large asset is not waited for."""
+    """End what runs; a thread that compares what is remembered of a large asset is not waited
+    for."""
     pool.shutdown(wait=False, cancel_futures=True)
     end = time.monotonic() + _ENDING
     while time.monotonic() < end and (running := [each for each in futures if not each.done()]):
-        end_all()  # again and again: a job that was taken up just before may start its worker just after
+        # again and again: a job that was taken up just before may start its worker just after
+        end_all()
         wait(running, timeout=0.05)
 
 
 def in_order(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
-    """The rows in the order of the jobs, with one for each job that has none because the batch was stopped."""
+    """The rows in the order of the jobs, with one for each job that has none because the batch was
+    stopped."""
     known = {row.output: row for row in rows}
     stopped = refuse("INTERRUPTED", "", "the batch was stopped before this asset was done")
     return tuple(known.get(job.output) or failed(job, stopped) for job in jobs)
 
 
 def with_parts(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
-    """The rows, where a file that a pattern found and that is no character is a part of the asset that needs it."""
+    """The rows, where a file that a pattern found and that is no character is a part of the asset
+    that needs it."""
     rows = tuple(rows)
     named = {job.output for job in jobs if job.named}
     whole = {path: row.asset for row in rows if row.sound for path in row.sources[1:]}
 
     def told(row: Row) -> Row:
         asset = whole.get(os.path.realpath(row.asset))
-        if asset is None or row.outcome != "refused" or row.exit != Exit.REFUSED or row.output in named:
+        if (
+            asset is None
+            or row.outcome != "refused"
+            or row.exit != Exit.REFUSED
+            or row.output in named
+        ):
             return row
-        return replace(row, outcome="part", exit=int(Exit.OK), code="", message=f"is a part of {asset}")
+        return replace(
+            row, outcome="part", exit=int(Exit.OK), code="", message=f"is a part of {asset}"
+        )
 
     return tuple(map(told, rows))
 
@@ -112,7 +130,9 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
         distributed = importlib.import_module("distributed")
     except ImportError:
         raise refuse(
-            "EXTRA_MISSING", "dask", "dask.distributed is not installed: `pip install usdrigui-core[dask]`"
+            "EXTRA_MISSING",
+            "dask",
+            "dask.distributed is not installed: `pip install usdrigui-core[dask]`",
         ) from None
     try:
         client = distributed.Client(address, timeout=10, set_as_default=False)
@@ -122,7 +142,11 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
         futures = client.map(run_job, jobs, pure=False, retries=_RETRIES)
         by_key = {future.key: job for future, job in zip(futures, jobs, strict=True)}
         for future in distributed.as_completed(futures, loop=client.loop):
-            yield future.result() if future.status == "finished" else _lost(by_key[future.key], future.exception())
+            yield (
+                future.result()
+                if future.status == "finished"
+                else _lost(by_key[future.key], future.exception())
+            )
 
 
 def to_json(summary: Summary) -> str:
@@ -148,4 +172,6 @@ def _plain(row: Row) -> dict[str, Any]:
 
 
 def _lost(job: Job, error: BaseException | None) -> Row:
-    return failed(job, refuse("BATCH_KILLED", "", f"the cluster gave it up: {type(error).__name__}"))
+    return failed(
+        job, refuse("BATCH_KILLED", "", f"the cluster gave it up: {type(error).__name__}")
+    )

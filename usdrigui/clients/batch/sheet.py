@@ -21,7 +21,9 @@ def sheet_png(rows: Sequence[Row]) -> bytes:
     """PNG bytes: the picture of each asset over its name, or why there is none."""
     rows = [row for row in rows if row.outcome != "part"]
     images = [_picture(row) for row in rows]
-    page = contact_sheet(images, [f"{row.asset}   {row.outcome}" for row in rows], columns=3 if len(rows) > 4 else 2)
+    page = contact_sheet(
+        images, [f"{row.asset}   {row.outcome}" for row in rows], columns=3 if len(rows) > 4 else 2
+    )
     content = io.BytesIO()
     page.save(content, "PNG")
     return content.getvalue()

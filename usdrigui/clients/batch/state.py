@@ -1,7 +1,9 @@
-"""What a batch remembers of an asset, in a small file beside its layer, so that it can be skipped next time.
+"""What a batch remembers of an asset, in a small file beside its layer, so that it can be skipped
+next time.
 
-``char.rigui.usda`` has ``char.rigui.batch.json``.  An asset is skipped when its settings, our version,
-every file that composed it, the layer and the picture, if one is asked for, are what they were.
+``char.rigui.usda`` has ``char.rigui.batch.json``.  An asset is skipped when its settings, our
+version, every file that composed it, the layer and the picture, if one is asked for, are what they
+were.
 """
 
 from __future__ import annotations
@@ -33,15 +35,20 @@ def state_path(output: str) -> Path:
 
 
 def recall(job: Job) -> dict[str, Any] | None:
-    """The row of the last batch, if laying out again would give the same; else None, whatever the file holds."""
+    """The row of the last batch, if laying out again would give the same; else None, whatever the
+    file holds."""
     try:
         known = json.loads(_content(state_path(job.output)))
         about = _about(job, known["sources"])
         if not job.picture:
-            about["picture"] = known["about"]["picture"]  # one that nobody asks for now changes nothing
+            about["picture"] = known["about"][
+                "picture"
+            ]  # one that nobody asks for now changes nothing
         # Names are of this batch: the last one may have been started in another folder.
         row = {**known["row"], "asset": job.asset, "output": job.output, "picture": job.picture}
-        return {**row, "sources": _paths(job, known["sources"])} if known["about"] == about else None
+        return (
+            {**row, "sources": _paths(job, known["sources"])} if known["about"] == about else None
+        )
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
 
@@ -59,7 +66,13 @@ def remember(job: Job, sources: Sequence[Mapping[str, str]], row: Mapping[str, A
     with contextlib.suppress(OSError, RigUIError):
         about = _about(job, sources)
         row = {key: value for key, value in row.items() if key != "sources"}
-        document = {"format": FORMAT, "version": VERSION, "about": about, "sources": list(sources), "row": row}
+        document = {
+            "format": FORMAT,
+            "version": VERSION,
+            "about": about,
+            "sources": list(sources),
+            "row": row,
+        }
         # A file changed since it was read must not count as laid out.
         if about["sources"] == [each["sha256"] for each in sources]:
             commit(json.dumps(document, indent=2) + "\n", state_path(job.output), read=[job.asset])
@@ -76,7 +89,9 @@ def _about(job: Job, sources: Sequence[Mapping[str, str]]) -> dict[str, Any]:
     return {
         "usdrigui": __version__,
         "settings": job.settings,
-        "asset": os.path.relpath(os.path.realpath(job.asset), os.path.realpath(Path(job.output).parent)),
+        "asset": os.path.relpath(
+            os.path.realpath(job.asset), os.path.realpath(Path(job.output).parent)
+        ),
         "sources": [hashed(each).sha256 for each in _paths(job, sources)],
         "output": hashed(job.output).sha256,
         "picture": hashed(job.picture).sha256 if job.picture else "",

@@ -1,4 +1,5 @@
-"""Layouts in a studio's publish: plug-ins for Pyblish and AYON, and the same three steps without a framework.
+"""Layouts in a studio's publish: plug-ins for Pyblish and AYON, and the same three steps without a
+framework.
 
 import usdrigui.clients.publish
 usdrigui.clients.publish.register()          # or add plugin_folder() to PYBLISHPLUGINPATH

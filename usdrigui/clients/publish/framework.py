@@ -12,9 +12,12 @@ try:
 except ImportError:
 
     class PublishValidationError(Exception):  # type: ignore[no-redef]
-        """A validation that failed, with what a publisher shows of it; the same arguments as AYON's."""
+        """A validation that failed, with what a publisher shows of it; the same arguments as
+        AYON's."""
 
-        def __init__(self, message: str, title: str = "", description: str = "", detail: str = "") -> None:
+        def __init__(
+            self, message: str, title: str = "", description: str = "", detail: str = ""
+        ) -> None:
             super().__init__(message)
             self.message = message
             self.title = title
@@ -22,7 +25,8 @@ except ImportError:
             self.detail = detail
 
     class OptionalPyblishPluginMixin:  # type: ignore[no-redef]
-        """A plug-in that a publisher may switch off for an instance; Pyblish's own publishers never run it then."""
+        """A plug-in that a publisher may switch off for an instance; Pyblish's own publishers never
+        run it then."""
 
         def is_active(self, data: Any) -> bool:
             """Whether the plug-in is to run for an instance with that data."""
@@ -38,7 +42,8 @@ except ImportError:
 
         def process(self, context: Any, plugin: Any) -> None:
             """Repair what failed."""
-            # Instances are lists, empty ones are equal, and none can be hashed: tell them apart by identity.
+            # Instances are lists, empty ones are equal, and none can be hashed: tell them apart by
+            # identity.
             failed = {
                 id(result["instance"]): result["instance"]
                 for result in context.data["results"]

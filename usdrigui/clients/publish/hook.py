@@ -27,20 +27,25 @@ The layout layer of `{asset}` cannot be published as it is:
 
 
 def settings_of(asset: Path) -> Settings:
-    """The settings that `usdrigui process` would take for an asset: environment and ``CHAR.rigui.toml``."""
+    """The settings that `usdrigui process` would take for an asset: environment and
+    ``CHAR.rigui.toml``."""
     return load_beside(asset)
 
 
 def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
-    Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot), and the
-    refusal if the layer cannot be read, is missing, or stands over another asset.
+    Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot),
+    and the refusal if the layer cannot be read, is missing, or stands over another asset.
     """
     try:
         loaded = pipeline.load_layer(layer, settings_of(asset))
         if Path(loaded.source).resolve() != asset.resolve():
-            return (_issue("LAYOUT_STALE", str(layer), f"stands over {loaded.source}, not over {asset}"),)
+            return (
+                _issue(
+                    "LAYOUT_STALE", str(layer), f"stands over {loaded.source}, not over {asset}"
+                ),
+            )
         found = pipeline.check(layer, settings_of(asset)).issues
     except RigUIError as error:
         return (error.issue,)
@@ -56,10 +61,11 @@ def repair(asset: Path, layer: Path) -> str:
 
 
 def stage(layer: Path, folder: Path) -> Path:
-    """A bare copy of the layer in a staging folder: published beside other layers, it must not name the asset.
+    """A bare copy of the layer in a staging folder: published beside other layers, it must not name
+    the asset.
 
-    It is a crate that ends in ``.usd``: AYON expects the representation ``usd`` in a file that ends so.
-    Returns its path.  Raises `usdrigui.errors.RigUIError` with a FILE_ code.
+    It is a crate that ends in ``.usd``: AYON expects the representation ``usd`` in a file that ends
+    so. Returns its path.  Raises `usdrigui.errors.RigUIError` with a FILE_ code.
     """
     folder.mkdir(parents=True, exist_ok=True)
     target = folder / layer.with_suffix(".usd").name

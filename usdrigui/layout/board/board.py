@@ -1,9 +1,9 @@
-"""The board: a tidy grid beside the face for elements that do not stand on it (paper section 3.3, global
-deformations).
+"""The board: a tidy grid beside the face for elements that do not stand on it (paper section 3.3,
+global deformations).
 
-It stands in the plane of the layout's own view, to the right of the silhouette at its own height, in
-columns no taller than the face; rows are grouped by category.  It is attached to the most head-like joint,
-so that it follows the head and nothing else.
+It stands in the plane of the layout's own view, to the right of the silhouette at its own height,
+in columns no taller than the face; rows are grouped by category.  It is attached to the most
+head-like joint, so that it follows the head and nothing else.
 """
 
 from __future__ import annotations
@@ -53,7 +53,9 @@ class BoardEntry:
     reason: str
 
 
-def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adapt: Adapt) -> list[Element]:
+def board_elements(
+    face: Face, board: list[BoardEntry], requests: Requests, adapt: Adapt
+) -> list[Element]:
     """Elements of the board, in the reading order of its rows."""
     if not board:
         return []
@@ -80,20 +82,27 @@ def board_elements(face: Face, board: list[BoardEntry], requests: Requests, adap
 
 
 def _boards(requests: Requests, middle: float, half: float, up: Floats) -> list[Element]:
-    """The elements of a board that exists already, and of the boards of other parts as high as this one."""
+    """The elements of a board that exists already, and of the boards of other parts as high as this
+    one."""
     elements = requests.existing.elements if requests.existing is not None else ()
-    near = [each for each in requests.neighbours if abs(float(each.anchor.position @ up) - middle) <= half]
+    near = [
+        each
+        for each in requests.neighbours
+        if abs(float(each.anchor.position @ up) - middle) <= half
+    ]
     return [element for element in (*elements, *near) if element.anchor.on_board]
 
 
 def _right_end(element: Element, frame: Floats, width: float) -> float:
-    """Where an existing element, its label included, ends across the screen, and a column may begin."""
+    """Where an existing element, its label included, ends across the screen, and a column may
+    begin."""
     across = max(float((member.track @ frame[0]).max()) for member in element.members)
     return across + (2.0 + _LETTER * len(element.label)) * width
 
 
 def _cell_widths(rig: Rig, rows: list[tuple[BoardEntry, ...]]) -> list[float]:
-    """Widths of the cells of a column, in handle widths: sliders with the longest label below each other.
+    """Widths of the cells of a column, in handle widths: sliders with the longest label below each
+    other.
 
     A lone element's label may run on over the cells to its right.
     """
@@ -118,15 +127,25 @@ def _label(rig: Rig, entry: BoardEntry) -> str:
 
 def _rows(rig: Rig, board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
     """Rows of one element or of a pair, sorted by category and then by name."""
-    ranked = sorted(board, key=lambda each: (CATEGORIES.index(each.category), each.group.name.lower(), each.group.name))
+    ranked = sorted(
+        board,
+        key=lambda each: (
+            CATEGORIES.index(each.category),
+            each.group.name.lower(),
+            each.group.name,
+        ),
+    )
     rows = []
     for _, members in groupby(ranked, key=lambda each: (each.category, each.group.name)):
         rows.append(tuple(sorted(members, key=lambda each: rig.controls[each.controls[0]].name)))
     return rows
 
 
-def _columns(rows: list[tuple[BoardEntry, ...]], most: int) -> list[list[tuple[int, tuple[BoardEntry, ...]]]]:
-    """Rows with their line numbers, column by column; a heading takes a line above each category."""
+def _columns(
+    rows: list[tuple[BoardEntry, ...]], most: int
+) -> list[list[tuple[int, tuple[BoardEntry, ...]]]]:
+    """Rows with their line numbers, column by column; a heading takes a line above each
+    category."""
     columns: list[list[tuple[int, tuple[BoardEntry, ...]]]] = [[]]
     line, category = 0, ""
     for row in rows:
@@ -159,18 +178,25 @@ class _Drawing:
     adapt: Adapt
 
 
-def _element(drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], place: Floats) -> Element:
+def _element(
+    drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], place: Floats
+) -> Element:
     face, requests, group = drawing.face, drawing.requests, entry.group
     if group.kind != "slider":
         place = place - drawing.frame[1] * _ROW * face.handle_width
     known = face.rig.control_names
-    names = [element_name([face.control_name(control) for control in each.controls], known) for each in row]
+    names = [
+        element_name([face.control_name(control) for control in each.controls], known)
+        for each in row
+    ]
     own = row.index(entry)
     anchor, side = _anchor(drawing, place), _side(face, entry, own)
     length = _TRACK * face.handle_width * (1.0 if len(entry.controls) == 1 else 0.5)
     members = tuple(
         _member(face, control, place, length, direction)
-        for control, direction in zip(entry.controls, _directions(group, drawing.frame), strict=True)
+        for control, direction in zip(
+            entry.controls, _directions(group, drawing.frame), strict=True
+        )
     )
     overrides = [requests.overrides[control] for control in entry.controls]
     flipped = face.symmetry.reversed
@@ -187,7 +213,9 @@ def _element(drawing: _Drawing, entry: BoardEntry, row: tuple[BoardEntry, ...], 
         reason=entry.reason,
         adapt=drawing.adapt,
         glyph=fitted_glyph(face, overrides, anchor, members, side == "right"),
-        reversed=tuple(m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]),
+        reversed=tuple(
+            m for m, each in enumerate(entry.controls) if len(row) == 2 and flipped[each]
+        ),
     )
 
 
@@ -200,8 +228,8 @@ def _start(rig: Rig, entry: BoardEntry) -> float:
 
 
 def _directions(group: Group, frame: Floats) -> list[Floats]:
-    """Directions in which the members' tracks run on the board: axes to the right, then up, their opposites
-    to the other side; the members of a fan spread over the half circle."""
+    """Directions in which the members' tracks run on the board: axes to the right, then up, their
+    opposites to the other side; the members of a fan spread over the half circle."""
     found: list[Floats] = [frame[0]] * len(group.controls)
     for number, axis in enumerate(group.axes):
         angle = np.pi * number / max(len(group.axes), 2)
@@ -213,13 +241,15 @@ def _directions(group: Group, frame: Floats) -> list[Floats]:
 
 
 def _member(face: Face, control: int, place: Floats, length: float, direction: Floats) -> Member:
-    """A straight track through `place`, where the control stands at its base value; to one side only where the
-    control goes to one side only."""
+    """A straight track through `place`, where the control stands at its base value; to one side
+    only where the control goes to one side only."""
     ours = face.rig.controls[control]
     values = np.unique([ours.minimum, ours.default, ours.maximum])
     share = (values - ours.default) / (values[-1] - values[0])
     peak = float(face.trajectories.motion_of(control).arc_length.max())
-    return Member(ours.name, values, place + length * share[:, None] * direction, peak, length / peak)
+    return Member(
+        ours.name, values, place + length * share[:, None] * direction, peak, length / peak
+    )
 
 
 def _anchor(drawing: _Drawing, place: Floats) -> Anchor:

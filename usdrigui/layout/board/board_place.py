@@ -1,4 +1,5 @@
-"""Where the board stands: beside the silhouette, and carried by the joint that holds most of the face."""
+"""Where the board stands: beside the silhouette, and carried by the joint that holds most of the
+face."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ def face_middle(trajectories: Trajectories, symmetry: Symmetry) -> Floats:
 
 
 def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
-    """Rightmost extent of the character on the screen, no further than `half` above or below the middle.
+    """Rightmost extent of the character on the screen, no further than `half` above or below the
+    middle.
 
     `frame` (2, 3) are right and up on the screen.
     """
@@ -30,8 +32,8 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
 
 
 def anchor_point(face: Face, middle: Floats) -> int:
-    """The point whose joint influences the board takes: of the joint that holds most of the face, the point
-    that it holds most firmly and that moves least, nearest to the middle of the face."""
+    """The point whose joint influences the board takes: of the joint that holds most of the face,
+    the point that it holds most firmly and that moves least, nearest to the middle of the face."""
     trajectories = face.trajectories
     total = np.zeros(len(trajectories.base))
     for motion in trajectories.motions:
@@ -39,7 +41,9 @@ def anchor_point(face: Face, middle: Floats) -> int:
     firmness = _firmness(face.rig, _face_points(trajectories))
     apart = np.linalg.norm(trajectories.base - middle, axis=1)
     unit = trajectories.face_size
-    order = np.lexsort((np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3)))
+    order = np.lexsort(
+        (np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3))
+    )
     return int(order[0])
 
 
@@ -58,7 +62,9 @@ def _firmness(rig: Rig, face_points: Indices) -> Floats:
     tables = [_joint_weights(mesh, len(rig.joints)) for mesh in rig.meshes]
     face = np.zeros(sum(len(table) for table in tables), dtype=bool)
     face[face_points] = True
-    parts = (face[start : start + len(table)] for start, table in zip(rig.starts, tables, strict=False))
+    parts = (
+        face[start : start + len(table)] for start, table in zip(rig.starts, tables, strict=False)
+    )
     totals = sum(table[part].sum(axis=0) for table, part in zip(tables, parts, strict=True))
     strongest = first_largest(totals)
     return np.concatenate([table[:, strongest] for table in tables])

@@ -1,8 +1,9 @@
 """Which controls are atoms: a basis of the rig's motions, chosen all at once (beyond the paper).
 
-Rigs hold controls that repeat what others do together: visemes, emotions, both-sided copies, duplicates.  Whether one
-is a repetition depends on which others are taken for granted, so that a judgement one by one contradicts itself (A is
-explained by B, and B by A).  The set of atoms is the cheapest one that explains all other controls:
+Rigs hold controls that repeat what others do together: visemes, emotions, both-sided copies,
+duplicates.  Whether one is a repetition depends on which others are taken for granted, so that a
+judgement one by one contradicts itself (A is explained by B, and B by A).  The set of atoms is the
+cheapest one that explains all other controls:
 
     minimise    sum_i p_i a_i                p_i: what it costs that control i is an atom
     subject to  a_i + sum_k e_ik >= 1        every control is an atom or has an explanation
@@ -10,9 +11,9 @@ explained by B, and B by A).  The set of atoms is the cheapest one that explains
                 a_i + a_j <= 1               for controls that do the same, in whatever measure
                 a_i  = a_t(i)                twins alike
 
-Explanations P_ik are generated as they are needed: for the atoms of a solution, non-negative least squares tells which
-controls they explain; where that is new, the program is solved again.  Explanations end at atoms, so that they form an
-acyclic graph of depth one.
+Explanations P_ik are generated as they are needed: for the atoms of a solution, non-negative least
+squares tells which controls they explain; where that is new, the program is solved again.
+Explanations end at atoms, so that they form an acyclic graph of depth one.
 """
 
 from __future__ import annotations
@@ -67,35 +68,53 @@ class Basis(Record):
     """(motions,) None for atoms."""
 
 
-def choose_basis(cosine: Floats, prices: Floats, twins: Indices, pairs: Sequence[tuple[int, int]] = ()) -> Basis:
+def choose_basis(
+    cosine: Floats, prices: Floats, twins: Indices, pairs: Sequence[tuple[int, int]] = ()
+) -> Basis:
     """The cheapest set of atoms that explains all other motions.
 
-    `cosine` (m, m) of the motions as vectors over the surface; `prices` (m,) of being an atom, negative for those that
-    are to be one in any case; `twins` (m,) the mirror motion of each, itself or -1; `pairs` of motions of which the
-    first repeats the second although they are not parallel (steps of one shape).  Deterministic; where prices tie,
-    the earlier motion is the atom.
+    `cosine` (m, m) of the motions as vectors over the surface; `prices` (m,) of being an atom,
+    negative for those that are to be one in any case; `twins` (m,) the mirror motion of each,
+    itself or -1; `pairs` of motions of which the first repeats the second although they are not
+    parallel (steps of one shape).  Deterministic; where prices tie, the earlier motion is the atom.
     """
-    known = [(i, Explanation(np.array([j]), np.ones(1), 1.0)) for i, j in (*pairs, *_parallel(cosine, prices))]
-    # What stands in any case explains first: beside it an atom that explains dear ones may not be needed.
+    known = [
+        (i, Explanation(np.array([j]), np.ones(1), 1.0))
+        for i, j in (*pairs, *_parallel(cosine, prices))
+    ]
+    # What stands in any case explains first: beside it an atom that explains dear ones may not be
+    # needed.
     known += _explained(prices, prices < 0.0, cosine)
     # Ties are broken by order, by less than any difference of prices that is meant.
     ranked = prices + 1e-7 * np.arange(len(prices))
     for _ in range(_ROUNDS):
         atoms = _cheapest(ranked, twins, known)
-        new = [(i, each) for i, each in _explained(prices, atoms, cosine) if not _is_known(i, each, known)]
+        new = [
+            (i, each)
+            for i, each in _explained(prices, atoms, cosine)
+            if not _is_known(i, each, known)
+        ]
         if not new:
             break
         known += new
-    return Basis(atoms, tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(prices))))
+    return Basis(
+        atoms,
+        tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(prices))),
+    )
 
 
 def _explained(prices: Floats, atoms: Flags, cosine: Floats) -> list[tuple[int, Explanation]]:
     """The motions that need not be atoms and that these `atoms` (m,) explain."""
-    return [(i, each) for i in np.flatnonzero(prices > 0.0).tolist() if (each := explain(i, atoms, cosine))]
+    return [
+        (i, each)
+        for i in np.flatnonzero(prices > 0.0).tolist()
+        if (each := explain(i, atoms, cosine))
+    ]
 
 
 def explain(index: int, atoms: Flags, cosine: Floats) -> Explanation | None:
-    """Motion `index` as a non-negative sum of the other `atoms` (m,); None where none of them explains enough."""
+    """Motion `index` as a non-negative sum of the other `atoms` (m,); None where none of them
+    explains enough."""
     found = best_sum(index, atoms, cosine)
     squares = np.square(found.weights)
     effective = float(squares.sum() ** 2 / max(float(np.square(squares).sum()), 1e-300))
@@ -103,7 +122,8 @@ def explain(index: int, atoms: Flags, cosine: Floats) -> Explanation | None:
 
 
 def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
-    """The non-negative sum of the other `atoms` (m,) nearest to motion `index`, in the norm of the motions."""
+    """The non-negative sum of the other `atoms` (m,) nearest to motion `index`, in the norm of the
+    motions."""
     parts, matrix, wanted = least_squares(index, atoms, cosine)
     if not len(parts):
         return Explanation(parts, np.zeros(0), 0.0)
@@ -119,15 +139,17 @@ def best_sum(index: int, atoms: Flags, cosine: Floats) -> Explanation:
 
 
 def least_squares(index: int, among: Flags, cosine: Floats) -> tuple[Indices, Floats, Floats]:
-    """The other motions (k,) `among` (m,) that are like motion `index`, and the matrix (k, k) and vector (k,) of which
-    |A w - b| is, but for a constant, the distance of the motion from the sum of these with weights w.
+    """The other motions (k,) `among` (m,) that are like motion `index`, and the matrix (k, k) and
+    vector (k,) of which |A w - b| is, but for a constant, the distance of the motion from the sum
+    of these with weights w.
 
-    |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and |L' w - L^-1 t|^2.
+    |sum_j w_j f_j - f|^2 by way of the products: with L L' = T + ridge, it is a constant and
+    |L' w - L^-1 t|^2.
     """
     parts = np.flatnonzero(among & (cosine[index] > _ALIKE))
     parts = parts[parts != index]
     root = np.linalg.cholesky(cosine[np.ix_(parts, parts)] + _RIDGE * np.eye(len(parts)))
-    return parts, root.T, np.linalg.solve(root, cosine[parts, index])
+    return parts, np.asarray(root.T), np.asarray(np.linalg.solve(root, cosine[parts, index]))
 
 
 def _parallel(cosine: Floats, prices: Floats) -> list[tuple[int, int]]:
@@ -162,7 +184,9 @@ def _cheapest(prices: Floats, twins: Indices, known: Sequence[tuple[int, Explana
         constraints=limits,
         options={"mip_rel_gap": 0.0},
     )
-    if answer.x is None:  # Repetitions of repetitions may exclude each other's explanations: then all stay.
+    if (
+        answer.x is None
+    ):  # Repetitions of repetitions may exclude each other's explanations: then all stay.
         return np.ones(count, dtype=bool)
     return np.asarray(answer.x[:count] > 0.5)
 
@@ -173,7 +197,14 @@ def _is_known(index: int, each: Explanation, known: Sequence[tuple[int, Explanat
     return any(who == index and set(other.parts.tolist()) <= parts for who, other in known)
 
 
-def _told(index: int, atoms: Flags, cosine: Floats, known: Sequence[tuple[int, Explanation]]) -> Explanation:
-    """The explanation of a motion that is no atom: the first atom known that it repeats, or else the sum."""
-    single = (each for who, each in known if who == index and len(each.parts) == 1 and atoms[each.parts[0]])
+def _told(
+    index: int, atoms: Flags, cosine: Floats, known: Sequence[tuple[int, Explanation]]
+) -> Explanation:
+    """The explanation of a motion that is no atom: the first atom known that it repeats, or else
+    the sum."""
+    single = (
+        each
+        for who, each in known
+        if who == index and len(each.parts) == 1 and atoms[each.parts[0]]
+    )
     return next(single, None) or best_sum(index, atoms, cosine)

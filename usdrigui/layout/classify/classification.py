@@ -19,7 +19,8 @@ from usdrigui.model import Category, Flags, Floats, Motion, Rig, Symmetry, Traje
 from usdrigui.settings import CandidateSettings
 
 _UNMOVED_SHARE = 0.1
-"""Paper section 4.2: a control is global when fewer points than this share move less than its mean."""
+"""Paper section 4.2: a control is global when fewer points than this share move less than its
+mean."""
 
 
 _FELT = 0.25
@@ -67,19 +68,27 @@ def classify(
 ) -> tuple[Classification, ...]:
     """One per motion.
 
-    Whether one is global does not depend on which others the configuration excludes: those still count for
-    what the face is.
+    Whether one is global does not depend on which others the configuration excludes: those still
+    count for what the face is.
     """
     visible_areas = np.where(views.anywhere, trajectories.areas, 0.0)
     every = (*trajectories.motions, *trajectories.excluded)
-    covered, shares = coverage_of_smaller(every, visible_areas), shares_of_face(every, visible_areas)
+    covered, shares = (
+        coverage_of_smaller(every, visible_areas),
+        shares_of_face(every, visible_areas),
+    )
     vanish = visibility_shapes(rig, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
-    repeated = composites(rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings)
+    repeated = composites(
+        rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings
+    )
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     kept = _kept(trajectories, symmetry, views.anywhere)
-    # The joints of a chain explain each other; what repeats a blend shape or a pose is told by those.
-    joints_alone = all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions)
+    # The joints of a chain explain each other; what repeats a blend shape or a pose is told by
+    # those.
+    joints_alone = all(
+        rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
+    )
     found = []
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
@@ -88,8 +97,12 @@ def classify(
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
             kept=float(kept[index]),
-            essential=_essential(requests.names.meanings[motion.control], kept[index] * motion.peak, trajectories),
-            composite=repeated.get(index) if not (joints_alone and motion.owned is not None) else None,
+            essential=_essential(
+                requests.names.meanings[motion.control], kept[index] * motion.peak, trajectories
+            ),
+            composite=(
+                repeated.get(index) if not (joints_alone and motion.owned is not None) else None
+            ),
         )
         category, reason = _category(evidence, motion.control, requests, settings)
         issues: tuple[Issue, ...] = ()
@@ -105,7 +118,8 @@ def classify(
 def _category(
     evidence: _Evidence, control: int, requests: Requests, settings: CandidateSettings
 ) -> tuple[Category, str]:
-    """Category and reason, both empty for a control that is to stand on the face; that of a composite is left open."""
+    """Category and reason, both empty for a control that is to stand on the face; that of a
+    composite is left open."""
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
@@ -119,7 +133,11 @@ def _category(
     if settings.board_hidden and evidence.kept < settings.least_kept and not evidence.essential:
         return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
     # A control that stands on the face already is not sent away because another one was added.
-    if settings.board_composite and evidence.composite and not requests.prior.stood_on_face((control,)):
+    if (
+        settings.board_composite
+        and evidence.composite
+        and not requests.prior.stood_on_face((control,))
+    ):
         return evidence.composite.category, ""
     if override.place == "board":
         return "requested", "placed on the board by the configuration"
@@ -127,20 +145,25 @@ def _category(
 
 
 def _kept(trajectories: Trajectories, symmetry: Symmetry, visible: Flags) -> Floats:
-    """(motions,) largest share of its peak that each keeps at a visible place, the same for twins; 1 for the control
-    of a joint, whose skin is its place."""
+    """(motions,) largest share of its peak that each keeps at a visible place, the same for twins;
+    1 for the control of a joint, whose skin is its place."""
     found = np.ones(len(trajectories.motions))
     for index, motion in enumerate(trajectories.motions):
         if motion.owned is None:
-            found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(motion.peak, 1e-300)
+            found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(
+                motion.peak, 1e-300
+            )
     by_control = {motion.control: i for i, motion in enumerate(trajectories.motions)}
-    twins = [by_control.get(int(symmetry.twins[m.control]), i) for i, m in enumerate(trajectories.motions)]
+    twins = [
+        by_control.get(int(symmetry.twins[m.control]), i)
+        for i, m in enumerate(trajectories.motions)
+    ]
     return np.maximum(found, found[twins])
 
 
 def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories) -> bool:
-    """Whether the name is that of an atom without which no face is animated, of one whose visible displacement, of
-    length `seen`, can be felt, or of a family, which stands together."""
+    """Whether the name is that of an atom without which no face is animated, of one whose visible
+    displacement, of length `seen`, can be felt, or of a family, which stands together."""
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
     return meaning.action.is_needed or seen >= _FELT * trajectories.typical_length

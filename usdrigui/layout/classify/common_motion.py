@@ -1,14 +1,17 @@
-"""How much of what a control does at a point other controls do as well: what is not its own (beyond the paper).
+"""How much of what a control does at a point other controls do as well: what is not its own (beyond
+the paper).
 
-A sneer that lifts the brow more than the nose has its peak on the brow, where it does what the brow's controls do.  The
-displacement field f_i of a control is compared with the best sum of the others, none far beyond its own range:
+A sneer that lifts the brow more than the nose has its peak on the brow, where it does what the
+brow's controls do.  The displacement field f_i of a control is compared with the best sum of the
+others, none far beyond its own range:
 
     minimise |f_i - sum_k w_k f_k|    0 <= w_k <= R
 
-Where the residual is small, the motion is not the control's own; where it is as large as the motion, nobody else does
-it.  Unlike shares of displacement at each point, the sum is one for the whole face: controls that cross in one place by
-chance take nothing from each other.  Counted is what goes beyond a half, and beyond the share at the most distinctive
-place: in a crowd of like controls all of a motion is common, and displacement decides as before.
+Where the residual is small, the motion is not the control's own; where it is as large as the
+motion, nobody else does it.  Unlike shares of displacement at each point, the sum is one for the
+whole face: controls that cross in one place by chance take nothing from each other.  Counted is
+what goes beyond a half, and beyond the share at the most distinctive place: in a crowd of like
+controls all of a motion is common, and displacement decides as before.
 """
 
 from __future__ import annotations
@@ -24,7 +27,8 @@ from usdrigui.model import Flags, Floats, Indices, Trajectories
 from usdrigui.ties import first_largest
 
 _RANGE = 2.0
-"""Times its own range that another control may go in the sum: a tiny control scaled up explains anything."""
+"""Times its own range that another control may go in the sum: a tiny control scaled up explains
+anything."""
 _HALF = 0.5
 """Share up to which a motion is the control's own."""
 _NOTABLE = 0.5
@@ -38,9 +42,9 @@ def with_common_motion(
 ) -> Trajectories:
     """The trajectories whose motions know how common they are.
 
-    `on_face` (motions,) are the controls that are to stand on the face: only they are placed, and only they are
-    others; `visible` (n,) are the points that some view sees.  A control whose joint owns skin stands there; it is left
-    out.
+    `on_face` (motions,) are the controls that are to stand on the face: only they are placed, and
+    only they are others; `visible` (n,) are the points that some view sees.  A control whose joint
+    owns skin stands there; it is left out.
     """
     fields = similarity.fields
     row = np.full(len(trajectories.base), -1, dtype=np.int64)
@@ -58,8 +62,8 @@ def with_common_motion(
 
 
 def _beyond_the_best(share: Floats, length: Floats, visible: Flags) -> Floats:
-    """(p,) by how much each share is above a half, and above that of the most distinctive of the places where the
-    control may stand; 1 where all is common."""
+    """(p,) by how much each share is above a half, and above that of the most distinctive of the
+    places where the control may stand; 1 where all is common."""
     seen = length * (visible if visible.any() else 1.0)
     own = np.where(seen >= _NOTABLE * seen.max(initial=0.0), seen * (1.0 - share), -1.0)
     least = max(float(share[first_largest(own)]), _HALF)
@@ -72,11 +76,14 @@ def _shares(similarity: Similarity, index: int, on_face: Flags, at: Indices) -> 
     parts, weights = _sum_of_others(similarity, index, on_face)
     rest = own - np.einsum("k,kai->ai", weights, similarity.fields.vectors[np.ix_(parts, at)])
     length = np.maximum(np.linalg.norm(own, axis=1), 1e-300)
-    return np.asarray(np.round(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0), _DIGITS))
+    return np.asarray(
+        np.round(1.0 - np.minimum(np.linalg.norm(rest, axis=1) / length, 1.0), _DIGITS)
+    )
 
 
 def _sum_of_others(similarity: Similarity, index: int, on_face: Flags) -> tuple[Indices, Floats]:
-    """Motions (k,) and how far each goes, in its own range, in the sum nearest to motion `index`."""
+    """Motions (k,) and how far each goes, in its own range, in the sum nearest to motion
+    `index`."""
     cosine, norm = similarity.cosine, similarity.norm
     parts, matrix, wanted = least_squares(index, on_face, cosine)
     if not len(parts):

@@ -1,16 +1,18 @@
 """Controls that repeat what others do, and which controls they repeat (beyond the paper).
 
-Rigs keep visemes, emotions, both-sided copies and flattened in-betweens beside the atomic controls from which they
-were sculpted.  On the face they would only crowd the atoms.  Which controls are atoms is decided for all at once
-(`basis`), at prices that say what a rigger would keep:
+Rigs keep visemes, emotions, both-sided copies and flattened in-betweens beside the atomic controls
+from which they were sculpted.  On the face they would only crowd the atoms.  Which controls are
+atoms is decided for all at once (`basis`), at prices that say what a rigger would keep:
 
-* a control with the name of an atomic action, and most of all one without which no face can be animated, is one;
-* a copy for both sides of two that stand there, a step of another (``smile_50``) and what a family is made of are not
-  if others explain them;
-* of controls whose names say nothing, local ones with a twin are rather atoms than wide ones without.
+* a control with the name of an atomic action, and most of all one without which no face can be
+  animated, is one;
+* a copy for both sides of two that stand there, a step of another (``smile_50``) and what a family
+  is made of are not if others explain them;
+* of controls whose names say nothing, local ones with a twin are rather atoms than wide ones
+  without.
 
-A *spread* remains: a symmetric control without a telling name that moves distant parts of the face as atoms there do
-is an emotion, even if it has a shape of its own.
+A *spread* remains: a symmetric control without a telling name that moves distant parts of the face
+as atoms there do is an emotion, even if it has a shape of its own.
 """
 
 from __future__ import annotations
@@ -33,15 +35,16 @@ from usdrigui.model import Category, Flags, Floats, Indices, Rig, Symmetry, Traj
 _NAMED = 3
 """Parts of a mixture that its explanation names."""
 _STEP = 0.75
-"""Cosine from which a control repeats the one of which its name calls it a step: a flattened in-between lies off the
-straight line."""
+"""Cosine from which a control repeats the one of which its name calls it a step: a flattened
+in-between lies off the straight line."""
 _FAMILY_PRICE = 3.0
 _BOTH_SIDES_PRICE = 2.0
 _TWIN_DISCOUNT = 0.2
 """Prices of being an atom, in units of what a control costs whose name says nothing."""
 _LOCAL_COSINE = 0.6
 _LOCAL_AMOUNT = 0.25
-"""A control contains another when, where that one acts, it goes the same way by this share of it."""
+"""A control contains another when, where that one acts, it goes the same way by this share of
+it."""
 _APART = 0.3
 """Vertical distance of two atoms, in face sizes, from which they are distant parts of the face."""
 _FAR_PAIRS = 2
@@ -83,18 +86,25 @@ def composites(
     coverage: Floats,
     meanings: Sequence[Meaning | None],
 ) -> dict[int, Composite]:
-    """The motions that repeat others, or stand with their family off the face; both twins of a pair or neither.
+    """The motions that repeat others, or stand with their family off the face; both twins of a pair
+    or neither.
 
-    `coverage` (motions,) is the share of the face that each moves, `meanings` (controls,) what the names say.
+    `coverage` (motions,) is the share of the face that each moves, `meanings` (controls,) what the
+    names say.
     """
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     meaning = [meanings[motion.control] for motion in trajectories.motions]
     twins = _twins(trajectories, symmetry)
     families = find_families(names, meaning, similarity.cosine, coverage)
     basis = choose_basis(
-        similarity.cosine, _prices(names, meaning, twins, coverage, families), twins, _steps(names, similarity.cosine)
+        similarity.cosine,
+        _prices(names, meaning, twins, coverage, families),
+        twins,
+        _steps(names, similarity.cosine),
     )
-    found = {i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()}
+    found = {
+        i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()
+    }
     off_face = [i for family in families if not family.on_face for i in family.members]
     standing = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
     spread = _Spreads(rig, trajectories, similarity)
@@ -106,7 +116,9 @@ def composites(
             found.pop(i, None)
             if not family.on_face:
                 told = _amounts(i, best_sum(i, standing, similarity.cosine), similarity.norm)
-                found[i] = Composite(family.kind, "family", family_reason=family.reason, explained_by=told)
+                found[i] = Composite(
+                    family.kind, "family", family_reason=family.reason, explained_by=told
+                )
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 
@@ -127,7 +139,11 @@ def _prices(
     for i, each in enumerate(meaning):
         if i in in_family:
             prices[i] += _FAMILY_PRICE
-        elif each is not None and not (each.side or each.middle) and {"left", "right"} <= sides[each.action.name]:
+        elif (
+            each is not None
+            and not (each.side or each.middle)
+            and {"left", "right"} <= sides[each.action.name]
+        ):
             prices[i] += _BOTH_SIDES_PRICE
         elif each is not None:
             prices[i] = -each.action.importance
@@ -157,12 +173,19 @@ def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
     parts = tuple(told.parts[:_NAMED].tolist()) if told is not None else ()
     amounts = _amounts(index, told, norm)
     if len(parts) == 1:
-        return Composite("composite", "repetition", parts, float(norm[index] / norm[parts[0]]), explained_by=amounts)
+        return Composite(
+            "composite",
+            "repetition",
+            parts,
+            float(norm[index] / norm[parts[0]]),
+            explained_by=amounts,
+        )
     return Composite("composite", "mixture", parts, explained_by=amounts)
 
 
 def _amounts(index: int, told: Explanation | None, norm: Floats) -> tuple[tuple[int, float], ...]:
-    """The motions of an explanation of motion `index`, and how far each goes, in shares of its own range."""
+    """The motions of an explanation of motion `index`, and how far each goes, in shares of its own
+    range."""
     if told is None:
         return ()
     amounts = told.weights * norm[index] / norm[told.parts]
@@ -190,18 +213,24 @@ class _Spreads:
 
 
 def _contained(fields: DisplacementFields, regions: Flags) -> Flags:
-    """(motions, motions) whether the first does notably the same as the second where that one acts."""
+    """(motions, motions) whether the first does notably the same as the second where that one
+    acts."""
     acting = fields.vectors * regions[:, :, None]
     along = fields.products(acting).T
     own = np.diagonal(along)
-    squared = np.einsum("cmi,cmi->cm", fields.vectors, fields.vectors) * fields.weights.astype(np.float32)
-    inside = np.asarray((csr_array(squared) @ csr_array(regions.astype(np.float32)).T).toarray(), dtype=np.float64)
+    squared = np.einsum("cmi,cmi->cm", fields.vectors, fields.vectors) * fields.weights.astype(
+        np.float32
+    )
+    inside = np.asarray(
+        (csr_array(squared) @ csr_array(regions.astype(np.float32)).T).toarray(), dtype=np.float64
+    )
     local = np.sqrt(np.maximum(inside * own, 0.0))
     return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0))
 
 
 def _distant(trajectories: Trajectories, similarity: Similarity, up: Floats) -> Flags:
-    """(motions, motions) whether two controls act on distant parts of the face and share no place."""
+    """(motions, motions) whether two controls act on distant parts of the face and share no
+    place."""
     fields = similarity.fields
     weight = np.linalg.norm(fields.vectors, axis=2) * fields.weights
     heights = trajectories.base[fields.places] @ up

@@ -1,9 +1,11 @@
-"""Families: controls that belong together by what their names say, and stand together (beyond the paper).
+"""Families: controls that belong together by what their names say, and stand together (beyond the
+paper).
 
-Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them on the lips and
-half on the board is worth less than either.  A family leaves the face as a whole where the other controls make most of
-what it does, and stands on the face as a whole where they do not (a cartoon's five vowels are its only mouth controls).
-Shapes of other people's heads, tongues and teeth never stand on the skin.
+Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them
+on the lips and half on the board is worth less than either.  A family leaves the face as a whole
+where the other controls make most of what it does, and stands on the face as a whole where they do
+not (a cartoon's five vowels are its only mouth controls). Shapes of other people's heads, tongues
+and teeth never stand on the skin.
 """
 
 from __future__ import annotations
@@ -26,7 +28,8 @@ _MADE_BY_OTHERS = 0.5
 _SERIES = 5
 """Least length of a numbered series of controls whose names say nothing."""
 _WHOLE = 0.25
-"""Median share of the face that a series must move to be one of identities, not of local sculpts."""
+"""Median share of the face that a series must move to be one of identities, not of local
+sculpts."""
 _WORDS = {
     "viseme": "visemes stand together",
     "emotion": "emotions stand together",
@@ -53,15 +56,18 @@ def find_families(
 ) -> tuple[Family, ...]:
     """The families of a rig; a motion is in one at most.
 
-    `names` and `meanings` (m,) of the controls of the motions, `cosine` (m, m) of the motions as vectors over the
-    surface, `coverage` (m,) share of the face that each moves.
+    `names` and `meanings` (m,) of the controls of the motions, `cosine` (m, m) of the motions as
+    vectors over the surface, `coverage` (m,) share of the face that each moves.
     """
     found: dict[tuple[FamilyKind, str], list[int]] = {}
     for index, kind, key in _memberships(names, meanings, coverage):
         found.setdefault((kind, key), []).append(index)
     others = np.ones(len(names), dtype=bool)
     others[[i for members in found.values() for i in members]] = False
-    return tuple(_family(kind, tuple(members), others, cosine) for (kind, _), members in sorted(found.items()))
+    return tuple(
+        _family(kind, tuple(members), others, cosine)
+        for (kind, _), members in sorted(found.items())
+    )
 
 
 def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: Floats) -> Family:
@@ -70,7 +76,9 @@ def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: F
     made = float(np.mean([best_sum(i, others, cosine).share for i in members]))
     if made < _MADE_BY_OTHERS:
         return Family(kind, members, True, "")
-    return Family(kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of what they do")
+    return Family(
+        kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of what they do"
+    )
 
 
 def _memberships(
@@ -88,14 +96,21 @@ def _memberships(
             yield index, "combination", ""
 
 
-def _identity_series(names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats) -> frozenset[int]:
-    """Members of numbered series that move large shares of the face and whose names say nothing else."""
+def _identity_series(
+    names: Sequence[str], meanings: Sequence[Meaning | None], coverage: Floats
+) -> frozenset[int]:
+    """Members of numbered series that move large shares of the face and whose names say nothing
+    else."""
     found: dict[str, list[int]] = {}
     for index, name in enumerate(names):
         stem = re.fullmatch(r"(.*?)[ _.:-]*\d+", name)
         if stem is not None and meanings[index] is None:
             found.setdefault(stem[1].lower(), []).append(index)
-    long = [each for each in found.values() if len(each) >= _SERIES and np.median(coverage[each]) > _WHOLE]
+    long = [
+        each
+        for each in found.values()
+        if len(each) >= _SERIES and np.median(coverage[each]) > _WHOLE
+    ]
     return frozenset(i for each in long for i in each)
 
 

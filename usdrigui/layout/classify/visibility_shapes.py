@@ -1,4 +1,5 @@
-"""Visibility shapes: controls that make parts disappear, by collapsing them or by moving them inside.
+"""Visibility shapes: controls that make parts disappear, by collapsing them or by moving them
+inside.
 
 Rigs without visibility switches hide hair, jewellery or blush that way.  They give the largest
 displacements of all and mean none of them, so they do not stand on the face.
@@ -41,7 +42,8 @@ def visibility_shapes(rig: Rig, trajectories: Trajectories, views: Views) -> Fla
 
 
 def _shrunk(base: Floats, motion: Motion, parts: Indices, count: int) -> Flags:
-    """(count,) which parts the control shrinks to next to nothing; `parts` (p,) are those of its points."""
+    """(count,) which parts the control shrinks to next to nothing; `parts` (p,) are those of its
+    points."""
     before = base[motion.points]
     after = before + motion.offsets[-1]
     return np.asarray(_extents(parts, after, count) < _COLLAPSED * _extents(parts, before, count))
@@ -53,12 +55,17 @@ def _extents(parts: Indices, positions: Floats, count: int) -> Floats:
     square = np.zeros(count)
     for axis in positions.T:
         mean = np.bincount(parts, weights=axis, minlength=count) / number
-        square += np.bincount(parts, weights=np.square(axis - mean[parts]), minlength=count) / number
+        square += (
+            np.bincount(parts, weights=np.square(axis - mean[parts]), minlength=count) / number
+        )
     return np.asarray(np.sqrt(square), dtype=np.float64)
 
 
-def _moves_inside(rig: Rig, trajectories: Trajectories, views: Views, motion: Motion, inside: Flags) -> bool:
-    """Whether the points `inside` (p,) of the motion, whole parts that can be seen, move far and out of sight."""
+def _moves_inside(
+    rig: Rig, trajectories: Trajectories, views: Views, motion: Motion, inside: Flags
+) -> bool:
+    """Whether the points `inside` (p,) of the motion, whole parts that can be seen, move far and
+    out of sight."""
     points = motion.points[inside]
     seen = views.anywhere[points]
     size = float(_extents(np.zeros(len(points), dtype=np.int64), trajectories.base[points], 1)[0])
@@ -68,5 +75,8 @@ def _moves_inside(rig: Rig, trajectories: Trajectories, views: Views, motion: Mo
     end[motion.points] += motion.offsets[-1]
     corners = mesh_triangles(rig.meshes, visible_only=True)
     caster, normals = make_caster(end[corners]), vertex_normals(end, corners, trajectories.places)
-    still = [visible_from(caster, end[points[seen]], normals[points[seen]], toward) for toward in views.directions]
+    still = [
+        visible_from(caster, end[points[seen]], normals[points[seen]], toward)
+        for toward in views.directions
+    ]
     return bool(np.mean(np.any(still, axis=0)) < _STILL_SEEN)

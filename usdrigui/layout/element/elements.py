@@ -49,10 +49,11 @@ def layout(
     base_values: Floats,
     part: str,
 ) -> Layout:
-    """The elements of every group, on the face where the assignment says so and on the board otherwise.
+    """The elements of every group, on the face where the assignment says so and on the board
+    otherwise.
 
-    `left_off` are the controls without an element, `base_values` (controls,) the base pose, `part` the name of what is
-    laid out.
+    `left_off` are the controls without an element, `base_values` (controls,) the base pose, `part`
+    the name of what is laid out.
     """
     elements: list[Element] = []
     board = [
@@ -64,7 +65,11 @@ def layout(
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
         if label < 0:
-            reason = f"moved off the {part}: {_CROWDED}" if len(choice.anchors) else f"no place on the {part}"
+            reason = (
+                f"moved off the {part}: {_CROWDED}"
+                if len(choice.anchors)
+                else f"no place on the {part}"
+            )
             board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group))
         else:
             elements.extend(_on_face(face, group, choice, int(label), requests, settings))
@@ -72,7 +77,9 @@ def layout(
     return Layout(
         root=face.rig.root,
         variant_path=face.rig.variant_path,
-        elements=tuple(replace(each, part=part) for each in with_inner(elements, placement.groups, face.rig)),
+        elements=tuple(
+            replace(each, part=part) for each in with_inner(elements, placement.groups, face.rig)
+        ),
         left_off=left_off,
         handle_width=face.handle_width,
         space=settings.candidates.space,
@@ -85,19 +92,29 @@ def layout(
         cost=assignment.cost,
         bound=assignment.bound,
         in_play=assignment.in_play,
-        weights=_weights(placement.problem, face.trajectories.typical_length, settings.objective.samples),
+        weights=_weights(
+            placement.problem, face.trajectories.typical_length, settings.objective.samples
+        ),
     )
 
 
 def _once(group: Group) -> Iterator[tuple[int, ...]]:
-    """The copies of a group that hold other controls: of a double element one is enough on the board."""
-    return (copy for i, copy in enumerate(group.copies) if set(copy) not in [set(each) for each in group.copies[:i]])
+    """The copies of a group that hold other controls: of a double element one is enough on the
+    board."""
+    return (
+        copy
+        for i, copy in enumerate(group.copies)
+        if set(copy) not in [set(each) for each in group.copies[:i]]
+    )
 
 
 def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
     """Names of the element and of its images, each unique."""
     given = [group.name, *group.image_names]
-    own = [element_name([rig.controls[each].name for each in copy], rig.control_names) for copy in choice.controls]
+    own = [
+        element_name([rig.controls[each].name for each in copy], rig.control_names)
+        for copy in choice.controls
+    ]
     names = [said or name for said, name in zip(given, own, strict=False)]
     if len(set(names)) < len(names):
         # The same controls on both sides: a double element in the middle.
@@ -105,7 +122,9 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
     return names
 
 
-def _weights(problem: LayoutProblem, typical_length: float, samples: int) -> tuple[tuple[str, float], ...]:
+def _weights(
+    problem: LayoutProblem, typical_length: float, samples: int
+) -> tuple[tuple[str, float], ...]:
     overlap = problem.overlap
     return (
         ("displacement_weight", problem.unit_cost),
@@ -147,7 +166,9 @@ def _on_face(
                 category="",
                 reason=group.reason,
                 adapt=overrides[0].adapt or settings.output.adapt,
-                glyph=fitted_glyph(face, overrides, anchor, members, bool(mirror) and side == "right"),
+                glyph=fitted_glyph(
+                    face, overrides, anchor, members, bool(mirror) and side == "right"
+                ),
                 reversed=_reversed(face, members) if mirror else (),
             )
         )
@@ -156,7 +177,9 @@ def _on_face(
 
 def _reversed(face: Face, members: tuple[Member, ...]) -> tuple[int, ...]:
     names = {control.name: i for i, control in enumerate(face.rig.controls)}
-    return tuple(m for m, member in enumerate(members) if face.symmetry.reversed[names[member.control]])
+    return tuple(
+        m for m, member in enumerate(members) if face.symmetry.reversed[names[member.control]]
+    )
 
 
 def _normal(face: Face, point: int) -> Floats:
@@ -167,7 +190,8 @@ def _normal(face: Face, point: int) -> Floats:
 def _ordered(
     group: Group, members: tuple[Member, ...], normal: Floats
 ) -> tuple[tuple[Member, ...], tuple[tuple[int, int], ...]]:
-    """Members of a fan by their angle about the anchor (paper section 3.2), and its opposed pairs so numbered."""
+    """Members of a fan by their angle about the anchor (paper section 3.2), and its opposed pairs
+    so numbered."""
     if group.kind != "fan":
         return members, group.opposed
     order = fan_order(np.stack([member.track[-1] - member.track[0] for member in members]), normal)
@@ -176,7 +200,8 @@ def _ordered(
 
 
 def _member(face: Face, control: int, point: int, source: int, least: float) -> Member:
-    """The control's own trajectory at the source, drawn from the anchor, enlarged where it is shorter than `least`."""
+    """The control's own trajectory at the source, drawn from the anchor, enlarged where it is
+    shorter than `least`."""
     motion = face.trajectories.motion_of(control)
     one = np.array([source])
     length = arc_lengths(motion, one)

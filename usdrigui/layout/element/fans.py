@@ -9,10 +9,11 @@ from usdrigui.ties import axis_across
 
 
 def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
-    """Order of members by the angle of their tangents in the tangent plane, counter-clockwise about `normal`.
+    """Order of members by the angle of their tangents in the tangent plane, counter-clockwise about
+    `normal`.
 
-    `tangents` (k, 3), `normal` (3,).  It starts after the widest gap, so that members which span less than
-    a full turn follow each other without a break.
+    `tangents` (k, 3), `normal` (3,).  It starts after the widest gap, so that members which span
+    less than a full turn follow each other without a break.
     """
     angles = _angles(tangents, normal)
     order = np.argsort(angles, kind="stable")
@@ -22,7 +23,10 @@ def fan_order(tangents: Floats, normal: Floats) -> tuple[int, ...]:
 
 
 def _angles(tangents: Floats, normal: Floats) -> Floats:
-    """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary direction."""
+    """(k,) angles of the tangents' projections in the tangent plane, from an arbitrary
+    direction."""
     across = np.cross(normal, axis_across(normal))
     across = across / max(float(np.linalg.norm(across)), 1e-300)
-    return np.asarray(np.arctan2(tangents @ np.cross(normal, across), tangents @ across), dtype=np.float64)
+    return np.asarray(
+        np.arctan2(tangents @ np.cross(normal, across), tangents @ across), dtype=np.float64
+    )

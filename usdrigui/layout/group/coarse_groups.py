@@ -1,7 +1,8 @@
-"""Two levels: which groups are coarse, which are their members, and which of them are visible together.
+"""Two levels: which groups are coarse, which are their members, and which of them are visible
+together.
 
-A coarse group is shown first, and its members in its place when it is opened (`usdrigui.levels`).  A level
-configured for one side of the character holds for the other, since a group stands for both.
+A coarse group is shown first, and its members in its place when it is opened (`usdrigui.levels`).
+A level configured for one side of the character holds for the other, since a group stands for both.
 """
 
 from __future__ import annotations
@@ -17,30 +18,44 @@ from usdrigui.settings import LevelSettings
 
 
 def with_levels(
-    rig: Rig, groups: tuple[Group, ...], settings: LevelSettings, existing: frozenset[str] = frozenset()
+    rig: Rig,
+    groups: tuple[Group, ...],
+    settings: LevelSettings,
+    existing: frozenset[str] = frozenset(),
 ) -> tuple[Group, ...]:
-    """The groups on their levels, and a group of its own for every axis of those that `levels.groups` opens.
+    """The groups on their levels, and a group of its own for every axis of those that
+    `levels.groups` opens.
 
-    `existing` are the names in a layout to which this one adds: they may be configured, and have no group here.
+    `existing` are the names in a layout to which this one adds: they may be configured, and have no
+    group here.
 
-    Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element without
-    members or one that is a member itself.
+    Raises CONFIG_UNKNOWN_CONTROL for a name that nothing bears, CONFIG_VALUE for a coarse element
+    without members or one that is a member itself.
     """
     if settings == LevelSettings():
         return groups
-    parts = {group.name: tuple(_parts(rig, group)) for group in groups if settings.groups and _has_axes(group)}
+    parts = {
+        group.name: tuple(_parts(rig, group))
+        for group in groups
+        if settings.groups and _has_axes(group)
+    }
     inner = {name: {part.name for part in made} for name, made in parts.items()}
     inner |= _of_poses(rig, groups) if settings.poses else {}
     configured = _configured(rig, groups, settings, existing)
-    inner = {name: members for name, members in inner.items() if name not in configured} | configured
+    inner = {
+        name: members for name, members in inner.items() if name not in configured
+    } | configured
     derived = (made for name, made in parts.items() if name not in configured)
     everything = (*groups, *chain.from_iterable(derived))
     _check(inner, configured)
     return tuple(sorted(_with_states(everything, inner), key=lambda group: group.name))
 
 
-def with_inner(elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig) -> tuple[Element, ...]:
-    """The elements of all groups, the coarse ones with the names of their members on their own side."""
+def with_inner(
+    elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig
+) -> tuple[Element, ...]:
+    """The elements of all groups, the coarse ones with the names of their members on their own
+    side."""
     names = [control.name for control in rig.controls]
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
@@ -59,7 +74,9 @@ def with_inner(elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig)
     return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
 
 
-def _elements_of(group: Group, names: list[str], by_controls: dict[frozenset[str], list[str]]) -> list[str]:
+def _elements_of(
+    group: Group, names: list[str], by_controls: dict[frozenset[str], list[str]]
+) -> list[str]:
     """Names of the elements of a group, one per copy."""
     found: list[str] = []
     for controls in group.copies:
@@ -68,7 +85,7 @@ def _elements_of(group: Group, names: list[str], by_controls: dict[frozenset[str
     return found
 
 
-# --- which are coarse --------------------------------------------------------------------------------
+# --- which are coarse -----------------------------------------------------------------------------
 
 
 def _has_axes(group: Group) -> bool:
@@ -80,7 +97,9 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
     for axis in group.axes:
         images = tuple(tuple(copy[i] for i in axis) for copy in group.images)
         yield Group(
-            name=element_name([rig.controls[group.controls[i]].name for i in axis], rig.control_names),
+            name=element_name(
+                [rig.controls[group.controls[i]].name for i in axis], rig.control_names
+            ),
             kind="slider",
             controls=tuple(group.controls[i] for i in axis),
             opposed=((0, 1),) if len(axis) == 2 else (),
@@ -98,7 +117,9 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     driven = {group.name: _driven(rig, group, poses=False) for group in groups}
     for group in groups:
         posed = _driven(rig, replace(group, images=()), poses=True)
-        members = {other.name for other in groups if other is not group and posed & driven[other.name]}
+        members = {
+            other.name for other in groups if other is not group and posed & driven[other.name]
+        }
         if members:
             found[group.name] = members
     return found
@@ -109,7 +130,9 @@ def _driven(rig: Rig, group: Group, *, poses: bool) -> frozenset[tuple[str, int]
     controls = [rig.controls[i] for i in sorted(group.all_controls)]
     drives = [control.drive for control in controls if (control.kind == "pose") == poses]
     channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
-    return frozenset(channels | {("joint", int(joint)) for drive in drives for joint in drive.joints})
+    return frozenset(
+        channels | {("joint", int(joint)) for drive in drives for joint in drive.joints}
+    )
 
 
 def _configured(
@@ -124,7 +147,9 @@ def _configured(
             continue
         if coarse is None:
             raise refuse("CONFIG_VALUE", where, f"{name} has no element")
-        inner = {group.name for each in members for group in [_named(rig, groups, each, where)] if group}
+        inner = {
+            group.name for each in members for group in [_named(rig, groups, each, where)] if group
+        }
         if not inner:
             raise refuse("CONFIG_VALUE", where, "none of its members has an element")
         found.setdefault(coarse.name, set()).update(inner)
@@ -132,7 +157,8 @@ def _configured(
 
 
 def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group | None:
-    """The group of that name or with the control of that name; None for a control that has no element."""
+    """The group of that name or with the control of that name; None for a control that has no
+    element."""
     for group in groups:
         if name in (group.name, *group.image_names):
             return group
@@ -140,7 +166,10 @@ def _named(rig: Rig, groups: tuple[Group, ...], name: str, where: str) -> Group 
     if index < 0:
         if name in {left.control for left in rig.left_off}:
             return None
-        known = (*(group.name for group in groups if group.name), *(each.name for each in rig.controls))
+        known = (
+            *(group.name for group in groups if group.name),
+            *(each.name for each in rig.controls),
+        )
         what = f"{rig.root} has no control or element {name!r}{meant(name, known)}"
         raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
     return next((group for group in groups if index in group.all_controls), None)
@@ -150,14 +179,18 @@ def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
     """Two levels: what the configuration names contradicts itself, what is derived gives way."""
     for name, members in inner.items():
         if name in members:
-            raise refuse("CONFIG_VALUE", f'levels.members."{name}"', f"{name} is a member of itself")
+            raise refuse(
+                "CONFIG_VALUE", f'levels.members."{name}"', f"{name} is a member of itself"
+            )
     for name in sorted(inner):
         holders = sorted(other for other, members in inner.items() if name in members)
         if not holders:
             continue
         if name in configured and any(other in configured for other in holders):
             raise refuse(
-                "CONFIG_VALUE", f'levels.members."{name}"', f"is a member of {holders[0]}; there are two levels only"
+                "CONFIG_VALUE",
+                f'levels.members."{name}"',
+                f"is a member of {holders[0]}; there are two levels only",
             )
         if name in configured:
             for other in holders:
@@ -167,7 +200,8 @@ def _check(inner: dict[str, set[str]], configured: dict[str, set[str]]) -> None:
 
 
 def _with_states(groups: Iterable[Group], inner: dict[str, set[str]]) -> Iterator[Group]:
-    """The groups with their members and the states in which they are visible: none opened, each one, all of them."""
+    """The groups with their members and the states in which they are visible: none opened, each
+    one, all of them."""
     coarse = sorted(name for name, members in inner.items() if members)
     holders: dict[str, set[int]] = {}
     for state, name in enumerate(coarse, start=1):

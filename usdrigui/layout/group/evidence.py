@@ -1,9 +1,11 @@
-"""What speaks for two controls sharing an element: names that agree, motions that agree, one place for both.
+"""What speaks for two controls sharing an element: names that agree, motions that agree, one place
+for both.
 
-Names come first where they are specific: of two controls whose actions the conventions know, only the ends of one axis
-(look up, look down) or the axes of one joystick are candidates, so that a cast that shares a convention is grouped
-alike.  Geometry can refuse any of them, and decides alone where names say nothing.  Controls of different joints never
-share an element, nor do controls of different regions, nor members of a family (a viseme, an emotion).
+Names come first where they are specific: of two controls whose actions the conventions know, only
+the ends of one axis (look up, look down) or the axes of one joystick are candidates, so that a cast
+that shares a convention is grouped alike.  Geometry can refuse any of them, and decides alone where
+names say nothing.  Controls of different joints never share an element, nor do controls of
+different regions, nor members of a family (a viseme, an emotion).
 """
 
 from __future__ import annotations
@@ -22,7 +24,8 @@ Relation = Literal["convention", "open", ""]
 """What the names of two controls say: they belong together, nothing, or that they do not."""
 
 OPPOSED = -0.5
-"""Cosine of directions, weighted by displacement where both act, from which a pair of the convention is opposed."""
+"""Cosine of directions, weighted by displacement where both act, from which a pair of the
+convention is opposed."""
 TWINS_OPPOSED = -0.4
 """The same for twins of each other (jaw left, jaw right): what they do upward they do alike."""
 _SAME_REGION = 0.5
@@ -36,7 +39,9 @@ _LIKE_AMOUNT = 0.25
 class Evidence:
     """Names, joints and motions of the controls of one character; indices are those of motions."""
 
-    def __init__(self, face: Face, similarity: Similarity, meanings: Sequence[Meaning | None]) -> None:
+    def __init__(
+        self, face: Face, similarity: Similarity, meanings: Sequence[Meaning | None]
+    ) -> None:
         motions, controls = face.trajectories.motions, face.rig.controls
         self.face, self.similarity = face, similarity
         self.meanings = [meanings[motion.control] for motion in motions]
@@ -58,7 +63,8 @@ class Evidence:
         return "open" if vague and one.action.region == other.action.region else ""
 
     def crossing(self, first: Sequence[int], second: Sequence[int]) -> Relation:
-        """The same of one joystick for two axes: of controls whose names are specific the convention has to have it."""
+        """The same of one joystick for two axes: of controls whose names are specific the
+        convention has to have it."""
         found = {self.relation(a, b) for a in first for b in second}
         if found == {"convention"}:
             return "convention"
@@ -70,7 +76,8 @@ class Evidence:
         return one is not None and other is not None and self._ends_of_one_axis(one, other)
 
     def agrees(self, a: int, b: int, *, twins: bool) -> bool:
-        """Whether the motions of two ends by convention agree with it: opposed, in one region, with one place."""
+        """Whether the motions of two ends by convention agree with it: opposed, in one region, with
+        one place."""
         least = TWINS_OPPOSED if twins else OPPOSED
         same_region = self.similarity.shared[a, b] >= _SAME_REGION
         return bool(self.similarity.direction[a, b] <= least and same_region)
@@ -89,7 +96,9 @@ class Evidence:
         share = np.where(self.face.views.anywhere, 1.0, 0.0)
         for motion in (self.face.trajectories.motions[i] for i in motions):
             own = np.zeros(len(share))
-            own[motion.points] = np.where(motion.stands_on(), motion.arc_length, 0.0) / max(motion.peak, 1e-300)
+            own[motion.points] = np.where(motion.stands_on(), motion.arc_length, 0.0) / max(
+                motion.peak, 1e-300
+            )
             share = np.minimum(share, own)
         return float(share.max(initial=0.0))
 
@@ -97,7 +106,8 @@ class Evidence:
         """The evidence for or against two opposed controls."""
         cosine, shared = float(self.similarity.direction[a, b]), float(self.similarity.shared[a, b])
         return (
-            f"cosine of directions {cosine:.2f}, regions {shared:.0%} shared, one place keeps {self.held((a, b)):.0%}"
+            f"cosine of directions {cosine:.2f}, regions {shared:.0%} shared, one place keeps"
+            f" {self.held((a, b)):.0%}"
         )
 
     def _specific(self, index: int) -> bool:

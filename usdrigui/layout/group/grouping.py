@@ -1,9 +1,9 @@
 """Which controls share one element (paper sections 3.2 and 4.2, multi-parameter grouping).
 
-Groups come from the user, from opposed controls (the two ends of one axis become one bipolar slider),
-from axes that share a region (two of them become a joystick), and, where asked for, from the Jaccard
-index of the controls' candidates as in the paper.  Whatever is merged on one side of the character is
-merged on the other.
+Groups come from the user, from opposed controls (the two ends of one axis become one bipolar
+slider), from axes that share a region (two of them become a joystick), and, where asked for, from
+the Jaccard index of the controls' candidates as in the paper.  Whatever is merged on one side of
+the character is merged on the other.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
 _TWIN_LEEWAY = 0.8
-"""Twins of each other are called opposed at this share of the usual cosine: mouthLeft and mouthRight."""
+"""Twins of each other are called opposed at this share of the usual cosine: mouthLeft and
+mouthRight."""
 _AXES_SHARED = 0.8
 """Least overlap of the regions of two axes that make a joystick."""
 _SINGLE_SHARED = 0.9
@@ -43,12 +44,14 @@ _SHARED_BY_CONVENTION = 0.5
 _ACROSS_BY_CONVENTION = 0.7
 """The same where the conventions make a joystick of them."""
 _ALIKE = 0.1
-"""Least amount of one axis of a joystick in shares of the other's: no drag could aim at a far lesser one."""
+"""Least amount of one axis of a joystick in shares of the other's: no drag could aim at a far
+lesser one."""
 
 
 @dataclass(frozen=True)
 class _Merged:
-    """Motions that share an element, in its order; `axes` are tuples of positions, two for opposed ends."""
+    """Motions that share an element, in its order; `axes` are tuples of positions, two for opposed
+    ends."""
 
     motions: tuple[int, ...]
     axes: tuple[tuple[int, ...], ...]
@@ -57,12 +60,17 @@ class _Merged:
 
 
 def find_groups(
-    face: Face, candidates: Candidates, similarity: Similarity, requests: Requests, settings: Settings
+    face: Face,
+    candidates: Candidates,
+    similarity: Similarity,
+    requests: Requests,
+    settings: Settings,
 ) -> tuple[Group, ...]:
     """One group per element, by name; every control that has candidates is in exactly one.
 
-    Of two elements that mirror each other only the one on the character's left becomes a group, and the
-    other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the configuration.
+    Of two elements that mirror each other only the one on the character's left becomes a group, and
+    the other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the
+    configuration.
     """
     grouping = _Grouping(face, candidates, similarity, requests, settings)
     merged = grouping.of_the_user()
@@ -74,21 +82,32 @@ def find_groups(
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
     if settings.groups.patches:
         merged += grouping.patches(_free(merged, grouping))
-    merged += [_Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))]
+    merged += [
+        _Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))
+    ]
     return grouping.folded(merged, orbits)
 
 
 def suggested_groups(
-    face: Face, candidates: Candidates, similarity: Similarity, requests: Requests, settings: Settings
+    face: Face,
+    candidates: Candidates,
+    similarity: Similarity,
+    requests: Requests,
+    settings: Settings,
 ) -> tuple[tuple[str, ...], ...]:
-    """Names of controls that the paper's Jaccard criterion would group and `find_groups` left apart."""
+    """Names of controls that the paper's Jaccard criterion would group and `find_groups` left
+    apart."""
     grouping = _Grouping(face, candidates, similarity, requests, settings)
     single = [
-        group for group in find_groups(face, candidates, similarity, requests, settings) if len(group.controls) == 1
+        group
+        for group in find_groups(face, candidates, similarity, requests, settings)
+        if len(group.controls) == 1
     ]
     index = {motion.control: i for i, motion in enumerate(face.trajectories.motions)}
     free = {index[control] for group in single for control in (*group.controls, *group.mirror)}
-    return tuple(tuple(grouping.names[i] for i in found.motions) for found in grouping.patches(free))
+    return tuple(
+        tuple(grouping.names[i] for i in found.motions) for found in grouping.patches(free)
+    )
 
 
 def share_a_place(
@@ -99,7 +118,8 @@ def share_a_place(
     settings: Settings,
     names: Sequence[str],
 ) -> bool:
-    """Whether controls could be one element: all are to stand on the face, and some point suits them all."""
+    """Whether controls could be one element: all are to stand on the face, and some point suits
+    them all."""
     grouping = _Grouping(face, candidates, similarity, requests, settings)
     motions = [i for i in grouping.sets if grouping.names[i] in names]
     on_face = not any(grouping.category[i] for i in motions)
@@ -118,12 +138,21 @@ class _Grouping:
     """What the ways to group have in common: candidates by motion, twins by motion, comparisons."""
 
     def __init__(
-        self, face: Face, candidates: Candidates, similarity: Similarity, requests: Requests, settings: Settings
+        self,
+        face: Face,
+        candidates: Candidates,
+        similarity: Similarity,
+        requests: Requests,
+        settings: Settings,
     ) -> None:
         motions = face.trajectories.motions
         index = {motion.control: i for i, motion in enumerate(motions)}
         self.face, self.similarity, self.prior = face, similarity, requests.prior
-        self.settings, self.double_middle, self.requests = settings.groups, settings.symmetry.double_middle, requests
+        self.settings, self.double_middle, self.requests = (
+            settings.groups,
+            settings.symmetry.double_middle,
+            requests,
+        )
         self.evidence = Evidence(face, similarity, requests.names.meanings)
         self.two_sided = frozenset(bidirectional(face.trajectories))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
@@ -131,17 +160,26 @@ class _Grouping:
         twins = face.symmetry.twins
         # What the only view does not see holds no element, be it the image of one that is seen.
         fold = settings.symmetry.fold and not face.views.one_sided(face.symmetry.normal)
-        found = {i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets}
+        found = {
+            i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets
+        }
         # A control with a place of its own is not folded, and neither is its twin.
-        alone = {i for i, twin in found.items() if twin != i and self._has_own_place(motions[i].control, requests)}
+        alone = {
+            i
+            for i, twin in found.items()
+            if twin != i and self._has_own_place(motions[i].control, requests)
+        }
         self.twin = {
-            i: -1 if i in alone or twin in alone or twin not in self.sets else twin for i, twin in found.items()
+            i: -1 if i in alone or twin in alone or twin not in self.sets else twin
+            for i, twin in found.items()
         }
         self.category = {i: each.category for i, each in self.sets.items()}
 
     def _has_own_place(self, control: int, requests: Requests) -> bool:
         face = self.face
-        return has_own_place(face.rig, face.trajectories.base, face.symmetry, requests, face.handle_width, control)
+        return has_own_place(
+            face.rig, face.trajectories.base, face.symmetry, requests, face.handle_width, control
+        )
 
     # --- the user's -----------------------------------------------------------------------------
 
@@ -161,9 +199,13 @@ class _Grouping:
             if taken & set(motions) or len(set(motions)) < len(motions):
                 raise refuse("CONFIG_VALUE", where, "a control can be in one group only")
             if len(motions) < 2:
-                raise refuse("CONFIG_VALUE", where, "a group needs two controls that move something")
+                raise refuse(
+                    "CONFIG_VALUE", where, "a group needs two controls that move something"
+                )
             taken |= set(motions)
-            found.append(_Merged(motions, self._axes_within(motions), "grouped by the configuration", name))
+            found.append(
+                _Merged(motions, self._axes_within(motions), "grouped by the configuration", name)
+            )
         return found
 
     def _axes_within(self, motions: Sequence[int]) -> tuple[tuple[int, ...], ...]:
@@ -178,7 +220,8 @@ class _Grouping:
         return tuple(axes)
 
     def of_the_prior_layout(self, free: set[int]) -> list[_Merged]:
-        """The groups of an earlier layout whose members still belong in one place, single controls included."""
+        """The groups of an earlier layout whose members still belong in one place, single controls
+        included."""
         index = {self.face.trajectories.motions[i].control: i for i in free}
         found: list[_Merged] = []
         for group in self.prior.groups:
@@ -196,17 +239,21 @@ class _Grouping:
     # --- opposed controls -------------------------------------------------------------------------
 
     def axes(self, free: set[int]) -> list[_Merged]:
-        """Pairs of opposed controls, those of the convention and the clearest first, each control in one."""
+        """Pairs of opposed controls, those of the convention and the clearest first, each control
+        in one."""
         if not self.settings.opposed:
             return []
         table, ranked = self.similarity, []
         for a, b in combinations(sorted(free - self.two_sided), 2):
             if self._share_a_slider(a, b):
                 ratio = min(table.norm[a], table.norm[b]) / max(table.norm[a], table.norm[b])
-                # Of several opposites the one of like amount is meant: look down and up, not down and wide.
+                # Of several opposites the one of like amount is meant: look down and up, not down
+                # and wide.
                 score = float(table.cosine[a, b] * ratio**0.25)
                 known = self.evidence.ends_by_convention(a, b)
-                ranked.append((not known, round(score, 9), sorted((self.names[a], self.names[b])), a, b))
+                ranked.append(
+                    (not known, round(score, 9), sorted((self.names[a], self.names[b])), a, b)
+                )
         found: list[_Merged] = []
         taken: set[int] = set()
         for *_, a, b in sorted(ranked):
@@ -221,19 +268,27 @@ class _Grouping:
         return found
 
     def _share_a_slider(self, a: int, b: int) -> bool:
-        """Whether two controls are the ends of one axis: by convention if their motions agree, or by motions alone."""
+        """Whether two controls are the ends of one axis: by convention if their motions agree, or
+        by motions alone."""
         evidence = self.evidence
         if evidence.ends_by_convention(a, b):
             fits = evidence.agrees(a, b, twins=self.twin.get(a, -1) == b)
         else:
-            fits = evidence.relation(a, b) != "" and self._opposed(a, b) and evidence.like_amount(a, b)
+            fits = (
+                evidence.relation(a, b) != "" and self._opposed(a, b) and evidence.like_amount(a, b)
+            )
         return fits and self._share_a_place((a, b))
 
     def why_alone(self, index: int) -> str:
-        """Why a control shares no slider with its opposite by convention; empty for one that has none."""
+        """Why a control shares no slider with its opposite by convention; empty for one that has
+        none."""
         if not self.settings.opposed or self.category[index]:
             return ""
-        ends = [i for i in sorted(self.sets) if i != index and self.evidence.ends_by_convention(index, i)]
+        ends = [
+            i
+            for i in sorted(self.sets)
+            if i != index and self.evidence.ends_by_convention(index, i)
+        ]
         refused = [i for i in ends if not self._share_a_slider(index, i)]
         if not refused:
             return ""
@@ -250,15 +305,18 @@ class _Grouping:
         """The pair with the end first that goes to the left or down as seen by the viewer."""
         fields = self.similarity.fields
         frame = screen(self.face.views)
-        mean = np.einsum("mi,m->i", fields.vectors[pair[1]] - fields.vectors[pair[0]], fields.weights)
+        mean = np.einsum(
+            "mi,m->i", fields.vectors[pair[1]] - fields.vectors[pair[0]], fields.weights
+        )
         flat = frame @ mean
         along = flat[first_largest(np.abs(flat))]
         return pair if along >= 0.0 else pair[::-1]
 
-    # --- joysticks ---------------------------------------------------------------------------------
+    # --- joysticks --------------------------------------------------------------------------------
 
     def joysticks(self, axes: list[_Merged], free: set[int]) -> list[_Merged]:
-        """The axes, joined two by two where they share a region and cross; or joined with a single control."""
+        """The axes, joined two by two where they share a region and cross; or joined with a single
+        control."""
         if not self.settings.opposed:
             return []
         left = list(axes)
@@ -267,7 +325,9 @@ class _Grouping:
         lone = [_Merged((i,), ((0,),), "") for i in sorted(singles - self.two_sided)]
         made: list[_Merged] = []
         for partners, least in (([*left, *swinging], _AXES_SHARED), (lone, _SINGLE_SHARED)):
-            for first, second in self._crossings(left if partners is lone else [*left, *swinging], partners, least):
+            for first, second in self._crossings(
+                left if partners is lone else [*left, *swinging], partners, least
+            ):
                 used = _motions_of(made)
                 images = self._joined_images(first, second)
                 if images and not used & _motions_of(images):
@@ -275,12 +335,16 @@ class _Grouping:
         used = _motions_of(made)
         return [*made, *(axis for axis in left if not used & set(axis.motions))]
 
-    def _crossings(self, firsts: list[_Merged], seconds: list[_Merged], least: float) -> list[tuple[_Merged, _Merged]]:
+    def _crossings(
+        self, firsts: list[_Merged], seconds: list[_Merged], least: float
+    ) -> list[tuple[_Merged, _Merged]]:
         """Pairs of axes that may make a joystick, those of the convention and the best first."""
         ranked = []
         for first in firsts:
             for second in seconds:
-                if (first.motions >= second.motions and second in firsts) or set(first.motions) & set(second.motions):
+                if (first.motions >= second.motions and second in firsts) or set(
+                    first.motions
+                ) & set(second.motions):
                     continue
                 known = self._cross(first, second, least)
                 if known and self._share_a_place((*first.motions, *second.motions)):
@@ -291,7 +355,8 @@ class _Grouping:
         return [(first, second) for *_, first, second in sorted(ranked, key=lambda each: each[:3])]
 
     def _cross(self, first: _Merged, second: _Merged, least: float) -> Relation:
-        """What makes a joystick of two axes: the convention if their motions agree, or these alone; empty if not."""
+        """What makes a joystick of two axes: the convention if their motions agree, or these alone;
+        empty if not."""
         known = self.evidence.crossing(first.motions, second.motions)
         most = _ACROSS
         if known == "convention":
@@ -307,16 +372,21 @@ class _Grouping:
 
     def _alike(self, first: _Merged, second: _Merged) -> bool:
         """Whether two axes are of like amount: no drag could aim at a far lesser one."""
-        amounts = [max(float(self.similarity.norm[i]) for i in axis.motions) for axis in (first, second)]
+        amounts = [
+            max(float(self.similarity.norm[i]) for i in axis.motions) for axis in (first, second)
+        ]
         return min(amounts) >= _ALIKE * max(amounts)
 
     def _flatness(self, axis: _Merged) -> float:
-        """How far an axis runs along the surface rather than out of it: what a drag on a screen can follow."""
+        """How far an axis runs along the surface rather than out of it: what a drag on a screen can
+        follow."""
         fields = self.similarity.fields
         normals = self.face.trajectories.normals[fields.places]
         vectors = fields.vectors[axis.motions[0]]
         out = float((np.einsum("mi,mi->m", vectors, normals) ** 2 * fields.weights).sum())
-        return 1.0 - out / max(float((np.einsum("mi,mi->m", vectors, vectors) * fields.weights).sum()), 1e-300)
+        return 1.0 - out / max(
+            float((np.einsum("mi,mi->m", vectors, vectors) * fields.weights).sum()), 1e-300
+        )
 
     def _joined_images(self, first: _Merged, second: _Merged) -> list[_Merged]:
         """The joystick of two axes and of their images; empty where the images do not make one."""
@@ -325,7 +395,10 @@ class _Grouping:
         if len(images) == 1:
             return [joined]
         other = tuple(tuple(images[1][i] for i in axis) for axis in joined.axes)
-        one, two = (_Merged(self._signed(o) if len(o) == 2 else o, (tuple(range(len(o))),), "") for o in other)
+        one, two = (
+            _Merged(self._signed(o) if len(o) == 2 else o, (tuple(range(len(o))),), "")
+            for o in other
+        )
         return [joined, self._joined(one, two)]
 
     def _joined(self, first: _Merged, second: _Merged) -> _Merged:
@@ -336,7 +409,11 @@ class _Grouping:
         axes = (*first.axes, *(tuple(i + shift for i in axis) for axis in second.axes))
         motions = (*first.motions, *second.motions)
         shared, across = self._crossing(first, second)
-        by = " by convention" if self.evidence.crossing(first.motions, second.motions) == "convention" else ""
+        by = (
+            " by convention"
+            if self.evidence.crossing(first.motions, second.motions) == "convention"
+            else ""
+        )
         words = f"cosine of directions {across:.2f}, regions {shared:.0%} shared"
         return _Merged(motions, axes, f"two axes of one region: a joystick{by} ({words})")
 
@@ -349,20 +426,28 @@ class _Grouping:
     # --- the paper's patches and fans ------------------------------------------------------------
 
     def patches(self, free: set[int]) -> list[_Merged]:
-        """Groups of up to k controls by the Jaccard index of their candidates (paper section 4.2)."""
+        """Groups of up to k controls by the Jaccard index of their candidates (paper section
+        4.2)."""
         settings = self.settings
-        groups: dict[tuple[int, ...], Flags] = {(i,): self._flags(self.sets[i].points) for i in sorted(free)}
+        groups: dict[tuple[int, ...], Flags] = {
+            (i,): self._flags(self.sets[i].points) for i in sorted(free)
+        }
         while best := self._most_alike(groups, settings.fan_size, settings.jaccard_min):
             for a, b in best:
-                groups[tuple(sorted(a + b, key=lambda i: self.names[i]))] = groups.pop(a) & groups.pop(b)
+                groups[tuple(sorted(a + b, key=lambda i: self.names[i]))] = groups.pop(
+                    a
+                ) & groups.pop(b)
         return [
-            _Merged(key, tuple((i,) for i in range(len(key))), "move the same region") for key in groups if len(key) > 1
+            _Merged(key, tuple((i,) for i in range(len(key))), "move the same region")
+            for key in groups
+            if len(key) > 1
         ]
 
     def _most_alike(
         self, groups: dict[tuple[int, ...], Flags], most: int, least: float
     ) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
-        """The two groups with the largest Jaccard index above `least`, and their images; empty if none."""
+        """The two groups with the largest Jaccard index above `least`, and their images; empty if
+        none."""
         ranked = []
         keys = list(groups)
         table = np.array([groups[key] for key in keys], dtype=np.float32).reshape(len(keys), -1)
@@ -375,12 +460,21 @@ class _Grouping:
                 images = [(tuple(self._image(a)), tuple(self._image(b))), (a, b)]
                 known = {tuple(sorted(key)) for key in keys}
                 if all(tuple(sorted(key)) in known for key in images[0]):
-                    ranked.append((-round(float(jaccard[i, j]), 9), sorted(self.names[k] for k in a + b), a, b))
+                    ranked.append(
+                        (
+                            -round(float(jaccard[i, j]), 9),
+                            sorted(self.names[k] for k in a + b),
+                            a,
+                            b,
+                        )
+                    )
         if not ranked:
             return []
         _, _, a, b = min(ranked)
         found = [(a, b)]
-        image = tuple(next(key for key in keys if set(key) == set(self._image(each))) for each in (a, b))
+        image = tuple(
+            next(key for key in keys if set(key) == set(self._image(each))) for each in (a, b)
+        )
         if not set(image[0] + image[1]) & set(a + b):
             found.append((image[0], image[1]))
         return found
@@ -390,7 +484,7 @@ class _Grouping:
         flags[points] = True
         return flags
 
-    # --- symmetry ------------------------------------------------------------------------------------
+    # --- symmetry ---------------------------------------------------------------------------------
 
     def _image(self, motions: Sequence[int]) -> tuple[int, ...]:
         """The twins, in the same order; a control without twin stands for itself."""
@@ -409,19 +503,25 @@ class _Grouping:
         return self._go_together(motions) and (bool(self.category[motions[0]]) or len(common) > 0)
 
     def _share_a_place(self, motions: tuple[int, ...]) -> bool:
-        """Whether these motions could be one element and keep enough of their displacement at one visible place."""
-        return self._go_together(motions) and (bool(self.category[motions[0]]) or self.evidence.one_place(motions))
+        """Whether these motions could be one element and keep enough of their displacement at one
+        visible place."""
+        return self._go_together(motions) and (
+            bool(self.category[motions[0]]) or self.evidence.one_place(motions)
+        )
 
     def _go_together(self, motions: tuple[int, ...]) -> bool:
-        """Whether these motions are of one category, and their mirror image is the same set or has nothing in common
-        with it."""
+        """Whether these motions are of one category, and their mirror image is the same set or has
+        nothing in common with it."""
         image = set(self._image(motions))
         alone = {self.twin[i] < 0 for i in motions}
         whole = image == set(motions) or not image & set(motions)
         return len({self.category[i] for i in motions}) == 1 and whole and len(alone) == 1
 
-    def folded(self, merged: list[_Merged], orbits: tuple[tuple[int, ...], ...]) -> tuple[Group, ...]:
-        """Groups of the merged motions: of two mirror images the left one, of an orbit the first one only."""
+    def folded(
+        self, merged: list[_Merged], orbits: tuple[tuple[int, ...], ...]
+    ) -> tuple[Group, ...]:
+        """Groups of the merged motions: of two mirror images the left one, of an orbit the first
+        one only."""
         by_members = {frozenset(each.motions): each for each in merged}
         groups = [self._orbit_group(orbit) for orbit in orbits if orbit[0] in self.sets]
         done = {frozenset([i]) for i in chain.from_iterable(orbits)}
@@ -438,24 +538,31 @@ class _Grouping:
         return tuple(sorted(groups, key=lambda group: group.name))
 
     def _leftness(self, motions: frozenset[int]) -> tuple[float, list[str]]:
-        """How far on the character's left the candidates lie; names with a side decide in the middle."""
+        """How far on the character's left the candidates lie; names with a side decide in the
+        middle."""
         points = np.concatenate([self.sets[i].points for i in sorted(motions)])
         apart = plane_distance(self.face.trajectories.base[points], self.face.symmetry)
-        names = sorted((self.names[i] for i in motions), key=lambda name: (not has_side(name), name))
+        names = sorted(
+            (self.names[i] for i in motions), key=lambda name: (not has_side(name), name)
+        )
         inverse = ["".join(chr(0x10FFFF - ord(letter)) for letter in name) for name in names]
         return round(float(apart.mean() / self.face.trajectories.face_size), 3), inverse
 
     def _group(self, merged: _Merged, image_name: str, paired: bool) -> Group:
         motions = self.face.trajectories.motions
         controls = tuple(motions[i].control for i in merged.motions)
-        own_image = set(self._image(merged.motions)) == set(merged.motions) and self.twin[merged.motions[0]] >= 0
+        own_image = (
+            set(self._image(merged.motions)) == set(merged.motions)
+            and self.twin[merged.motions[0]] >= 0
+        )
         # A double element is its own twin; it repeats its controls on the other side.
         paired |= own_image and self._is_double(merged)
         mirror = tuple(motions[i].control for i in self._image(merged.motions)) if paired else ()
         first = self.sets[merged.motions[0]]
         reasons = [reason for reason in (first.off_face_reason, merged.reason) if reason]
         return Group(
-            name=merged.name or element_name([self.names[i] for i in merged.motions], self.face.rig.control_names),
+            name=merged.name
+            or element_name([self.names[i] for i in merged.motions], self.face.rig.control_names),
             kind=_kind(merged),
             controls=controls,
             opposed=tuple((axis[0], axis[1]) for axis in merged.axes if len(axis) == 2),
@@ -467,14 +574,18 @@ class _Grouping:
         )
 
     def _is_double(self, merged: _Merged) -> bool:
-        """Whether an element that is its own mirror image has a copy on either side instead of one in the middle."""
+        """Whether an element that is its own mirror image has a copy on either side instead of one
+        in the middle."""
         if self.double_middle != "evidence" or any(self.category[i] for i in merged.motions):
             return self.double_middle == "always"
         return all(self._has_two_lobes(i) for i in merged.motions)
 
     def _has_two_lobes(self, index: int) -> bool:
         face, motion = self.face, self.face.trajectories.motions[index]
-        expected, meaning = self.requests.expectation(motion.control), self.requests.meaning(motion.control)
+        expected, meaning = (
+            self.requests.expectation(motion.control),
+            self.requests.meaning(motion.control),
+        )
         # A name that tells the region alone says nothing of its middle.
         told = expected is not None and meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and told else None

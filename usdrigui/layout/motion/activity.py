@@ -1,8 +1,9 @@
 """What animation says of controls: how much each is used, and which move together.
 
-The activity of a control in a frame is how far it is from its default, as a share of how far it can go, from 0
-to 1.  Two controls are together as far as their activities agree, by the weighted Jaccard index over all frames
-(sum of the lesser over sum of the greater; Ruzicka 1958): 1 when they always do the same, 0 when never at once.
+The activity of a control in a frame is how far it is from its default, as a share of how far it can
+go, from 0 to 1.  Two controls are together as far as their activities agree, by the weighted
+Jaccard index over all frames (sum of the lesser over sum of the greater; Ruzicka 1958): 1 when they
+always do the same, 0 when never at once.
 """
 
 from __future__ import annotations
@@ -56,14 +57,23 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     unknown = sorted({token for clip in clips for token in _moving_tokens(clip)} - _tokens(rig))
     listed = ", ".join(unknown[:3]) + (" and more" if len(unknown) > 3 else "")
     if not (amounts.mean(axis=0) > _LEAST_USE).any():
-        why = f"has no control for what they move: {listed}" if unknown else "is moved by none of them"
+        why = (
+            f"has no control for what they move: {listed}"
+            if unknown
+            else "is moved by none of them"
+        )
         raise refuse("CLIP_FOREIGN", rig.root, why)
-    issues = (issue("CLIP_UNKNOWN_CONTROL", rig.root, f"{len(unknown)} of them: {listed}"),) if unknown else ()
+    issues = (
+        (issue("CLIP_UNKNOWN_CONTROL", rig.root, f"{len(unknown)} of them: {listed}"),)
+        if unknown
+        else ()
+    )
     return Activity(tuple(c.name for c in rig.controls), values, amounts, names, issues)
 
 
 def agreement(amounts: Floats) -> Floats:
-    """(controls, controls) weighted Jaccard index of the columns of (frames, controls) activities."""
+    """(controls, controls) weighted Jaccard index of the columns of (frames, controls)
+    activities."""
     count = amounts.shape[1]
     found = np.zeros((count, count))
     for i in range(count):
@@ -73,11 +83,14 @@ def agreement(amounts: Floats) -> Floats:
     return found
 
 
-def together(done: Activity, twins: Mapping[str, str], least: float) -> tuple[tuple[tuple[str, ...], float], ...]:
-    """Controls that move together, in sets, the clearest first, with the least agreement within each.
+def together(
+    done: Activity, twins: Mapping[str, str], least: float
+) -> tuple[tuple[tuple[str, ...], float], ...]:
+    """Controls that move together, in sets, the clearest first, with the least agreement within
+    each.
 
-    `twins` names the mirror control of each; the two go as one, moving as far as both do on average.  Sets grow as
-    long as all their members agree by `least` (complete linkage).
+    `twins` names the mirror control of each; the two go as one, moving as far as both do on
+    average.  Sets grow as long as all their members agree by `least` (complete linkage).
     """
     units = _units(done, twins)
     amounts = np.stack([done.amounts[:, list(unit)].mean(axis=1) for unit in units], axis=1)
@@ -86,13 +99,20 @@ def together(done: Activity, twins: Mapping[str, str], least: float) -> tuple[tu
     table[~used] = table[:, ~used] = 0.0
     sets: list[tuple[int, ...]] = [(i,) for i in range(len(units))]
     while True:
-        ranked = [(-float(table[np.ix_(a, b)].min()), a, b) for n, a in enumerate(sets) for b in sets[n + 1 :]]
+        ranked = [
+            (-float(table[np.ix_(a, b)].min()), a, b)
+            for n, a in enumerate(sets)
+            for b in sets[n + 1 :]
+        ]
         best = min(ranked, default=(0.0, (), ()))
         if -best[0] < least or best[0] == 0.0:
             break
         sets = [each for each in sets if each not in best[1:]] + [tuple(sorted(best[1] + best[2]))]
     found = [
-        (tuple(done.controls[i] for unit in each for i in units[unit]), float(table[np.ix_(each, each)].min()))
+        (
+            tuple(done.controls[i] for unit in each for i in units[unit]),
+            float(table[np.ix_(each, each)].min()),
+        )
         for each in sets
         if len(each) > 1
     ]
@@ -100,9 +120,11 @@ def together(done: Activity, twins: Mapping[str, str], least: float) -> tuple[tu
 
 
 def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict[str, float]:
-    """How much each control matters by its use: 1 for the mean one, 1 - weight for one that is never used.
+    """How much each control matters by its use: 1 for the mean one, 1 - weight for one that is
+    never used.
 
-    Rounded to hundredths, as a configuration would say them; poses, of which animations say nothing, are left out.
+    Rounded to hundredths, as a configuration would say them; poses, of which animations say
+    nothing, are left out.
     """
     units = _units(done, twins)
     use = np.array([done.use[list(unit)].mean() for unit in units])
@@ -117,9 +139,14 @@ def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict
 def with_importances(
     rig: Rig, overrides: Sequence[ControlSettings], found: Mapping[str, float]
 ) -> tuple[ControlSettings, ...]:
-    """(controls,) `overrides` with the importance `found` for every control to which the configuration gives none."""
+    """(controls,) `overrides` with the importance `found` for every control to which the
+    configuration gives none."""
     return tuple(
-        replace(override, importance=found.get(control.name)) if override.importance is None else override
+        (
+            replace(override, importance=found.get(control.name))
+            if override.importance is None
+            else override
+        )
         for control, override in zip(rig.controls, overrides, strict=True)
     )
 
@@ -138,7 +165,7 @@ def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
     return units
 
 
-# --- control values ----------------------------------------------------------------------------------
+# --- control values -------------------------------------------------------------------------------
 
 
 def _values(rig: Rig, clip: Performance, rest: Floats) -> Floats:
@@ -177,6 +204,11 @@ def _moving_tokens(clip: Performance) -> list[str]:
 
 
 def _tokens(rig: Rig) -> set[str]:
-    """Blend shapes that some control sets, and those that became no control for a reason that is reported."""
-    used = {rig.channels[int(channel)].token for control in rig.controls for channel in control.drive.channels}
+    """Blend shapes that some control sets, and those that became no control for a reason that is
+    reported."""
+    used = {
+        rig.channels[int(channel)].token
+        for control in rig.controls
+        for channel in control.drive.channels
+    }
     return used | {left.control for left in rig.left_off}

@@ -1,9 +1,10 @@
 """How much of the face a control moves: what tells local controls from global ones.  Of a joint's
-control the skin counts that the joint owns: a spine carries the head, and is no global control of the face.
+control the skin counts that the joint owns: a spine carries the head, and is no global control of
+the face.
 
 The paper calls a control global when fewer than a tenth of the points move less than its own mean
-(section 4.2), which almost never fires: even a rigid motion of the head leaves the neck behind.  Here the
-region that a control moves notably is measured against the regions of smaller controls.
+(section 4.2), which almost never fires: even a rigid motion of the head leaves the neck behind.
+Here the region that a control moves notably is measured against the regions of smaller controls.
 """
 
 from __future__ import annotations
@@ -40,14 +41,17 @@ def shares_of_face(motions: Sequence[Motion], areas: Floats) -> Floats:
     local = size <= _MANY_TIMES * float(np.median(size)) if len(size) else np.zeros(0, dtype=bool)
     face = np.where(flags[local].any(axis=0), areas, 0.0)
     total = float(face.sum())
-    return np.asarray(flags @ face / total if total > 0.0 else np.zeros(len(motions)), dtype=np.float64)
+    return np.asarray(
+        flags @ face / total if total > 0.0 else np.zeros(len(motions)), dtype=np.float64
+    )
 
 
 def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:
-    """(motions,) share of the union of all smaller controls' regions that each control moves notably too.
+    """(motions,) share of the union of all smaller controls' regions that each control moves
+    notably too.
 
-    `areas` (n,) weighs the points.  Zero for a control whose region is no larger than usual in its rig:
-    it takes several small controls to make a face that a large one can cover.
+    `areas` (n,) weighs the points.  Zero for a control whose region is no larger than usual in its
+    rig: it takes several small controls to make a face that a large one can cover.
     """
     motions = [motion.on_own_skin() for motion in motions]
     flags = notable_points(motions, len(areas))
@@ -66,10 +70,13 @@ def coverage_of_smaller(motions: Sequence[Motion], areas: Floats) -> Floats:
 def _covered(motion: Motion, face: Flags, areas: Floats) -> Indices:
     """Points of the face that a control moves notably, by its peak there.
 
-    A shape of the whole head moves the back of it, or the shoulders, several times as far as the face: what
-    tells it is that it moves the face evenly.  A control that hardly moves the face is measured by its own peak.
+    A shape of the whole head moves the back of it, or the shoulders, several times as far as the
+    face: what tells it is that it moves the face evenly.  A control that hardly moves the face is
+    measured by its own peak.
     """
     on_face = face[motion.points] & (areas[motion.points] > 0.0)
     here, own = motion.arc_length[on_face].max(initial=0.0), motion.arc_length.max()
     peak = here if here >= NOTABLE * own else own
-    return np.asarray(motion.points[on_face & (motion.arc_length >= NOTABLE * peak)], dtype=np.int64)
+    return np.asarray(
+        motion.points[on_face & (motion.arc_length >= NOTABLE * peak)], dtype=np.int64
+    )

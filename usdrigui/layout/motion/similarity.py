@@ -12,7 +12,8 @@ from usdrigui.model import Floats, Indices, Record, Singles, Trajectories
 from usdrigui.ties import rounded
 
 _ENTRIES = 12_000_000
-"""Entries (controls times places) held at most: 150 MB; beyond, the places that move most stand for all."""
+"""Entries (controls times places) held at most: 150 MB; beyond, the places that move most stand for
+all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +28,10 @@ class DisplacementFields(Record):
     """(m,) area of the place: comparisons do not depend on how finely the mesh is divided."""
 
     def products(self, others: Singles | None = None) -> Floats:
-        """(motions, motions) weighted inner products of `others` (default: the vectors) with the vectors."""
-        # Most controls leave most places alone: sparse products are several times faster than dense ones.
+        """(motions, motions) weighted inner products of `others` (default: the vectors) with the
+        vectors."""
+        # Most controls leave most places alone: sparse products are several times faster than dense
+        # ones.
         first = self._sparse if others is None else csr_array(_rows(others))
         weighted = self._sparse.multiply(np.repeat(self.weights, 3)[None, :]).tocsr()
         return np.asarray((first @ weighted.T).toarray(), dtype=np.float64)
@@ -59,8 +62,11 @@ class Similarity(Record):
 
     @cached_property
     def direction(self) -> Floats:
-        """Displacement-weighted cosine of the directions where both act; 0 where they share nothing."""
-        ratio = np.divide(self.cosine, self.shared, out=np.zeros_like(self.cosine), where=self.shared > 1e-6)
+        """Displacement-weighted cosine of the directions where both act; 0 where they share
+        nothing."""
+        ratio = np.divide(
+            self.cosine, self.shared, out=np.zeros_like(self.cosine), where=self.shared > 1e-6
+        )
         return np.asarray(ratio, dtype=np.float64)
 
 
@@ -99,7 +105,9 @@ def similarity(fields: DisplacementFields) -> Similarity:
 def bidirectional(trajectories: Trajectories) -> tuple[int, ...]:
     """Indices of the motions whose control goes to both sides of its base value."""
     return tuple(
-        i for i, motion in enumerate(trajectories.motions) if motion.offsets[0].any() and motion.offsets[-1].any()
+        i
+        for i, motion in enumerate(trajectories.motions)
+        if motion.offsets[0].any() and motion.offsets[-1].any()
     )
 
 

@@ -1,4 +1,5 @@
-"""The geometry of elements: tracks as polylines, resampled, and enlarged where they would be too short."""
+"""The geometry of elements: tracks as polylines, resampled, and enlarged where they would be too
+short."""
 
 from __future__ import annotations
 
@@ -8,7 +9,8 @@ from usdrigui.model import Floats, Indices, Motion
 
 
 def paths(motion: Motion, points: Indices) -> Floats:
-    """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where unmoved."""
+    """(p, k, 3) offsets of `points` from their base positions at the motion's knots; zero where
+    unmoved."""
     rows = np.searchsorted(motion.points, points)
     rows = np.minimum(rows, len(motion.points) - 1)
     found = motion.points[rows] == points
@@ -23,7 +25,8 @@ def arc_lengths(motion: Motion, points: Indices) -> Floats:
 
 
 def flattened(vectors: Floats, toward: Floats | None) -> Floats:
-    """(..., 3) `vectors` projected along the unit direction `toward`: what a viewer there sees of them.
+    """(..., 3) `vectors` projected along the unit direction `toward`: what a viewer there sees of
+    them.
 
     Without a direction, in a layout that is not flat, they stay as they are.
     """
@@ -54,10 +57,16 @@ def resampled(lines: Floats, samples: int) -> Floats:
     piece = (targets[:, :, None] > along[:, None, 1:-1]).sum(axis=2)
     row = np.arange(len(lines))[:, None]
     length = steps[row, piece]
-    share = np.divide(targets - along[row, piece], length, out=np.zeros_like(targets), where=length > 0.0)
-    return np.asarray(lines[row, piece] + share[..., None] * (lines[row, piece + 1] - lines[row, piece]))
+    share = np.divide(
+        targets - along[row, piece], length, out=np.zeros_like(targets), where=length > 0.0
+    )
+    return np.asarray(
+        lines[row, piece] + share[..., None] * (lines[row, piece + 1] - lines[row, piece])
+    )
 
 
-def polylines(motion: Motion, base: Floats, points: Indices, sources: Indices, samples: int) -> Floats:
+def polylines(
+    motion: Motion, base: Floats, points: Indices, sources: Indices, samples: int
+) -> Floats:
     """(p, samples, 3) tracks of `sources` as drawn at `points`, without magnification."""
     return base[points][:, None] + resampled(paths(motion, sources), samples)

@@ -18,20 +18,25 @@ from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_n
 STAGE = "trajectories"
 
 _WHOLE_FACE = CandidateSettings().global_coverage
-"""A control that covers more of the smaller ones does not set the size of the face, whatever counts as global."""
+"""A control that covers more of the smaller ones does not set the size of the face, whatever counts
+as global."""
 _EMPTY = 1e-7
 """A control that moves nothing further than this share of the character's size is empty."""
 _OUTLIER = 8.0
-"""A control whose peak exceeds the median peak this many times does not set the size of the face."""
+"""A control whose peak exceeds the median peak this many times does not set the size of the
+face."""
 
 
-def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | None = None) -> Trajectories:
-    """Trajectories of all points under all controls of `rig`, each alone, others held at `base_values`.
+def trajectories(
+    rig: Rig, settings: TrajectorySettings, base_values: Floats | None = None
+) -> Trajectories:
+    """Trajectories of all points under all controls of `rig`, each alone, others held at
+    `base_values`.
 
-    `base_values` (controls,) defaults to every control's default.  Polylines are exact for blend shapes
-    (a fixed pose bends their straight pieces nowhere) and sampled to `settings.tolerance` where joints
-    turn.  Only moving points are held.  Controls that move nothing are left off; duplicate and tiny ones
-    stay and are named in `issues`.
+    `base_values` (controls,) defaults to every control's default.  Polylines are exact for blend
+    shapes (a fixed pose bends their straight pieces nowhere) and sampled to `settings.tolerance`
+    where joints turn.  Only moving points are held.  Controls that move nothing are left off;
+    duplicate and tiny ones stay and are named in `issues`.
     """
     base = posed(rig, base_values)
     size = _diagonal(base.points)
@@ -48,9 +53,14 @@ def trajectories(rig: Rig, settings: TrajectorySettings, base_values: Floats | N
 
 
 def of_controls(
-    rig: Rig, found: Trajectories, controls: Collection[int], excluded: Collection[int], settings: TrajectorySettings
+    rig: Rig,
+    found: Trajectories,
+    controls: Collection[int],
+    excluded: Collection[int],
+    settings: TrajectorySettings,
 ) -> Trajectories:
-    """The trajectories of some controls alone, which then tell how large the face is and what a typical control does.
+    """The trajectories of some controls alone, which then tell how large the face is and what a
+    typical control does.
 
     `controls` are indices into `Rig.controls`, `excluded` into `Rig.excluded`.
     """
@@ -72,7 +82,8 @@ def of_controls(
 
 
 def total_motion(motions: Sequence[Motion], count: int) -> Singles:
-    """(count, 3) sum over all controls of the vector from minimum to maximum: tells apart points that touch at rest."""
+    """(count, 3) sum over all controls of the vector from minimum to maximum: tells apart points
+    that touch at rest."""
     total = np.zeros((count, 3), dtype=np.float32)
     for motion in motions:
         total[motion.points] += motion.offsets[-1] - motion.offsets[0]
@@ -83,12 +94,16 @@ def _excluded(rig: Rig, size: float, settings: TrajectorySettings) -> tuple[Moti
     """Motions of the controls that the configuration leaves out, from the default pose."""
     alone = replace(rig, controls=rig.excluded)
     start = posed(alone, None)
-    found = (_motion(alone, start, i, control.default, settings) for i, control in enumerate(rig.excluded))
+    found = (
+        _motion(alone, start, i, control.default, settings)
+        for i, control in enumerate(rig.excluded)
+    )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
 
 
 def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tuple[Posed, float]:
-    """The pose from which control `index` is swept (itself at its default), and its value at the base pose."""
+    """The pose from which control `index` is swept (itself at its default), and its value at the
+    base pose."""
     default = rig.controls[index].default
     if base_values is None or base_values[index] == default:
         return base, default
@@ -97,7 +112,9 @@ def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tup
     return posed(rig, others), float(base_values[index])
 
 
-def _motion(rig: Rig, start: Posed, index: int, value: float, settings: TrajectorySettings) -> Motion:
+def _motion(
+    rig: Rig, start: Posed, index: int, value: float, settings: TrajectorySettings
+) -> Motion:
     values = knots(rig, index)
     if value not in values:
         values = np.union1d(values, [value])
@@ -117,9 +134,15 @@ def _motion(rig: Rig, start: Posed, index: int, value: float, settings: Trajecto
 
 
 def _refined(
-    rig: Rig, start: Posed, index: int, values: Floats, offsets: Singles, settings: TrajectorySettings
+    rig: Rig,
+    start: Posed,
+    index: int,
+    values: Floats,
+    offsets: Singles,
+    settings: TrajectorySettings,
 ) -> tuple[Floats, Singles]:
-    """Halve the steps of a curved path until no chord misses the curve's middle by more than the tolerance."""
+    """Halve the steps of a curved path until no chord misses the curve's middle by more than the
+    tolerance."""
     pending = np.ones(len(values) - 1, dtype=bool)
     while pending.any() and len(values) < settings.max_samples:
         where = np.flatnonzero(pending)[: settings.max_samples - len(values)]
@@ -137,7 +160,8 @@ def _refined(
 
 
 def _split(pending: Flags, where: Indices, wrong: Flags) -> Flags:
-    """Flags of the pieces after the pieces `where` were halved; halves stay pending where `wrong`."""
+    """Flags of the pieces after the pieces `where` were halved; halves stay pending where
+    `wrong`."""
     pending = pending.copy()
     pending[where] = wrong
     return np.insert(pending, where + 1, wrong)
@@ -151,8 +175,11 @@ def _arc_lengths(offsets: Singles) -> Floats:
 
 
 def _apart(rig: Rig, motion: Floats) -> Floats:
-    """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not shown."""
-    shown = np.repeat([mesh.visible for mesh in rig.meshes], [len(mesh.points) for mesh in rig.meshes])
+    """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not
+    shown."""
+    shown = np.repeat(
+        [mesh.visible for mesh in rig.meshes], [len(mesh.points) for mesh in rig.meshes]
+    )
     scale = float(np.abs(motion).max(initial=0.0)) or 1.0
     return np.column_stack([motion, np.where(shown, scale, 0.0)])
 
@@ -180,7 +207,11 @@ def _assembled(
         face_size=scale.face_size,
         typical_length=scale.typical_length,
         left_off=left_off,
-        issues=(*_inward(rig, inward), *_tiny(rig, motions, scale.face_size, settings), *_duplicates(rig, motions)),
+        issues=(
+            *_inward(rig, inward),
+            *_tiny(rig, motions, scale.face_size, settings),
+            *_duplicates(rig, motions),
+        ),
         excluded=excluded,
     )
 
@@ -193,11 +224,19 @@ class _Scale:
     typical_length: float
 
     @staticmethod
-    def of(rig: Rig, base: Floats, areas: Floats, motions: tuple[Motion, ...], excluded: tuple[Motion, ...]) -> _Scale:
+    def of(
+        rig: Rig,
+        base: Floats,
+        areas: Floats,
+        motions: tuple[Motion, ...],
+        excluded: tuple[Motion, ...],
+    ) -> _Scale:
         """The scale of what the motions move."""
         local = _local(motions, excluded, areas)
         peaks = np.array([motion.peak for motion in motions])
-        size = _face_size([motions[i] for i in np.flatnonzero(local)], base @ rig.up) or _diagonal(base)
+        size = _face_size([motions[i] for i in np.flatnonzero(local)], base @ rig.up) or _diagonal(
+            base
+        )
         size = size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
         return _Scale(size, float(np.median(peaks[local])) if local.any() else size)
 
@@ -208,7 +247,8 @@ def _inward(rig: Rig, inward: bool) -> list[Issue]:
 
 
 def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Floats) -> Flags:
-    """(motions,) which of them move a part of the face and by no absurd amount; all if none would be left.
+    """(motions,) which of them move a part of the face and by no absurd amount; all if none would
+    be left.
 
     Whether one is local does not depend on which others the configuration excludes.
     """
@@ -222,17 +262,28 @@ def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Flo
 
 def _face_size(motions: list[Motion], heights: Floats) -> float:
     """Extent in `heights` of all that the motions move by at least half of their peak."""
-    moved = [motion.points[motion.stands_on() & (motion.arc_length >= 0.5 * motion.peak)] for motion in motions]
+    moved = [
+        motion.points[motion.stands_on() & (motion.arc_length >= 0.5 * motion.peak)]
+        for motion in motions
+    ]
     return float(np.ptp(heights[np.concatenate(moved)])) if moved else 0.0
 
 
-def _tiny(rig: Rig, motions: tuple[Motion, ...], face_size: float, settings: TrajectorySettings) -> list[Issue]:
+def _tiny(
+    rig: Rig, motions: tuple[Motion, ...], face_size: float, settings: TrajectorySettings
+) -> list[Issue]:
     found = []
     for motion in motions:
         share = float(motion.arc_length.max()) / face_size
         if share < settings.tiny:
             name = rig.controls[motion.control].name
-            found.append(issue("CONTROL_TINY", name, f"moves no point further than {share:.2%} of the face's height"))
+            found.append(
+                issue(
+                    "CONTROL_TINY",
+                    name,
+                    f"moves no point further than {share:.2%} of the face's height",
+                )
+            )
     return found
 
 
@@ -241,12 +292,16 @@ def _duplicates(rig: Rig, motions: tuple[Motion, ...]) -> list[Issue]:
     found: list[Issue] = []
     seen: dict[tuple[int, int, int], list[Motion]] = {}
     for motion in motions:
-        bucket = seen.setdefault((len(motion.points), int(motion.points[0]), int(motion.points[-1])), [])
+        bucket = seen.setdefault(
+            (len(motion.points), int(motion.points[0]), int(motion.points[-1])), []
+        )
         for other in bucket:
             factor = _same_up_to_scale(motion, other)
             if factor:
                 name, first = rig.controls[motion.control].name, rig.controls[other.control].name
-                how = f"the same as {first}" + ("" if abs(factor - 1.0) < 1e-3 else f", {factor:.3g} times as far")
+                how = f"the same as {first}" + (
+                    "" if abs(factor - 1.0) < 1e-3 else f", {factor:.3g} times as far"
+                )
                 found.append(issue("CONTROL_DUPLICATE", name, f"moves every point {how}"))
                 break
         else:
@@ -260,7 +315,11 @@ def _same_up_to_scale(motion: Motion, other: Motion) -> float:
         return 0.0
     a, b = motion.offsets.astype(np.float64).ravel(), other.offsets.astype(np.float64).ravel()
     factor = float(a @ b) / float(b @ b)
-    return factor if factor > 0.0 and float(np.abs(a - factor * b).max()) <= 1e-4 * float(np.abs(a).max()) else 0.0
+    return (
+        factor
+        if factor > 0.0 and float(np.abs(a - factor * b).max()) <= 1e-4 * float(np.abs(a).max())
+        else 0.0
+    )
 
 
 def _diagonal(points: Floats) -> float:

@@ -1,7 +1,7 @@
 """The parts of a character: which controls are laid out together, at one scale.
 
-A control of a joint is of the part of its joint, every other control of the part whose skin it moves most.  A rig that
-is a face alone, or a hand, is one part.
+A control of a joint is of the part of its joint, every other control of the part whose skin it
+moves most.  A rig that is a face alone, or a hand, is one part.
 """
 
 from __future__ import annotations
@@ -12,15 +12,25 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.layout.parts.joint_regions import BODY, FACE, FEET, HANDS, JointRegions, joint_regions, owner_of_points
+from usdrigui.layout.parts.joint_regions import (
+    BODY,
+    FACE,
+    FEET,
+    HANDS,
+    JointRegions,
+    joint_regions,
+    owner_of_points,
+)
 from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Trajectories
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
 ORDER = (FACE, HANDS, FEET)
-"""Parts that are laid out first, in this order; the body comes last, for its handles are the widest."""
+"""Parts that are laid out first, in this order; the body comes last, for its handles are the
+widest."""
 _NEAR = 0.5
-"""A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of the face."""
+"""A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of
+the face."""
 _MOST = 0.9
 """Share of a motion, area times distance, that has to lie there."""
 
@@ -38,10 +48,12 @@ class Part(Record):
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
-    """The parts of a character in the order in which they are laid out: face, hands, feet, others, body.
+    """The parts of a character in the order in which they are laid out: face, hands, feet, others,
+    body.
 
-    Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and so they are where
-    the skeleton tells no parts; controls that the configuration groups or pairs stay together.
+    Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
+    so they are where the skeleton tells no parts; controls that the configuration groups or pairs
+    stay together.
     """
     regions = joint_regions(rig, found)
     tell = _Names(rig, found, regions).of if regions is not None else _face
@@ -49,7 +61,11 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
     index = {control.name: i for i, control in enumerate(rig.controls)}
-    names |= {index[name]: part for name, part in settings.parts.controls.items() if index.get(name) in names}
+    names |= {
+        index[name]: part
+        for name, part in settings.parts.controls.items()
+        if index.get(name) in names
+    }
     names = _together(names, _bound(settings, index))
     known = sorted(set(names.values()), key=_rank)
     left_out = {each.control: tell(rig.excluded[each.control], each) for each in found.excluded}
@@ -88,7 +104,9 @@ def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
         return not controls or not part.controls.isdisjoint(controls)
 
     groups = {name: each for name, each in settings.groups.groups.items() if concerns(each)}
-    members = {name: each for name, each in settings.levels.members.items() if concerns((name, *each))}
+    members = {
+        name: each for name, each in settings.levels.members.items() if concerns((name, *each))
+    }
     return replace(
         settings,
         groups=replace(settings.groups, groups=groups),
@@ -97,7 +115,8 @@ def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
 
 
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
-    """Controls that the configuration makes one element, shows in each other's place, or mirrors."""
+    """Controls that the configuration makes one element, shows in each other's place, or
+    mirrors."""
     said = [*settings.groups.groups.values()]
     said += [(name, *members) for name, members in settings.levels.members.items()]
     said += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
@@ -131,23 +150,31 @@ class _Names:
         self.rig, self.found, self.regions = rig, found, regions
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
         self.skin = self._skin(owner_of_points(rig))
-        self.near_face = self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
+        self.near_face = (
+            self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
+        )
 
     def of(self, control: Control, motion: Motion) -> str:
         """The part of a control."""
         if control.kind == "joint" and len(control.drive.joints):
             driven = control.drive.joints.tolist()
-            own: int = next((i for i in driven if self.rig.joints[i].path == control.source), driven[0])
+            own: int = next(
+                (i for i in driven if self.rig.joints[i].path == control.source), driven[0]
+            )
             return self.regions.of_joint[own]
         mass = self.found.areas[motion.points] * motion.arc_length
         total = float(mass.sum())
-        if self.near_face is not None and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total:
+        if (
+            self.near_face is not None
+            and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total
+        ):
             return FACE
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         return self.known[first_largest(masses)]
 
     def _skin(self, owners: Indices) -> Indices:
-        """(n,) index into `known` of the part of each point; that of the nearest skin where nothing holds it."""
+        """(n,) index into `known` of the part of each point; that of the nearest skin where nothing
+        holds it."""
         own = np.array([self.known.index(name) for name in self.regions.of_skin])
         held = owners >= 0
         found = np.where(held, own[np.maximum(owners, 0)], 0)

@@ -1,7 +1,8 @@
 """Which joints and which skin are the face, the hands, the feet and the body.
 
-A head is told by its joint's name; where none says so, by the many joints without joints below that hang on it (a face
-driven by joints), or by the skin that the blend shapes move.  Fans of chains that carry on a limb are fingers and toes.
+A head is told by its joint's name; where none says so, by the many joints without joints below that
+hang on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains
+that carry on a limb are fingers and toes.
 """
 
 from __future__ import annotations
@@ -48,9 +49,16 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     heads = _heads(rig, tree, found)
     spine = _spine(tree, heads)
     of_joint, of_skin = [BODY] * len(rig.joints), [BODY] * len(rig.joints)
-    ends = [fan for fan in fans(tree) if _carries_on(tree, fan) and not heads & {fan.joint, *_above(tree, fan.joint)}]
+    ends = [
+        fan
+        for fan in fans(tree)
+        if _carries_on(tree, fan) and not heads & {fan.joint, *_above(tree, fan.joint)}
+    ]
     for fan in ends:
-        name, fingers = _end(rig, tree, fan, spine), _below(tree, [chain[0] for chain in fan.chains])
+        name, fingers = (
+            _end(rig, tree, fan, spine),
+            _below(tree, [chain[0] for chain in fan.chains]),
+        )
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
@@ -65,7 +73,8 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
 
 
 def owner_of_points(rig: Rig) -> Indices:
-    """(n,) the joint that holds each point most firmly, -1 for points of meshes that are not skinned."""
+    """(n,) the joint that holds each point most firmly, -1 for points of meshes that are not
+    skinned."""
     parts = []
     for mesh in rig.meshes:
         if mesh.skin is None or not mesh.skin.joints.shape[1]:
@@ -76,12 +85,14 @@ def owner_of_points(rig: Rig) -> Indices:
     return np.concatenate(parts)
 
 
-# --- the head ----------------------------------------------------------------------------------------
+# --- the head -------------------------------------------------------------------------------------
 
 
 def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     """The joint of the head, of each skeleton that has one."""
-    named = {i for i, joint in enumerate(rig.joints) if _is_head(joint.path) and _skinned_below(tree, i)}
+    named = {
+        i for i, joint in enumerate(rig.joints) if _is_head(joint.path) and _skinned_below(tree, i)
+    }
     if named:
         return frozenset(i for i in named if not named & set(_above(tree, i)))
     leaves = [sum(tree.depth[child] == 1 for child in children) for children in tree.children]
@@ -102,11 +113,14 @@ def _skinned_below(tree: Tree, joint: int) -> bool:
 
 
 def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
-    """The joint furthest down below which nearly all blend shapes move skin; none where that is the root."""
+    """The joint furthest down below which nearly all blend shapes move skin; none where that is the
+    root."""
     owners, votes = owner_of_points(rig), Counter[int]()
     for motion in found.motions:
         if rig.controls[motion.control].kind == "blendShape":
-            mass = np.bincount(owners[motion.points] + 1, found.areas[motion.points] * motion.arc_length)
+            mass = np.bincount(
+                owners[motion.points] + 1, found.areas[motion.points] * motion.arc_length
+            )
             votes[first_largest(mass.astype(np.float64)) - 1] += 1
     total = sum(votes.values())
     below = Counter[int]()
@@ -118,7 +132,7 @@ def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
 
 
-# --- limbs -------------------------------------------------------------------------------------------
+# --- limbs ----------------------------------------------------------------------------------------
 
 
 def _carries_on(tree: Tree, fan: Fan) -> bool:
@@ -126,11 +140,14 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     before = tree.parents[fan.joint]
     while before >= 0 and (tree.places[before] == tree.places[fan.joint]).all():
         before = tree.parents[before]
-    return before < 0 or float(unit(tree.places[fan.joint] - tree.places[before]) @ fan.middle) > 0.0
+    return (
+        before < 0 or float(unit(tree.places[fan.joint] - tree.places[before]) @ fan.middle) > 0.0
+    )
 
 
 def _end(rig: Rig, tree: Tree, fan: Fan, spine: list[int]) -> str:
-    """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the bottom."""
+    """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the
+    bottom."""
     leaves = [spine.index(joint) for joint in _above(tree, fan.joint) if joint in spine]
     if leaves:
         return HANDS if leaves[0] > 0.5 * (len(spine) - 1) else FEET

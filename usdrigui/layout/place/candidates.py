@@ -22,10 +22,12 @@ from usdrigui.ties import first_largest
 
 STAGE = "candidates"
 SHARED_LEAST = 0.2
-"""Share of the peak at which a control may stand where it shares an element that has no better place."""
+"""Share of the peak at which a control may stand where it shares an element that has no better
+place."""
 
 _NOTABLE = 1.0 / 3.0
-"""Share of its visible peak that a control must reach in the region where it is expected for that to hold."""
+"""Share of its visible peak that a control must reach in the region where it is expected for that
+to hold."""
 _MOST = 0.85
 """The same for standing near the place itself."""
 
@@ -35,16 +37,20 @@ def find_candidates(
 ) -> Candidates:
     """The candidates of every control that moves something.
 
-    Points are pruned below the mean arc length of the control and below a share of its visible peak,
-    where no view sees them and where the trajectory runs inside or behind the model.  Where pruning
-    would leave nothing, its weaker reasons give way in the reverse order: a control that any view can
-    see always has a candidate.
+    Points are pruned below the mean arc length of the control and below a share of its visible
+    peak, where no view sees them and where the trajectory runs inside or behind the model.  Where
+    pruning would leave nothing, its weaker reasons give way in the reverse order: a control that
+    any view can see always has a candidate.
     """
     sets: list[CandidateSet] = []
     left_off: list[LeftOff] = []
-    for index, (motion, found) in enumerate(zip(face.trajectories.motions, classification, strict=True)):
+    for index, (motion, found) in enumerate(
+        zip(face.trajectories.motions, classification, strict=True)
+    ):
         if requests.overrides[motion.control].exclude:
-            left_off.append(LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration"))
+            left_off.append(
+                LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration")
+            )
             continue
         points, sources = _places(face, motion, found, requests, settings)
         sets.append(
@@ -61,29 +67,38 @@ def find_candidates(
     return Candidates(tuple(sets), tuple(left_off))
 
 
-def loosened(face: Face, found: CandidateSet, requests: Requests, settings: Settings, least: float) -> CandidateSet:
-    """The set with every visible place where a handle keeps at least a share of the control's peak: for elements whose
-    copies would collide at all of their better places."""
+def loosened(
+    face: Face, found: CandidateSet, requests: Requests, settings: Settings, least: float
+) -> CandidateSet:
+    """The set with every visible place where a handle keeps at least a share of the control's peak:
+    for elements whose copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     if override.anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
-    return replace(found, points=points, sources=points, cost=linear_cost(face, motion, points, settings))
+    return replace(
+        found, points=points, sources=points, cost=linear_cost(face, motion, points, settings)
+    )
 
 
-def candidates_of_axis(face: Face, found: CandidateSet, requests: Requests, settings: Settings) -> CandidateSet:
+def candidates_of_axis(
+    face: Face, found: CandidateSet, requests: Requests, settings: Settings
+) -> CandidateSet:
     """The set of a control on the face under `requests` that fix it elsewhere or not at all."""
     motion = face.trajectories.motions[found.motion]
     points, sources = _places(face, motion, Classification(), requests, settings)
-    return replace(found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings))
+    return replace(
+        found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings)
+    )
 
 
 def _places(
     face: Face, motion: Motion, found: Classification, requests: Requests, settings: Settings
 ) -> tuple[Indices, Indices]:
-    """Points at which the control may be anchored, ascending, and whose trajectories are drawn there."""
+    """Points at which the control may be anchored, ascending, and whose trajectories are drawn
+    there."""
     override, name = requests.overrides[motion.control], face.control_name(motion.control)
     peak = motion.points[[first_largest(np.where(motion.stands_on(), motion.arc_length, 0.0))]]
     fixed = fixed_anchor(face.rig, name, override)
@@ -100,23 +115,34 @@ def _places(
     return _with_prior(motion, requests, points, sources)
 
 
-def _with_prior(motion: Motion, requests: Requests, points: Indices, sources: Indices) -> tuple[Indices, Indices]:
-    """The places with the one of the earlier layout: pruning must not drive an element away from it."""
+def _with_prior(
+    motion: Motion, requests: Requests, points: Indices, sources: Indices
+) -> tuple[Indices, Indices]:
+    """The places with the one of the earlier layout: pruning must not drive an element away from
+    it."""
     place = requests.prior.places.get(motion.control)
     own = np.array_equal(points, sources)
-    if place is None or place.on_board or not own or place.point not in motion.points or place.point in points:
+    if (
+        place is None
+        or place.on_board
+        or not own
+        or place.point not in motion.points
+        or place.point in points
+    ):
         return points, sources
     points = np.sort(np.append(points, place.point))
     return points, points
 
 
 def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Settings) -> Indices:
-    """Points that the control moves and where it may stand, ascending; near what the configuration names."""
+    """Points that the control moves and where it may stand, ascending; near what the configuration
+    names."""
     everywhere = np.ones(len(motion.points), dtype=bool)
     some = _standing(face, motion, requests, settings, everywhere)
     seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
     seen = _with_clear_handles(face, motion, requests, settings, seen)
-    # What a person says, an earlier place and the skin that a joint owns come before what a name says.
+    # What a person says, an earlier place and the skin that a joint owns come before what a name
+    # says.
     told = requests.overrides[motion.control].near or motion.control in requests.prior.places
     if not told and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
@@ -124,35 +150,42 @@ def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Set
     return points if len(points) else _unseen(motion, some, settings)
 
 
-def _standing(face: Face, motion: Motion, requests: Requests, settings: Settings, among: Flags) -> Flags:
-    """Those `among` (p,) the moving points where the control may stand, before any pruning: one of each place, near
-    what the configuration names, on the skin that its joint owns."""
+def _standing(
+    face: Face, motion: Motion, requests: Requests, settings: Settings, among: Flags
+) -> Flags:
+    """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
+    each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.places[motion.points] == motion.points)
     radius = settings.candidates.near_radius
     return motion.stands_on(kept_near(face, motion.control, requests, motion.points, first, radius))
 
 
-def _with_clear_handles(face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags) -> Flags:
-    """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the displacement."""
+def _with_clear_handles(
+    face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags
+) -> Flags:
+    """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
+    displacement."""
     clear = _standing(face, motion, requests, settings, seen & face.clear[motion.points])
     return (
         clear
-        if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.candidates.least_kept)
+        if motion.arc_length[clear].max(initial=0.0)
+        >= _kept(motion, seen, settings.candidates.least_kept)
         else seen
     )
 
 
 def _kept(motion: Motion, seen: Flags, least: float) -> float:
-    """Arc length that a handle must have: a share of the true peak, and no more than any place `seen` (p,) has."""
+    """Arc length that a handle must have: a share of the true peak, and no more than any place
+    `seen` (p,) has."""
     return min(least * motion.peak, float(motion.arc_length[seen].max(initial=0.0)))
 
 
 def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectation | None) -> Flags:
-    """(p,) which points count: those `seen` near the place where the control is expected, or in the region around it,
-    if it moves them notably.
+    """(p,) which points count: those `seen` near the place where the control is expected, or in the
+    region around it, if it moves them notably.
 
-    A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that hardly moves the
-    place where its name expects it does something else.
+    A sneer that lifts the brow more than the nose stands by the nose all the same.  A control that
+    hardly moves the place where its name expects it does something else.
     """
     if expected is None or not seen.any():
         return seen
@@ -165,7 +198,8 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
 
 
 def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Settings) -> Indices:
-    """Points at which the control may be anchored, ascending; empty when no view sees what it moves.
+    """Points at which the control may be anchored, ascending; empty when no view sees what it
+    moves.
 
     `some` (p,) are the points where it may stand, `seen` (p,) those of them that a view sees.
     """
@@ -200,4 +234,6 @@ def _seen(face: Face, points: Indices, settings: Settings) -> Flags:
 
 def _occluded(face: Face, motion: Motion, points: Indices, samples: int) -> Flags:
     tracks = polylines(motion, face.trajectories.base, points, points, samples)
-    return mostly_hidden(face.views, tracks, face.trajectories.normals[points], 0.5 * face.handle_width)
+    return mostly_hidden(
+        face.views, tracks, face.trajectories.normals[points], 0.5 * face.handle_width
+    )

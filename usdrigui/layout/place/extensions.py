@@ -1,14 +1,16 @@
 """Terms of other packages: entry points of the group ``usdrigui.terms``.
 
-An entry point loads an object with one or both of two methods (see docs/terms.md for a worked example):
+An entry point loads an object with one or both of two methods (see docs/terms.md for a worked
+example):
 
 * ``linear(face, motion, points) -> (p,)`` costs >= 0 of anchoring the motion's control at `points`;
 * ``pairs(face, problem, choices) -> iterable of ExtraPairs`` with costs >= 0.
 
-`face` is a `usdrigui.layout.face.Face`: the rig, its trajectories, symmetry, views and handle width.
+`face` is a `usdrigui.layout.face.Face`: the rig, its trajectories, symmetry, views and handle
+width.
 
-Installed terms act only when ``objective.terms`` names them, so that a layout never depends on what else
-happens to be installed.
+Installed terms act only when ``objective.terms`` names them, so that a layout never depends on what
+else happens to be installed.
 """
 
 from __future__ import annotations
@@ -27,7 +29,8 @@ GROUP = "usdrigui.terms"
 
 
 def user_linear_cost(face: Face, motion: Motion, points: Indices, names: tuple[str, ...]) -> Floats:
-    """(p,) sum of the linear costs of the terms called `names`; raises TERM_INVALID for a wrong answer."""
+    """(p,) sum of the linear costs of the terms called `names`; raises TERM_INVALID for a wrong
+    answer."""
     cost = np.zeros(len(points))
     for name in names:
         term = _loaded(name)
@@ -53,23 +56,35 @@ def _loaded(name: str) -> Any:
         if entry.name == name:
             return entry.load()
     installed = sorted(entry.name for entry in entry_points(group=GROUP))
-    raise refuse("CONFIG_VALUE", "objective.terms", f"no installed package has a term {name!r}; there are {installed}")
+    raise refuse(
+        "CONFIG_VALUE",
+        "objective.terms",
+        f"no installed package has a term {name!r}; there are {installed}",
+    )
 
 
 def _checked(name: str, answer: Any, count: int) -> Floats:
     cost = np.asarray(answer, dtype=np.float64)
     if cost.shape != (count,) or not np.isfinite(cost).all() or (cost < 0.0).any():
-        raise refuse("TERM_INVALID", name, f"a linear term must give {count} finite costs >= 0, not {cost.shape}")
+        raise refuse(
+            "TERM_INVALID",
+            name,
+            f"a linear term must give {count} finite costs >= 0, not {cost.shape}",
+        )
     return cost
 
 
-def _checked_pairs(name: str, answer: Iterable[ExtraPairs], problem: LayoutProblem) -> list[ExtraPairs]:
+def _checked_pairs(
+    name: str, answer: Iterable[ExtraPairs], problem: LayoutProblem
+) -> list[ExtraPairs]:
     pairs = list(answer)
     sizes = [len(variable.points) for variable in problem.variables]
     for each in pairs:
         ordered = 0 <= each.first < each.second < len(sizes)
         if not ordered or not _within(each.first_labels, sizes[each.first]):
-            raise refuse("TERM_INVALID", name, "pair terms need first < second and labels that exist")
+            raise refuse(
+                "TERM_INVALID", name, "pair terms need first < second and labels that exist"
+            )
         if not _within(each.second_labels, sizes[each.second]):
             raise refuse("TERM_INVALID", name, "pair terms need labels that exist")
         _checked(name, each.costs, len(each.first_labels))

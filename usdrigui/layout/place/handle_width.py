@@ -1,8 +1,9 @@
 """How wide handles are: a share of the face, and less where many controls want the same places.
 
-Counted is where each control would keep most of its displacement.  Spread over those places by their
-area, whatever the mesh's resolution, every control is one; around the place of one there are then so many
-others, on average.  Handles are as wide as leaves no more than a comfortable number within a few widths.
+Counted is where each control would keep most of its displacement.  Spread over those places by
+their area, whatever the mesh's resolution, every control is one; around the place of one there are
+then so many others, on average.  Handles are as wide as leaves no more than a comfortable number
+within a few widths.
 """
 
 from __future__ import annotations
@@ -23,11 +24,13 @@ KEPT = 0.85
 _AROUND = 4.0
 """Handle widths: what is nearer than this to a handle is around it."""
 _BLUR = np.linspace(0.5, 1.5, 5)
-"""Shares of that distance over which the count is averaged: an area may be gathered in a few points."""
+"""Shares of that distance over which the count is averaged: an area may be gathered in a few
+points."""
 _STEPS = 32
 """Widths tried between the least and the largest."""
 _MANY = 2000
-"""Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the square."""
+"""Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the
+square."""
 
 
 def handle_width(
@@ -39,24 +42,33 @@ def handle_width(
 ) -> float:
     """Diameter of a handle in scene units.
 
-    `placed` (motions,) are those of the controls that are to stand on the face, `toward` is the direction to the
-    viewer of a flat layout.
+    `placed` (motions,) are those of the controls that are to stand on the face, `toward` is the
+    direction to the viewer of a flat layout.
 
-    The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at which no more
-    than ``objective.max_neighbours`` controls are around one on average; the least where all are too wide.
-    Invariant under rigid motion, uniform scale and the order and density of points.
+    The largest of the widths from ``objective.handle_size_min`` to ``objective.handle_size`` at
+    which no more than ``objective.max_neighbours`` controls are around one on average; the least
+    where all are too wide. Invariant under rigid motion, uniform scale and the order and density of
+    points.
     """
     points, weights = _wanted(trajectories, views.anywhere, placed)
     frame = np.vstack([screen(views), views.directions[:1]])
-    return fitting_width(flattened(points, toward), weights, frame, trajectories.face_size, settings)
+    return fitting_width(
+        flattened(points, toward), weights, frame, trajectories.face_size, settings
+    )
 
 
-def fitting_width(points: Floats, weights: Floats, frame: Floats, face: float, settings: ObjectiveSettings) -> float:
+def fitting_width(
+    points: Floats, weights: Floats, frame: Floats, face: float, settings: ObjectiveSettings
+) -> float:
     """The same from the places (p, 3) that controls want and how many want each (p,).
 
-    `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are those of `points`.
+    `frame` (3, 3) are the character's axes, `face` its size; units of `face` and the width are
+    those of `points`.
     """
-    most, least = settings.handle_size * face, min(settings.handle_size_min, settings.handle_size) * face
+    most, least = (
+        settings.handle_size * face,
+        min(settings.handle_size_min, settings.handle_size) * face,
+    )
     if settings.max_neighbours <= 0.0 or least >= most or not len(points):
         return most
     if len(points) > _MANY:
@@ -87,11 +99,16 @@ def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tu
 
 
 def on_face(
-    trajectories: Trajectories, classification: Sequence[Classification], overrides: Sequence[ControlSettings]
+    trajectories: Trajectories,
+    classification: Sequence[Classification],
+    overrides: Sequence[ControlSettings],
 ) -> Flags:
     """(motions,) those of the controls that are to stand on the face."""
     kept = [not overrides[motion.control].exclude for motion in trajectories.motions]
-    return np.array([here and not each.category for here, each in zip(kept, classification, strict=True)], dtype=bool)
+    return np.array(
+        [here and not each.category for here, each in zip(kept, classification, strict=True)],
+        dtype=bool,
+    )
 
 
 def _wanted(trajectories: Trajectories, anywhere: Flags, placed: Flags) -> tuple[Floats, Floats]:

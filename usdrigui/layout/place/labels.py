@@ -1,7 +1,9 @@
-"""The labels of one variable: where an element and its images may stand, what that costs and how it looks there.
+"""The labels of one variable: where an element and its images may stand, what that costs and how it
+looks there.
 
-Displacement is measured in typical peak displacements, so that the same character in metres and in centimetres
-gets the same layout; ``objective.scene_units`` takes the paper's constants literally instead.
+Displacement is measured in typical peak displacements, so that the same character in metres and in
+centimetres gets the same layout; ``objective.scene_units`` takes the paper's constants literally
+instead.
 """
 
 from __future__ import annotations
@@ -12,7 +14,14 @@ from dataclasses import replace
 import numpy as np
 
 from usdrigui.layout.face import Face
-from usdrigui.layout.motion.tracks import arc_lengths, flattened, lengths, magnification, paths, resampled
+from usdrigui.layout.motion.tracks import (
+    arc_lengths,
+    flattened,
+    lengths,
+    magnification,
+    paths,
+    resampled,
+)
 from usdrigui.layout.place.terms import displacement_unit, linear_cost, off_plane
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
@@ -28,15 +37,17 @@ def labels_of(
     overrides: Sequence[ControlSettings],
     settings: Settings,
 ) -> tuple[Choice, Floats, Floats]:
-    """Candidates that all members and all copies of group `index` share, their costs (R,) without the overlap, and
-    displacements (R,).
+    """Candidates that all members and all copies of group `index` share, their costs (R,) without
+    the overlap, and displacements (R,).
 
-    Displacement and linear costs are those of the worst member (paper section 3.3), summed over copies.
-    `sets` are the candidates by control.
+    Displacement and linear costs are those of the worst member (paper section 3.3), summed over
+    copies. `sets` are the candidates by control.
     """
     group = groups[index]
     if group.doubled:
-        sets = {control: _on_both_sides(face, sets[control], settings) for control in group.controls}
+        sets = {
+            control: _on_both_sides(face, sets[control], settings) for control in group.controls
+        }
     choice = _with_copies(face, group, index, sets[group.controls[0]], settings.symmetry.tolerance)
     toward = face.views.flat_direction(settings.candidates.space)
     weight = settings.objective.displacement_weight
@@ -73,13 +84,20 @@ def drawn_points(face: Face, choice: Choice, settings: Settings) -> tuple[Floats
         anchors, sources = choice.anchors[:, copy], choice.sources[:, copy]
         tracks = [_drawn_track(face, control, anchors, sources, settings) for control in controls]
         samples.append(np.concatenate(tracks, axis=1))
-    return flattened(np.stack(samples, axis=1), toward), flattened(face.trajectories.base[choice.anchors], toward)
+    return flattened(np.stack(samples, axis=1), toward), flattened(
+        face.trajectories.base[choice.anchors], toward
+    )
 
 
-def _drawn_track(face: Face, control: int, anchors: Indices, sources: Indices, settings: Settings) -> Floats:
-    """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is too short."""
+def _drawn_track(
+    face: Face, control: int, anchors: Indices, sources: Indices, settings: Settings
+) -> Floats:
+    """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is
+    too short."""
     motion = face.trajectories.motion_of(control)
-    factor = magnification(arc_lengths(motion, sources), settings.output.min_track * face.handle_width)
+    factor = magnification(
+        arc_lengths(motion, sources), settings.output.min_track * face.handle_width
+    )
     offsets = resampled(paths(motion, sources), settings.objective.samples)
     return np.asarray(face.trajectories.base[anchors][:, None] + factor[:, None, None] * offsets)
 
@@ -89,8 +107,8 @@ def _importance(override: ControlSettings) -> float:
 
 
 def _displacements(motion: Motion, sources: Indices, toward: Floats | None) -> Floats:
-    """(R,) arc lengths of the trajectories; in a flat layout as the viewer sees them, which penalises
-    foreshortened ones (paper section 3.3 and fig. 7)."""
+    """(R,) arc lengths of the trajectories; in a flat layout as the viewer sees them, which
+    penalises foreshortened ones (paper section 3.3 and fig. 7)."""
     if toward is None:
         return arc_lengths(motion, sources)
     return lengths(flattened(paths(motion, sources), toward))
@@ -103,8 +121,8 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
 
 
 def _on_both_sides(face: Face, found: CandidateSet, settings: Settings) -> CandidateSet:
-    """The candidates of a doubled control and their mirror images, which it moves alike: one side may be all that is
-    fixed, or all that pruning leaves."""
+    """The candidates of a doubled control and their mirror images, which it moves alike: one side
+    may be all that is fixed, or all that pruning leaves."""
     partner = face.symmetry.partner
     places = np.column_stack([found.points, found.sources])
     images = partner[places]
@@ -113,10 +131,14 @@ def _on_both_sides(face: Face, found: CandidateSet, settings: Settings) -> Candi
     places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
     points, sources = places[first].T
-    return replace(found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings))
+    return replace(
+        found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings)
+    )
 
 
-def _with_copies(face: Face, group: Group, index: int, candidate_set: CandidateSet, tolerance: float) -> Choice:
+def _with_copies(
+    face: Face, group: Group, index: int, candidate_set: CandidateSet, tolerance: float
+) -> Choice:
     """Anchors and sources of all copies, of those candidates whose images lie on the character."""
     anchors = _images(face, group, candidate_set.points, tolerance)
     sources = _images(face, group, candidate_set.sources, tolerance)
@@ -134,4 +156,6 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
     if group.mirror:
         return np.stack([points, face.symmetry.partner[points]], axis=1)
     orbit = [face.trajectories.motion_of(controls[0]) for controls in group.copies]
-    return orbit_points(face.trajectories, orbit, face.rig.up, tolerance * face.trajectories.face_size, points)
+    return orbit_points(
+        face.trajectories, orbit, face.rig.up, tolerance * face.trajectories.face_size, points
+    )

@@ -1,4 +1,5 @@
-"""Locality: a control kept near something that the configuration names, or at a proxy (paper section 6)."""
+"""Locality: a control kept near something that the configuration names, or at a proxy (paper
+section 6)."""
 
 from __future__ import annotations
 
@@ -21,11 +22,16 @@ _PROXIES = 24
 
 
 def kept_near(
-    face: Face, control: int, requests: Requests, points: Indices, among: Flags, default_radius: float
+    face: Face,
+    control: int,
+    requests: Requests,
+    points: Indices,
+    among: Flags,
+    default_radius: float,
 ) -> Flags:
-    """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper section 6,
-    localizable); the nearest one where none is.  Radii are in face sizes, along the surface.  Raises
-    CONFIG_VALUE when ``near`` names nothing on the character."""
+    """Those `among` (p,) the `points` (p,) that are within the radius of what ``near`` names (paper
+    section 6, localizable); the nearest one where none is.  Radii are in face sizes, along the
+    surface.  Raises CONFIG_VALUE when ``near`` names nothing on the character."""
     override = requests.overrides[control]
     if not override.near or not among.any():
         return among
@@ -38,7 +44,8 @@ def kept_near(
 
 
 def proxies(face: Face, point: int) -> Indices:
-    """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on the face."""
+    """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on
+    the face."""
     places = face.trajectories.places
     seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
     if not len(seen):
@@ -49,8 +56,8 @@ def proxies(face: Face, point: int) -> Indices:
 
 
 def _distances(face: Face, where: str, near: str) -> Floats:
-    """(n,) how far every point is from what `near` names: along the surface, so that a lip is not near the other, and
-    straight where no surface leads there (another mesh, a joint)."""
+    """(n,) how far every point is from what `near` names: along the surface, so that a lip is not
+    near the other, and straight where no surface leads there (another mesh, a joint)."""
     base, name = face.trajectories.base, near.removeprefix(MIRROR)
     joint = name.startswith("joint:")
     if joint:
@@ -63,7 +70,9 @@ def _distances(face: Face, where: str, near: str) -> Floats:
     if joint:
         return np.asarray(straight)
     _, sources = cKDTree(base).query(centres)
-    along = surface_distances(base, mesh_triangles(face.rig.meshes), face.trajectories.places, np.asarray(sources))
+    along = surface_distances(
+        base, mesh_triangles(face.rig.meshes), face.trajectories.places, np.asarray(sources)
+    )
     return np.where(np.isfinite(along), along, straight)
 
 
@@ -76,16 +85,23 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
         for subset in mesh.subsets:
             if subset.path == near:
                 return np.asarray(start + subset.points)
-    raise refuse("CONFIG_VALUE", where, f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}")
+    raise refuse(
+        "CONFIG_VALUE",
+        where,
+        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}",
+    )
 
 
 def _joint_position(rig: Rig, where: str, name: str) -> Floats:
-    """(3,) position of a joint in root space at the base pose; `name` is its path or the path's last part."""
+    """(3,) position of a joint in root space at the base pose; `name` is its path or the path's
+    last part."""
     for index, joint in enumerate(rig.joints):
         if name in (joint.path, joint.path.rpartition("/")[2]):
             matrix, at = np.eye(4), index
             while at >= 0:
                 matrix = matrix @ rig.joints[at].base
                 at = rig.joints[at].parent
-            return np.asarray((matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64)
+            return np.asarray(
+                (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
+            )
     raise refuse("CONFIG_VALUE", where, f"there is no joint {name!r}")

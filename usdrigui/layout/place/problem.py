@@ -1,7 +1,9 @@
-"""The layout problem: every element's candidates, their costs and their geometry (paper eq. 2 to 5).
+"""The layout problem: every element's candidates, their costs and their geometry (paper eq. 2 to
+5).
 
-The overlap's radius is measured in handle widths, so that the same character in metres and in centimetres gets
-the same layout; ``objective.scene_units`` takes the paper's constants literally instead.
+The overlap's radius is measured in handle widths, so that the same character in metres and in
+centimetres gets the same layout; ``objective.scene_units`` takes the paper's constants literally
+instead.
 """
 
 from __future__ import annotations
@@ -19,13 +21,23 @@ from usdrigui.layout.place.labels import drawn_points, labels_of
 from usdrigui.layout.reuse.existing_layout import costs_beside_existing, existing_variables
 from usdrigui.layout.reuse.prior_layout import leaving_penalties
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Candidates, CandidateSet, Choice, Floats, Group, LayoutProblem, Overlap, Variable
+from usdrigui.model import (
+    Candidates,
+    CandidateSet,
+    Choice,
+    Floats,
+    Group,
+    LayoutProblem,
+    Overlap,
+    Variable,
+)
 from usdrigui.overlap import own_costs
 from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
 from usdrigui.surface import mean_edge_length, mesh_triangles
 
 _NEEDED = 5.0
-"""What it costs besides, per copy, that a control leaves the face that is needed there: more than any place does."""
+"""What it costs besides, per copy, that a control leaves the face that is needed there: more than
+any place does."""
 _COINCIDENT = 1e-9
 """Separation that forbids only a shared point, in face sizes."""
 
@@ -41,11 +53,16 @@ class PlacementProblem:
 
 
 def placement_problem(
-    face: Face, candidates: Candidates, groups: tuple[Group, ...], requests: Requests, settings: Settings
+    face: Face,
+    candidates: Candidates,
+    groups: tuple[Group, ...],
+    requests: Requests,
+    settings: Settings,
 ) -> PlacementProblem:
     """One variable for each group that may stand on the face.
 
-    Raises FIXED_IMPOSSIBLE where the fixed anchors are infeasible, TERM_INVALID for a term of another package.
+    Raises FIXED_IMPOSSIBLE where the fixed anchors are infeasible, TERM_INVALID for a term of
+    another package.
     """
     overlap, separation = _constants(face, settings.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
@@ -57,18 +74,23 @@ def placement_problem(
     for index, group in enumerate(groups):
         if group.category:
             continue
-        asked, own = (requests, sets) if not group.part else _of_axis(face, sets, group, requests, settings)
+        asked, own = (
+            (requests, sets) if not group.part else _of_axis(face, sets, group, requests, settings)
+        )
         variable, choice = _variable(costs, own, groups, index, asked)
         variables.append(variable)
         choices.append(choice)
-    problem = LayoutProblem(tuple(variables), overlap, separation, settings.objective.displacement_weight)
+    problem = LayoutProblem(
+        tuple(variables), overlap, separation, settings.objective.displacement_weight
+    )
     _refuse_infeasible(problem, groups, tuple(choices), requests.overrides)
     extra = user_pairs(face, problem, tuple(choices), settings.objective.terms)
     return PlacementProblem(groups, replace(problem, extra=extra), tuple(choices))
 
 
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
-    """What an earlier layout makes each label cost (R,), and what it makes leaving the face cost."""
+    """What an earlier layout makes each label cost (R,), and what it makes leaving the face
+    cost."""
     prior, base = requests.prior, face.trajectories.base
     stay, leave = np.zeros(len(choice.anchors)), 0.0
     for copy, controls in enumerate(choice.controls):
@@ -82,22 +104,36 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
     trajectories = face.trajectories
     if settings.scene_units:
         corners = mesh_triangles(face.rig.meshes)
-        radius = mean_edge_length(trajectories.base, corners, trajectories.places) * settings.overlap_radius
+        radius = (
+            mean_edge_length(trajectories.base, corners, trajectories.places)
+            * settings.overlap_radius
+        )
         sharpness = settings.overlap_sharpness
     else:
         radius = settings.overlap_radius * face.handle_width
         sharpness = settings.overlap_sharpness / radius
     cutoff_distance = settings.overlap_cutoff * radius or np.inf
-    overlap = Overlap(settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight)
-    return overlap, face.handle_width if settings.separation else _COINCIDENT * trajectories.face_size
+    overlap = Overlap(
+        settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight
+    )
+    return overlap, (
+        face.handle_width if settings.separation else _COINCIDENT * trajectories.face_size
+    )
 
 
 def _of_axis(
-    face: Face, sets: Mapping[int, CandidateSet], group: Group, requests: Requests, settings: Settings
+    face: Face,
+    sets: Mapping[int, CandidateSet],
+    group: Group,
+    requests: Requests,
+    settings: Settings,
 ) -> tuple[Requests, dict[int, CandidateSet]]:
-    """Requests and candidates, by control, of an axis of a coarse element with a slider of its own."""
+    """Requests and candidates, by control, of an axis of a coarse element with a slider of its
+    own."""
     asked = requests.of_axes()
-    return asked, {c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(group.all_controls)}
+    return asked, {
+        c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(group.all_controls)
+    }
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,47 +149,65 @@ class _Costs:
 
 
 def _variable(
-    costs: _Costs, sets: Mapping[int, CandidateSet], groups: tuple[Group, ...], index: int, requests: Requests
+    costs: _Costs,
+    sets: Mapping[int, CandidateSet],
+    groups: tuple[Group, ...],
+    index: int,
+    requests: Requests,
 ) -> tuple[Variable, Choice]:
-    """The variable of group `index`, with loosened candidates where its copies collide at all others, or its members
-    share none."""
+    """The variable of group `index`, with loosened candidates where its copies collide at all
+    others, or its members share none."""
     face, settings, group = costs.face, costs.settings, groups[index]
-    for least in (None, settings.candidates.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
+    for least in (None, settings.candidates.least_kept, SHARED_LEAST)[
+        : 3 if len(group.controls) > 1 else 2
+    ]:
         used = sets
         if least is not None:
-            used = {c: loosened(face, sets[c], requests, settings, least) for c in group.all_controls}
-        choice, cost, displacement = labels_of(face, used, groups, index, requests.overrides, settings)
+            used = {
+                c: loosened(face, sets[c], requests, settings, least) for c in group.all_controls
+            }
+        choice, cost, displacement = labels_of(
+            face, used, groups, index, requests.overrides, settings
+        )
         samples, handles = drawn_points(face, choice, settings)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)
-        cost += costs_beside_existing(costs.existing, costs.overlap, costs.separation, samples, handles)
+        cost += costs_beside_existing(
+            costs.existing, costs.overlap, costs.separation, samples, handles
+        )
         kept = np.isfinite(cost)
         if kept.any():
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     stay, leave = penalties_of_leaving(face, requests, choice)
-    return Variable(
-        group.name,
-        choice.anchors[:, 0],
-        cost[kept] + stay,
-        samples[kept],
-        handles[kept],
-        _off_face_cost(group, requests, settings.objective) + leave,
-        displacement[kept],
-        group.states,
-    ), choice
+    return (
+        Variable(
+            group.name,
+            choice.anchors[:, 0],
+            cost[kept] + stay,
+            samples[kept],
+            handles[kept],
+            _off_face_cost(group, requests, settings.objective) + leave,
+            displacement[kept],
+            group.states,
+        ),
+        choice,
+    )
 
 
 def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings) -> float:
-    """Cost of sending the element and its images to the board; inf where they must stand on the face."""
+    """Cost of sending the element and its images to the board; inf where they must stand on the
+    face."""
     overrides = [requests.overrides[control] for control in group.controls]
-    if not settings.off_face_allowed or any(each.place in ("face", "proxy") or each.anchor for each in overrides):
+    if not settings.off_face_allowed or any(
+        each.place in ("face", "proxy") or each.anchor for each in overrides
+    ):
         return float(np.inf)
     meanings = [requests.meaning(control) for control in group.controls]
     needed = any(meaning is not None and meaning.action.is_needed for meaning in meanings)
     return (settings.off_face_penalty + _NEEDED * needed) * len(group.copies)
 
 
-# --- fixed anchors -----------------------------------------------------------------------------------
+# --- fixed anchors --------------------------------------------------------------------------------
 
 
 def _refuse_infeasible(
@@ -166,9 +220,13 @@ def _refuse_infeasible(
     fixed = list(_fixed(groups, choices, overrides))
     for number in fixed:
         name = problem.variables[number].name
-        anchors = sorted({overrides[c].anchor for c in groups[choices[number].group].controls} - {""})
+        anchors = sorted(
+            {overrides[c].anchor for c in groups[choices[number].group].controls} - {""}
+        )
         if len(anchors) > 1:
-            raise refuse("FIXED_IMPOSSIBLE", name, f"one element is fixed at {' and at '.join(anchors)}")
+            raise refuse(
+                "FIXED_IMPOSSIBLE", name, f"one element is fixed at {' and at '.join(anchors)}"
+            )
         if not len(choices[number].anchors):
             why = "not all of its controls can be anchored there, or its copies would collide"
             raise refuse("FIXED_IMPOSSIBLE", name, f"cannot stand at {anchors[0]}: {why}")
@@ -179,7 +237,9 @@ def _refuse_infeasible(
                 continue
             apart = np.linalg.norm(one.handles[0][:, None] - other.handles[0][None], axis=2).min()
             if apart < problem.separation:
-                share = f"{apart / problem.separation:.2f} of the least distance between two handles"
+                share = (
+                    f"{apart / problem.separation:.2f} of the least distance between two handles"
+                )
                 raise refuse("FIXED_IMPOSSIBLE", one.name, f"is fixed at {share} from {other.name}")
 
 

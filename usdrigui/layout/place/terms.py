@@ -1,8 +1,8 @@
 """Linear costs of anchoring a control at a point, besides displacement: one function each.
 
-A term gives one cost >= 0 per point in the units of the objective (1 is about what the typical control loses
-with its whole displacement).  `linear_cost` adds them up; other packages add their own by the entry point group
-``usdrigui.terms``.
+A term gives one cost >= 0 per point in the units of the objective (1 is about what the typical
+control loses with its whole displacement).  `linear_cost` adds them up; other packages add their
+own by the entry point group ``usdrigui.terms``.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from usdrigui.settings import ObjectiveSettings, Settings
 _MIDDLE = 1e-3
 """In handle widths: nearer to the mirror plane is on it."""
 _TIE = 1e-5
-"""What the character's right costs a symmetric element that stands off the plane: enough to decide between
-two mirror images, negligible against any other cost."""
+"""What the character's right costs a symmetric element that stands off the plane: enough to decide
+between two mirror images, negligible against any other cost."""
 
 
 def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
@@ -30,11 +30,12 @@ def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings)
 
 
 def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -> Floats:
-    """(p,) Trajectories should run out of the surface, not into it (paper section 3.3, element-model occlusion).
+    """(p,) Trajectories should run out of the surface, not into it (paper section 3.3,
+    element-model occlusion).
 
     The weight times (1 - t.n) / 2, with the unit tangent t at the base pose, pointing away from the
-    anchor, and the normal n out of `normals` (n, 3); the mean over both tangents where the anchor lies inside the
-    range.
+    anchor, and the normal n out of `normals` (n, 3); the mean over both tangents where the anchor
+    lies inside the range.
     """
     rows = np.searchsorted(motion.points, points)
     start = _base_knot(motion)
@@ -48,17 +49,20 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
 
 
 def common(face: Face, motion: Motion, points: Indices, settings: ObjectiveSettings) -> Floats:
-    """(p,) A control should stand where its motion is large and its own: the weight times the displacement, by how
-    common that is (`usdrigui.layout.classify.common_motion`)."""
+    """(p,) A control should stand where its motion is large and its own: the weight times the
+    displacement, by how common that is (`usdrigui.layout.classify.common_motion`)."""
     if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
     unit = displacement_unit(motion, face.trajectories.typical_length, settings)
-    return np.asarray(settings.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit)
+    return np.asarray(
+        settings.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
+    )
 
 
 def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
-    """Length that counts as a displacement of one: between the rig's typical peak and the control's own."""
+    """Length that counts as a displacement of one: between the rig's typical peak and the control's
+    own."""
     if settings.scene_units:
         return 1.0
     own, share = motion.peak, settings.relative_displacement
@@ -66,12 +70,14 @@ def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSetting
 
 
 def off_plane(face: Face, points: Indices, weight: float) -> Floats:
-    """(p,) An element symmetric about the mirror plane should lie on it (paper section 3.3, symmetric
-    deformations): the weight times the distance in handle widths, counted from the nearest of `points`, so that an
-    element with none on the plane is not driven off the face; of two mirror images it then takes the one on the
-    character's left."""
+    """(p,) An element symmetric about the mirror plane should lie on it (paper section 3.3,
+    symmetric deformations): the weight times the distance in handle widths, counted from the
+    nearest of `points`, so that an element with none on the plane is not driven off the face; of
+    two mirror images it then takes the one on the character's left."""
     apart = plane_distance(face.trajectories.base[points], face.symmetry)
-    cost = weight * np.abs(apart) / face.handle_width + np.where(apart < -_MIDDLE * face.handle_width, _TIE, 0.0)
+    cost = weight * np.abs(apart) / face.handle_width + np.where(
+        apart < -_MIDDLE * face.handle_width, _TIE, 0.0
+    )
     return np.asarray(cost - cost.min(initial=np.inf) if len(cost) else cost)
 
 

@@ -1,1 +1,2 @@
-"""What earlier layouts ask of a new one: the previous, another character's, the existing, and fixed anchors."""
+"""What earlier layouts ask of a new one: the previous, another character's, the existing, and fixed
+anchors."""

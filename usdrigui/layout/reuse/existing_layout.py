@@ -1,8 +1,9 @@
-"""An existing layout to which a shot adds: new controls are placed, and every existing element stays to the point.
+"""An existing layout to which a shot adds: new controls are placed, and every existing element
+stays to the point.
 
-The existing elements are no variables of the problem.  What each of them costs a candidate of a new element is
-part of that candidate's linear cost, so that the new elements are optimal given the existing ones, and the
-bound is one of that problem (paper section 1, partial layouts).
+The existing elements are no variables of the problem.  What each of them costs a candidate of a new
+element is part of that candidate's linear cost, so that the new elements are optimal given the
+existing ones, and the bound is one of that problem (paper section 1, partial layouts).
 """
 
 from __future__ import annotations
@@ -31,12 +32,18 @@ _ROUNDING = 1e-9
 
 
 def layout_of(layouts: tuple[Layout, ...], rig: Rig) -> Layout | None:
-    """The one of some layouts that is of this character, with the paths of `rig`; none if there is no such.
+    """The one of some layouts that is of this character, with the paths of `rig`; none if there is
+    no such.
 
-    A shot may have the character at another path.  Below its SkelRoot nothing may have another name.
+    A shot may have the character at another path.  Below its SkelRoot nothing may have another
+    name.
     """
     found = _fitting(layouts, rig)
-    return replace(_moved(found, rig.root), variant_path=rig.variant_path) if found is not None else None
+    return (
+        replace(_moved(found, rig.root), variant_path=rig.variant_path)
+        if found is not None
+        else None
+    )
 
 
 def root_in_base(layouts: tuple[Layout, ...], rig: Rig) -> str:
@@ -51,12 +58,22 @@ def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
     return frozenset(i for i, control in enumerate(rig.controls) if control.name not in known)
 
 
-def with_drawn_handles(layout: Layout, part: str, trajectories: Trajectories, settings: Settings) -> Settings:
-    """The settings with which the handles of a part are as wide as in `layout`, and groups only of what it lacks."""
+def with_drawn_handles(
+    layout: Layout, part: str, trajectories: Trajectories, settings: Settings
+) -> Settings:
+    """The settings with which the handles of a part are as wide as in `layout`, and groups only of
+    what it lacks."""
     known = layout.controls
-    groups = {name: controls for name, controls in settings.groups.groups.items() if not known.issuperset(controls)}
+    groups = {
+        name: controls
+        for name, controls in settings.groups.groups.items()
+        if not known.issuperset(controls)
+    }
     widths = {each.name: each.handle_width for each in layout.parts}
-    width = widths.get(part, layout.handle_width) or settings.objective.handle_size * trajectories.face_size
+    width = (
+        widths.get(part, layout.handle_width)
+        or settings.objective.handle_size * trajectories.face_size
+    )
     size = width * (1.0 - _ROUNDING) / trajectories.face_size
     return replace(
         settings,
@@ -68,7 +85,8 @@ def with_drawn_handles(layout: Layout, part: str, trajectories: Trajectories, se
 def of_new_controls(
     existing: Layout | None, rig: Rig, trajectories: Trajectories, candidates: Candidates
 ) -> Candidates:
-    """The candidates of the controls that the existing layout does not have; of all where there is none."""
+    """The candidates of the controls that the existing layout does not have; of all where there is
+    none."""
     if existing is None:
         return candidates
     new = new_controls(existing, rig)
@@ -80,19 +98,24 @@ def of_new_controls(
 def existing_variables(
     elements: tuple[Element, ...], rig: Rig, base: Floats, count: int, toward: Floats | None
 ) -> tuple[Variable, ...]:
-    """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer draws it.
+    """The existing `elements` on the face, each as a variable of one candidate, drawn as its layer
+    draws it.
 
-    `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the direction to the viewer
-    of a flat layout.
+    `base` (n, 3) are the points of the base pose, `count` the samples of a track, `toward` the
+    direction to the viewer of a flat layout.
     """
     return tuple(_variable(e, rig, base, count, toward) for e in elements if not e.anchor.on_board)
 
 
 def costs_beside_existing(
-    existing: tuple[Variable, ...], overlap: Overlap, separation: float, samples: Floats, handles: Floats
+    existing: tuple[Variable, ...],
+    overlap: Overlap,
+    separation: float,
+    samples: Floats,
+    handles: Floats,
 ) -> Floats:
-    """(R,) what the existing elements cost the candidates of a new one: overlap with each of them, +inf where
-    two handles would be too near.
+    """(R,) what the existing elements cost the candidates of a new one: overlap with each of them,
+    +inf where two handles would be too near.
 
     `samples` (R, copies, u, 3) and `handles` (R, copies, 3) are those of the new element.
     """
@@ -116,7 +139,12 @@ def uniquify_names(added: Layout, existing: Layout) -> Layout:
         names[element.name] = name
         taken.add(name)
     elements = tuple(
-        replace(e, name=names[e.name], mirror=names.get(e.mirror, ""), inner=tuple(names[each] for each in e.inner))
+        replace(
+            e,
+            name=names[e.name],
+            mirror=names.get(e.mirror, ""),
+            inner=tuple(names[each] for each in e.inner),
+        )
         for e in added.elements
     )
     return replace(added, elements=elements)
@@ -149,13 +177,17 @@ def _alike(layout: Layout, rig: Rig) -> bool:
     """Whether a layout has a mesh and a control in common with a character."""
     meshes = {element.anchor.mesh for element in layout.elements}
     names = layout.controls
-    return bool(meshes & {mesh.path for mesh in rig.meshes}) and bool(names & {each.name for each in rig.controls})
+    return bool(meshes & {mesh.path for mesh in rig.meshes}) and bool(
+        names & {each.name for each in rig.controls}
+    )
 
 
 def _moved(layout: Layout, root: str) -> Layout:
     """The layout of the same character at another path."""
     elements = tuple(
-        replace(each, anchor=replace(each.anchor, mesh=_moved_path(each.anchor.mesh, layout.root, root)))
+        replace(
+            each, anchor=replace(each.anchor, mesh=_moved_path(each.anchor.mesh, layout.root, root))
+        )
         for each in layout.elements
     )
     return replace(layout, root=root, elements=elements)
@@ -166,9 +198,13 @@ def _moved_path(path: str, before: str, after: str) -> str:
     return after + path.removeprefix(before) if path.startswith(f"{before}/") else path
 
 
-def _variable(element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None) -> Variable:
+def _variable(
+    element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None
+) -> Variable:
     point = np.array([_anchor_point(rig, element)])
-    samples = np.concatenate([resampled(member.track[None], count)[0] for member in element.members])
+    samples = np.concatenate(
+        [resampled(member.track[None], count)[0] for member in element.members]
+    )
     samples, handle = flattened(samples, toward)[None, None], flattened(base[point], toward)[None]
     return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))
 

@@ -1,8 +1,10 @@
-"""Which control is which: the controls of two rigs, of a layout and a rig, or of two layouts, matched one to one.
+"""Which control is which: the controls of two rigs, of a layout and a rig, or of two layouts,
+matched one to one.
 
-Names change their spelling, meshes their topology, and shapes are sculpted again; seldom does all that change at once.
-Every pair of controls is weighed by what their names say and by what they do to the face, in logarithms of odds; the
-assignment of greatest total is taken, and what it would lose without a pair is how sure that pair is.
+Names change their spelling, meshes their topology, and shapes are sculpted again; seldom does all
+that change at once. Every pair of controls is weighed by what their names say and by what they do
+to the face, in logarithms of odds; the assignment of greatest total is taken, and what it would
+lose without a pair is how sure that pair is.
 """
 
 from __future__ import annotations
@@ -30,7 +32,8 @@ SURE = 0.9
 _CHANCE = 2.5
 """Evidence that chance alone may give a pair: a pair below it is none."""
 _LANDMARK = 0.5
-"""Confidence from which a match may be a landmark of the map between two faces: wrong ones are outvoted."""
+"""Confidence from which a match may be a landmark of the map between two faces: wrong ones are
+outvoted."""
 _ROUNDS = 8
 """Matches shape the map between two faces, and the map the matches, at most so often."""
 _CERTAIN = 12.0
@@ -44,9 +47,11 @@ class Match:
     before: str
     after: str
     confidence: float
-    """In [0, 1], to three digits: the odds of the best assignment against the best one without this pair."""
+    """In [0, 1], to three digits: the odds of the best assignment against the best one without this
+    pair."""
     reason: str
-    """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the first that does."""
+    """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the
+    first that does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,23 +80,33 @@ class Matching:
 
 
 def match_rigs(
-    before: tuple[Rig, Trajectories], after: tuple[Rig, Trajectories], chosen: Mapping[str, str] | None = None
+    before: tuple[Rig, Trajectories],
+    after: tuple[Rig, Trajectories],
+    chosen: Mapping[str, str] | None = None,
 ) -> Matching:
     """The controls of two characters, whatever their names, topology, size and place in the world.
 
-    `chosen`: names after by names before that somebody has decided; an empty one has no counterpart.
+    `chosen`: names after by names before that somebody has decided; an empty one has no
+    counterpart.
     """
     chosen = chosen or {}
-    names = [control.name for control in before[0].controls], [control.name for control in after[0].controls]
+    names = (
+        [control.name for control in before[0].controls],
+        [control.name for control in after[0].controls],
+    )
     decided = tuple(Match(a, b, 1.0, "configuration") for a, b in chosen.items() if b)
     one = [name for name in names[0] if name not in chosen]
     other = [name for name in names[1] if name not in chosen.values()]
     found = _matched(one, other, name_evidence(one, other, geometry=False))
-    rows, columns = ([all_.index(name) for name in left] for all_, left in zip(names, (one, other), strict=True))
+    rows, columns = (
+        [all_.index(name) for name in left] for all_, left in zip(names, (one, other), strict=True)
+    )
     landmarks: dict[str, str] | None = None
     for _ in range(_ROUNDS):
         known = landmarks
-        landmarks = {m.before: m.after for m in (*decided, *found.matches) if m.confidence >= _LANDMARK}
+        landmarks = {
+            m.before: m.after for m in (*decided, *found.matches) if m.confidence >= _LANDMARK
+        }
         if known == landmarks:
             break
         same = [(names[0].index(a), names[1].index(b)) for a, b in landmarks.items()]
@@ -110,12 +125,15 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
     kept, left, new = _kept(before, after)
     if not left:
         return Matching(kept, (), tuple(new))
-    evidence = name_evidence(left, new, geometry=True) + at_anchors(layout, left, rig, trajectories, new)
+    evidence = name_evidence(left, new, geometry=True) + at_anchors(
+        layout, left, rig, trajectories, new
+    )
     return _joined(before, kept, _matched(left, new, evidence))
 
 
 def match_layouts(before: Layout, after: Layout) -> Matching:
-    """The controls of two layouts of one character, by what the layouts themselves tell; names as of `match_layout`."""
+    """The controls of two layouts of one character, by what the layouts themselves tell; names as
+    of `match_layout`."""
     names = _names_of(before), _names_of(after)
     kept, left, new = _kept(*names)
     if not left:
@@ -125,18 +143,27 @@ def match_layouts(before: Layout, after: Layout) -> Matching:
 
 
 def matching_issues(which: str, found: Matching) -> Iterator[Issue]:
-    """Controls of an earlier layout of the character that have another name now, or may have; `which` it is."""
+    """Controls of an earlier layout of the character that have another name now, or may have;
+    `which` it is."""
     if which == "like":
         return  # two characters owe each other no names
     for each in found.matches:
         if each.before != each.after:
-            code, verb = ("CONTROL_RENAMED", "is") if each.confidence >= SURE else ("CONTROL_UNSURE", "may be")
-            told = f"of the {which} layout {verb} {each.after} now (by {each.reason}, {each.confidence:.0%} sure)"
+            code, verb = (
+                ("CONTROL_RENAMED", "is")
+                if each.confidence >= SURE
+                else ("CONTROL_UNSURE", "may be")
+            )
+            told = (
+                f"of the {which} layout {verb} {each.after} now (by {each.reason},"
+                f" {each.confidence:.0%} sure)"
+            )
             yield issue(code, each.before, told)
 
 
 def names_draft(found: Matching) -> str:
-    """The matching as ``[like.names]`` of a configuration: what is sure as it is, the rest as comments to decide on."""
+    """The matching as ``[like.names]`` of a configuration: what is sure as it is, the rest as
+    comments to decide on."""
     lines = ["[like.names]"]
     for each in found.matches:
         if each.before != each.after:
@@ -153,15 +180,25 @@ def _quoted(name: str) -> str:
 
 def _names_of(layout: Layout) -> list[str]:
     """Every control of a layout once, in the order of its elements."""
-    return list(dict.fromkeys(member.control for each in outer_first(layout.elements) for member in each.members))
+    return list(
+        dict.fromkeys(
+            member.control for each in outer_first(layout.elements) for member in each.members
+        )
+    )
 
 
-def _kept(before: Sequence[str], after: Sequence[str]) -> tuple[tuple[Match, ...], list[str], list[str]]:
+def _kept(
+    before: Sequence[str], after: Sequence[str]
+) -> tuple[tuple[Match, ...], list[str], list[str]]:
     """The controls that keep their names, and what is left on either side."""
     said = dict(zip(before, spellings(before), strict=True))
     same = {name for name in before if name in set(after) and not said[name].is_number}
     kept = tuple(Match(name, name, 1.0, "name") for name in before if name in same)
-    return kept, [name for name in before if name not in same], [name for name in after if name not in same]
+    return (
+        kept,
+        [name for name in before if name not in same],
+        [name for name in after if name not in same],
+    )
 
 
 def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> Matching:
@@ -170,42 +207,57 @@ def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> 
     return Matching(tuple(matches), found.left_before, found.left_after)
 
 
-# --- the assignment ----------------------------------------------------------------------------------
+# --- the assignment -------------------------------------------------------------------------------
 
 
 def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> Matching:
     """The assignment of greatest evidence (before, after)."""
-    gain = np.maximum(rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0)
+    gain = np.maximum(
+        rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0
+    )
     pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(gain)]
     said, means = (spellings(before), spellings(after)), same_meaning(before, after)
     matches = []
     for i, j, loss in pairs:
         spelt = "spelling" if said[0][i] == said[1][j] else "meaning" if means[i, j] else "motion"
         reason = "name" if before[i] == after[j] else spelt
-        matches.append(Match(before[i], after[j], round(float(1.0 / (1.0 + np.exp(-loss))), 3), reason))
+        matches.append(
+            Match(before[i], after[j], round(float(1.0 / (1.0 + np.exp(-loss))), 3), reason)
+        )
     rows, columns = {i for i, _, _ in pairs}, {j for _, j, _ in pairs}
     left = tuple(name for i, name in enumerate(before) if i not in rows)
-    return Matching(tuple(matches), left, tuple(name for j, name in enumerate(after) if j not in columns))
+    return Matching(
+        tuple(matches), left, tuple(name for j, name in enumerate(after) if j not in columns)
+    )
 
 
 def _assigned(gain: Floats) -> list[tuple[int, int, float]]:
-    """Rows and columns of the assignment of greatest total, and what the total would lose without each pair.
+    """Rows and columns of the assignment of greatest total, and what the total would lose without
+    each pair.
 
-    Rows and columns that share no gain do not know of each other, so every connected part is an assignment of its own.
+    Rows and columns that share no gain do not know of each other, so every connected part is an
+    assignment of its own.
     """
     count = len(gain)
     where = np.nonzero(gain)
-    graph = csr_array((np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(gain.shape),) * 2)
+    graph = csr_array(
+        (np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(gain.shape),) * 2
+    )
     _, part = connected_components(graph, directed=False)
     found = []
     for number in np.unique(part[np.unique(where[0])]):
-        rows, columns = np.flatnonzero(part[:count] == number), np.flatnonzero(part[count:] == number)
+        rows, columns = (
+            np.flatnonzero(part[:count] == number),
+            np.flatnonzero(part[count:] == number),
+        )
         found += _assigned_part(gain[np.ix_(rows, columns)], rows, columns)
     return sorted(found)
 
 
 def _assigned_part(gain: Floats, rows: Indices, columns: Indices) -> list[tuple[int, int, float]]:
-    chosen = [(i, j) for i, j in zip(*linear_sum_assignment(-gain), strict=True) if gain[i, j] > 0.0]
+    chosen = [
+        (i, j) for i, j in zip(*linear_sum_assignment(-gain), strict=True) if gain[i, j] > 0.0
+    ]
     total = sum(gain[i, j] for i, j in chosen)
     return [(int(rows[i]), int(columns[j]), _loss(gain, i, j, total)) for i, j in chosen]
 
@@ -213,7 +265,8 @@ def _assigned_part(gain: Floats, rows: Indices, columns: Indices) -> list[tuple[
 def _loss(gain: Floats, row: int, column: int, total: float) -> float:
     """What the best total loses without a pair, or a bound below it where that is enough.
 
-    The best assignment without the pair, less what it gives to its row and its column, is one of the rest.
+    The best assignment without the pair, less what it gives to its row and its column, is one of
+    the rest.
     """
     without = gain.copy()
     without[row, column] = 0.0

@@ -1,8 +1,9 @@
 """What the motions of two rigs' controls, or of a layout's, say about which is which.
 
-Two rigs are compared over the whole face, as fields of displacements that are carried from one face to the other and
-blurred a little, so that neither topology nor a lid that lies somewhat higher counts.  A layout knows of each control
-what it does at its own anchor, to the last digit: exact agreement there says as much as a whole field.
+Two rigs are compared over the whole face, as fields of displacements that are carried from one face
+to the other and blurred a little, so that neither topology nor a lid that lies somewhat higher
+counts.  A layout knows of each control what it does at its own anchor, to the last digit: exact
+agreement there says as much as a whole field.
 """
 
 from __future__ import annotations
@@ -31,14 +32,16 @@ _NEIGHBOURS = 64
 _LEAST = -4.0
 """Motion says no more than this against a pair: shapes are replaced."""
 _OFF, _UNEVEN = 0.4, 0.5
-"""How far fields of one control are from parallel (1 less the cosine) and from equal length (natural logarithm) in
-rigs of two makers."""
+"""How far fields of one control are from parallel (1 less the cosine) and from equal length
+(natural logarithm) in rigs of two makers."""
 _OFF_LEAST, _UNEVEN_LEAST, _ENOUGH = 0.005, 0.02, 4
 """The least of either that matches may tell, and how many it takes."""
 _SLOPE, _SHARPER = 12.0, 0.7
-"""Evidence for each unit of the cosine at that distance, and the power with which it grows as copies get nearer."""
+"""Evidence for each unit of the cosine at that distance, and the power with which it grows as
+copies get nearer."""
 _AT_OFF, _CLOSER = 1.8, 1.6
-"""Evidence of a pair that is just so far off; what it gains for each natural logarithm by which copies are nearer."""
+"""Evidence of a pair that is just so far off; what it gains for each natural logarithm by which
+copies are nearer."""
 _LENGTH, _LENGTH_MOST = 0.5, 12.0
 """What a pair loses for each unit of the length, at that inequality and at most."""
 _SELDOM = 1.5
@@ -46,7 +49,8 @@ _SELDOM = 1.5
 _ANCHOR_SLOPE, _ANCHOR_MIDDLE = 5.0, 0.6
 """Evidence for each unit of the cosine at a single point, where many controls go the same way."""
 _CLOSE, _CLOSE_WEIGHT, _EXACT = 0.3, 1.5, 0.01
-"""Relative difference at an anchor below which agreement says more and more, until it is as small as rounding."""
+"""Relative difference at an anchor below which agreement says more and more, until it is as small
+as rounding."""
 _HANDLE = 0.5
 """Handle widths within which two anchors are one place."""
 
@@ -65,9 +69,10 @@ class Agreement:
     def evidence(self, same: Sequence[tuple[int, int]]) -> Floats:
         """(a, b) logarithms of odds, for pairs `same` that are taken for one control so far.
 
-        How far one maker's shape is from another's of the same name differs from pair to pair of rigs, and so does what
-        a difference means: between copies of a rig a tenth is much.  The matches so far tell; as single shapes may
-        have been sculpted anew, a shape that is as far off as another maker's keeps what it would have there.
+        How far one maker's shape is from another's of the same name differs from pair to pair of
+        rigs, and so does what a difference means: between copies of a rig a tenth is much.  The
+        matches so far tell; as single shapes may have been sculpted anew, a shape that is as far
+        off as another maker's keeps what it would have there.
         """
         off, uneven = self._typical(same)
         slope = _SLOPE * (_OFF / off) ** _SHARPER
@@ -77,12 +82,16 @@ class Agreement:
         return np.where(self.moving, np.maximum(np.logaddexp(close, loose), _LEAST), 0.0)
 
     def _typical(self, same: Sequence[tuple[int, int]]) -> tuple[float, float]:
-        """How far from parallel, and how unequal in length, the fields of one control are in the middle."""
+        """How far from parallel, and how unequal in length, the fields of one control are in the
+        middle."""
         pairs = [pair for pair in same if self.moving[pair]]
         if len(pairs) < _ENOUGH:
             return _OFF, _UNEVEN
         rows, columns = np.array(pairs).T
-        off, uneven = 1.0 - np.median(self.cosine[rows, columns]), np.median(self.length[rows, columns])
+        off, uneven = (
+            1.0 - np.median(self.cosine[rows, columns]),
+            np.median(self.length[rows, columns]),
+        )
         return float(np.clip(off, _OFF_LEAST, _OFF)), float(np.clip(uneven, _UNEVEN_LEAST, _UNEVEN))
 
 
@@ -91,8 +100,8 @@ def over_faces(
 ) -> Agreement:
     """How alike every pair of controls of two characters acts.
 
-    `landmarks`: names after by names before, from which the map between the faces is made; the faces are laid over
-    each other by size where there are too few.
+    `landmarks`: names after by names before, from which the map between the faces is made; the
+    faces are laid over each other by size where there are too few.
     """
     known = {each.name for each in before[0].controls}
     map_ = face_map(before, after, {**dict.fromkeys(known, ""), **landmarks})
@@ -110,8 +119,11 @@ def _agreement(one: Floats, other: Floats) -> Agreement:
     return Agreement(cosine, np.minimum(np.abs(np.log(first / second)), 3.0), moving)
 
 
-def at_anchors(layout: Layout, left: Sequence[str], rig: Rig, trajectories: Trajectories, new: Sequence[str]) -> Floats:
-    """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the layout."""
+def at_anchors(
+    layout: Layout, left: Sequence[str], rig: Rig, trajectories: Trajectories, new: Sequence[str]
+) -> Floats:
+    """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the
+    layout."""
     held = _held(layout)
     points = _anchor_points(held, rig, trajectories)
     index = {control.name: number for number, control in enumerate(rig.controls)}
@@ -124,7 +136,9 @@ def at_anchors(layout: Layout, left: Sequence[str], rig: Rig, trajectories: Traj
     return found
 
 
-def between_anchors(before: Layout, left: Sequence[str], after: Layout, new: Sequence[str]) -> Floats:
+def between_anchors(
+    before: Layout, left: Sequence[str], after: Layout, new: Sequence[str]
+) -> Floats:
     """(left, new) evidence for controls of two layouts of one character."""
     one, other = _held(before), _held(after)
     width = max(before.handle_width, after.handle_width, 1e-300)
@@ -134,7 +148,9 @@ def between_anchors(before: Layout, left: Sequence[str], after: Layout, new: Seq
             if name not in one or new_name not in other:
                 continue
             a, b = one[name], other[new_name]
-            apart = float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
+            apart = (
+                float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
+            )
             exact = apart < _HANDLE
             value = float(_at_one_point(a.vector, b.vector[None], exact=exact)[0])
             found[row, column] = max(_LEAST, value - (0.0 if exact else apart))
@@ -142,12 +158,16 @@ def between_anchors(before: Layout, left: Sequence[str], after: Layout, new: Seq
 
 
 def _at_one_point(one: Floats, other: Floats, *, exact: bool = True) -> Floats:
-    """(b,) evidence of a displacement (3,) and others (b, 3) at one place; none where nothing moves there.
+    """(b,) evidence of a displacement (3,) and others (b, 3) at one place; none where nothing moves
+    there.
 
     `exact`: whether it is one place, so that copies agree to the last digit.
     """
     found = _agreement(one[None], other)
-    evidence = np.maximum(_ANCHOR_SLOPE * (found.cosine[0] - _ANCHOR_MIDDLE), _LEAST) - _LENGTH * found.length[0]
+    evidence = (
+        np.maximum(_ANCHOR_SLOPE * (found.cosine[0] - _ANCHOR_MIDDLE), _LEAST)
+        - _LENGTH * found.length[0]
+    )
     if exact:
         sizes = np.maximum(np.linalg.norm(other, axis=1), np.linalg.norm(one))
         off = np.linalg.norm(other - one, axis=1) / np.maximum(sizes, 1e-300)
@@ -155,7 +175,7 @@ def _at_one_point(one: Floats, other: Floats, *, exact: bool = True) -> Floats:
     return np.asarray(np.where(np.any(one) & np.any(other), np.maximum(evidence, _LEAST), 0.0))
 
 
-# --- fields ------------------------------------------------------------------------------------------
+# --- fields ---------------------------------------------------------------------------------------
 
 
 def _moved_places(trajectories: Trajectories) -> Indices:
@@ -169,12 +189,15 @@ def _moved_places(trajectories: Trajectories) -> Indices:
 def _thinned(trajectories: Trajectories, size: float) -> Floats:
     """(m, 3) about one moved place in every cell of a grid, whose cells are `size` of the face."""
     base = trajectories.base[_moved_places(trajectories)]
-    _, first = np.unique(np.floor(base / (size * trajectories.face_size)), axis=0, return_index=True)
+    _, first = np.unique(
+        np.floor(base / (size * trajectories.face_size)), axis=0, return_index=True
+    )
     return base[np.sort(first)]
 
 
 def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
-    """(controls, m, 3) displacements from least to greatest value around `points` (m, 3), zero where none is near."""
+    """(controls, m, 3) displacements from least to greatest value around `points` (m, 3), zero
+    where none is near."""
     rig, trajectories = character
     weights = (_around(trajectories, points) @ _cells(trajectories)).tocsc()
     found = np.zeros((len(rig.controls), len(points), 3))
@@ -184,7 +207,8 @@ def _blurred(character: tuple[Rig, Trajectories], points: Floats) -> Floats:
 
 
 def _cells(trajectories: Trajectories) -> csr_array:
-    """(cells, n) mean over the surface in each cell of a fine grid; cells in the order of `_cell_numbers`."""
+    """(cells, n) mean over the surface in each cell of a fine grid; cells in the order of
+    `_cell_numbers`."""
     places, number, count = _cell_numbers(trajectories)
     areas = _areas(trajectories, places)
     share = areas / np.bincount(number, areas, count)[number]
@@ -196,14 +220,20 @@ def _around(trajectories: Trajectories, points: Floats) -> csr_array:
     places, number, count = _cell_numbers(trajectories)
     areas = _areas(trajectories, places)
     area = np.bincount(number, areas, count)
-    centres = np.stack([np.bincount(number, areas * axis, count) / area for axis in trajectories.base[places].T], 1)
+    centres = np.stack(
+        [np.bincount(number, areas * axis, count) / area for axis in trajectories.base[places].T], 1
+    )
     blur = _BLUR * trajectories.face_size
     apart, near = cKDTree(centres).query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * blur)
-    weights = np.where(np.isfinite(apart), np.exp(-0.5 * np.square(np.minimum(apart, 3.0 * blur) / blur)), 0.0)
+    weights = np.where(
+        np.isfinite(apart), np.exp(-0.5 * np.square(np.minimum(apart, 3.0 * blur) / blur)), 0.0
+    )
     weights *= np.append(area, 0.0)[near]
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)
     rows = np.repeat(np.arange(len(points)), near.shape[1])
-    return csr_array((weights.ravel(), (rows, np.minimum(near, count - 1).ravel())), shape=(len(points), count))
+    return csr_array(
+        (weights.ravel(), (rows, np.minimum(near, count - 1).ravel())), shape=(len(points), count)
+    )
 
 
 def _cell_numbers(trajectories: Trajectories) -> tuple[Indices, Indices, int]:
@@ -220,7 +250,7 @@ def _areas(trajectories: Trajectories, places: Indices) -> Floats:
     return np.maximum(areas, 1e-6 * float(areas.max(initial=0.0)) or 1.0)
 
 
-# --- anchors -----------------------------------------------------------------------------------------
+# --- anchors --------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -257,11 +287,13 @@ def _at_point(trajectories: Trajectories, count: int, point: int) -> Floats:
     return found
 
 
-def _anchor_points(held: Mapping[str, _Held], rig: Rig, trajectories: Trajectories) -> dict[str, int]:
+def _anchor_points(
+    held: Mapping[str, _Held], rig: Rig, trajectories: Trajectories
+) -> dict[str, int]:
     """By control, the point of today's rig whose track the layout holds.
 
-    That is the anchor, or the nearest point that moves where the mesh has other points; but a hand that corrects an
-    anchor seldom draws its track again.
+    That is the anchor, or the nearest point that moves where the mesh has other points; but a hand
+    that corrects an anchor seldom draws its track again.
     """
     meshes, places = points_of_meshes(rig), _moved_places(trajectories)
     tree = cKDTree(trajectories.base[places])
@@ -269,11 +301,14 @@ def _anchor_points(held: Mapping[str, _Held], rig: Rig, trajectories: Trajectori
     for name, each in held.items():
         near = int(places[tree.query(each.element.anchor.position)[1]])
         same = same_point(each.element, meshes)
-        apart = [_to_track(trajectories.base[point], each.track) for point in (near, same) if point >= 0]
+        apart = [
+            _to_track(trajectories.base[point], each.track) for point in (near, same) if point >= 0
+        ]
         found[name] = same if same >= 0 and apart[-1] <= apart[0] else near
     return found
 
 
 def _to_track(point: Floats, track: Floats) -> float:
-    """Distance of a point (3,) from the nearest vertex of a track (k, 3), one of which is its rest position."""
+    """Distance of a point (3,) from the nearest vertex of a track (k, 3), one of which is its rest
+    position."""
     return float(np.linalg.norm(track - point, axis=1).min())

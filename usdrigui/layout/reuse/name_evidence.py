@@ -21,8 +21,8 @@ _SHARED_WORDS = 2.5
 """Of names all of whose words are shared; in proportion where some are."""
 _OTHER_SIDE = 1.5
 _OTHER_SIDE_ALONE = 4.0
-"""What names lose that name two sides, where geometry tells the sides too, and where it does not: rigs that mean the
-side of the viewer are not rare."""
+"""What names lose that name two sides, where geometry tells the sides too, and where it does not:
+rigs that mean the side of the viewer are not rare."""
 _ONE_SIDE = 0.5
 """Share of that which is lost where only one of two names has a side."""
 
@@ -40,17 +40,27 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
         for j, other in enumerate(after):
             one, two = said[0][i], said[1][j]
             if name == other or one == two:
-                found[i, j] = _NUMBER if one.is_number else _SAME_NAME if name == other else _SAME_SPELLING
+                found[i, j] = (
+                    _NUMBER if one.is_number else _SAME_NAME if name == other else _SAME_SPELLING
+                )
             else:
                 senses = meant[0][i], meant[1][j]
-                found[i, j] = _shared(one, two) + _by_meaning(*senses, *usual) - side_weight * _sides(*senses, one, two)
+                found[i, j] = (
+                    _shared(one, two)
+                    + _by_meaning(*senses, *usual)
+                    - side_weight * _sides(*senses, one, two)
+                )
     return found
 
 
 def same_meaning(before: Sequence[str], after: Sequence[str]) -> Flags:
     """(before, after) whether two names mean one action of the conventions."""
-    one, two = ([each and each.action.name for each in meanings(names)] for names in (before, after))
-    return np.array([[a is not None and a == b for b in two] for a in one], dtype=bool).reshape(len(one), len(two))
+    one, two = (
+        [each and each.action.name for each in meanings(names)] for names in (before, after)
+    )
+    return np.array([[a is not None and a == b for b in two] for a in one], dtype=bool).reshape(
+        len(one), len(two)
+    )
 
 
 def _sense(meaning: Meaning) -> tuple[str, str]:
@@ -62,7 +72,10 @@ def _shared(one: Spelling, two: Spelling) -> float:
 
 
 def _by_meaning(
-    one: Meaning | None, two: Meaning | None, first: Counter[tuple[str, str]], second: Counter[tuple[str, str]]
+    one: Meaning | None,
+    two: Meaning | None,
+    first: Counter[tuple[str, str]],
+    second: Counter[tuple[str, str]],
 ) -> float:
     if one is None or two is None:
         return 0.0
@@ -73,7 +86,9 @@ def _by_meaning(
 
 def _sides(one: Meaning | None, two: Meaning | None, first: Spelling, second: Spelling) -> float:
     """1 where names name two sides, less where one of them names none, 0 where they agree."""
-    sides = (one.side, two.side) if one is not None and two is not None else (first.side, second.side)
+    sides = (
+        (one.side, two.side) if one is not None and two is not None else (first.side, second.side)
+    )
     if sides[0] == sides[1]:
         return 0.0
     return 1.0 if all(sides) else _ONE_SIDE

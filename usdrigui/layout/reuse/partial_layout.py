@@ -1,7 +1,7 @@
 """Partial layouts: anchors that are fixed, by the configuration or by an existing layout.
 
-Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest is optimal given them (paper
-section 1, partial layouts).
+Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest is optimal given them
+(paper section 1, partial layouts).
 """
 
 from __future__ import annotations
@@ -20,14 +20,16 @@ from usdrigui.settings import ControlSettings, Settings
 MIRROR = "mirror:"
 """In front of what ``near`` names: its mirror image."""
 _SAME = 0.5
-"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle widths."""
+"""Earlier places of two twins mirror each other when they are nearer to it than this, in handle
+widths."""
 
 
 def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
     """The settings with every anchor of `layout` fixed.
 
-    A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE where the
-    layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that the rig lacks.
+    A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE
+    where the layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that
+    the rig lacks.
     """
     known = rig.control_names
     renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
@@ -37,7 +39,9 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
         for member in element.members:
             if member.control not in known:
                 where = f"{layout.root} element {element.name}"
-                raise refuse("CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}")
+                raise refuse(
+                    "CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}"
+                )
             name = renamed.get(member.control, member.control)
             override = controls.get(name, ControlSettings())
             if name in placed:
@@ -47,7 +51,9 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
                 continue
             placed.add(name)
             beside = element.anchor.on_board
-            controls[name] = replace(override, place="board") if beside else _anchored(override, element, rig)
+            controls[name] = (
+                replace(override, place="board") if beside else _anchored(override, element, rig)
+            )
     return replace(settings, controls=controls)
 
 
@@ -71,7 +77,8 @@ def place_of(rig: Rig, point: int) -> str:
 
 
 def point_index(rig: Rig, where: str, path: str, local: int) -> int:
-    """Index into all points of the rig of a point of one mesh; raises CONFIG_VALUE for `where` if there is none."""
+    """Index into all points of the rig of a point of one mesh; raises CONFIG_VALUE for `where` if
+    there is none."""
     for start, mesh in zip(rig.starts, rig.meshes, strict=False):
         if mesh.path == path and local < len(mesh.points):
             return int(start + local)
@@ -79,17 +86,25 @@ def point_index(rig: Rig, where: str, path: str, local: int) -> int:
 
 
 def moves(motion: Motion, name: str, override: ControlSettings, point: int) -> bool:
-    """Whether a control moves the point at which it is fixed; raises FIXED_IMPOSSIBLE if it should but does not."""
+    """Whether a control moves the point at which it is fixed; raises FIXED_IMPOSSIBLE if it should
+    but does not."""
     if point in motion.points:
         return True
     if override.place == "proxy":
         return False
-    raise refuse("FIXED_IMPOSSIBLE", f'controls."{name}".anchor', f"{name} does not move the point {override.anchor}")
+    raise refuse(
+        "FIXED_IMPOSSIBLE",
+        f'controls."{name}".anchor',
+        f"{name} does not move the point {override.anchor}",
+    )
 
 
-def has_own_place(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, width: float, control: int) -> bool:
-    """Whether a control of a pair has a place that is not the mirror image of its twin's, so that the two
-    cannot be one decision: a fixed anchor, or an earlier place that was moved on one side only.
+def has_own_place(
+    rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, width: float, control: int
+) -> bool:
+    """Whether a control of a pair has a place that is not the mirror image of its twin's, so that
+    the two cannot be one decision: a fixed anchor, or an earlier place that was moved on one side
+    only.
 
     `base` (n, 3) are the points of the base pose, `width` that of a handle.
     """
@@ -122,14 +137,18 @@ def _anchored(override: ControlSettings, element: Element, rig: Rig) -> ControlS
 
 
 def _anchored_again(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
-    """The override with the anchor of the slider that the control has of its own under a coarse element."""
+    """The override with the anchor of the slider that the control has of its own under a coarse
+    element."""
     if override.inner_anchor or element.anchor.on_board:
         return override
     return replace(override, inner_anchor=_anchored(override, element, rig).anchor)
 
 
-def _fixed_in_mirror(rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, control: int) -> bool:
-    """Whether both twins are fixed, and the right one exactly at the mirror partner of the left one."""
+def _fixed_in_mirror(
+    rig: Rig, base: Floats, symmetry: Symmetry, requests: Requests, control: int
+) -> bool:
+    """Whether both twins are fixed, and the right one exactly at the mirror partner of the left
+    one."""
     twin, overrides = int(symmetry.twins[control]), requests.overrides
     if twin < 0 or not overrides[twin].anchor:
         return False

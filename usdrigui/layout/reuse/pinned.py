@@ -1,7 +1,9 @@
-"""Decisions of a person: carried from the layout that records them to the rig of today, and recorded in its layout.
+"""Decisions of a person: carried from the layout that records them to the rig of today, and
+recorded in its layout.
 
-A correction holds through reprocessing, renames, other vertex orders and other topology: an anchor that is pinned goes
-to the same point, or on another mesh to the nearest one that its controls move, and says so where that is not near.
+A correction holds through reprocessing, renames, other vertex orders and other topology: an anchor
+that is pinned goes to the same point, or on another mesh to the nearest one that its controls move,
+and says so where that is not near.
 """
 
 from __future__ import annotations
@@ -63,61 +65,92 @@ class Pins:
 
 
 def _is_about(path: str, pin: Pin) -> bool:
-    return path == pin.element or any(path in (name, f'controls."{name}".anchor') for name in pin.controls)
+    return path == pin.element or any(
+        path in (name, f'controls."{name}".anchor') for name in pin.controls
+    )
 
 
 def pins_of(layout: Layout, rig: Rig, rest: Floats, trajectories: Trajectories) -> Pins:
-    """The pins of an earlier layout of a character, by its names of today; `rest` (n, 3) are its points at rest.
+    """The pins of an earlier layout of a character, by its names of today; `rest` (n, 3) are its
+    points at rest.
 
     Controls that are gone leave their decisions to the others of the element.
     """
     pins, issues = [], []
     held: set[str] = set()
     for element in outer_first(layout.elements):
-        known = tuple(m.control for m in element.members if m.control in {c.name for c in rig.controls})
+        known = tuple(
+            m.control for m in element.members if m.control in {c.name for c in rig.controls}
+        )
         inner = bool(held & set(known))
         held |= set(known)
         if not element.pinned or not known:
             continue
         anchor, problem = "", None
         if "anchor" in element.pinned and not element.anchor.on_board:
-            anchor, problem = _carried(element, known, layout.handle_width_of(element), rig, rest, trajectories)
-        place = ("board" if element.anchor.on_board else "face") if "place" in element.pinned and not anchor else ""
-        pins.append(Pin(element.name, known, element.pinned, anchor, place, element.pinned_position, inner))
+            anchor, problem = _carried(
+                element, known, layout.handle_width_of(element), rig, rest, trajectories
+            )
+        place = (
+            ("board" if element.anchor.on_board else "face")
+            if "place" in element.pinned and not anchor
+            else ""
+        )
+        pins.append(
+            Pin(element.name, known, element.pinned, anchor, place, element.pinned_position, inner)
+        )
         issues += [problem] if problem is not None else []
     return Pins(tuple(pins), tuple(issues))
 
 
 def _carried(
-    element: Element, controls: Sequence[str], width: float, rig: Rig, rest: Floats, trajectories: Trajectories
+    element: Element,
+    controls: Sequence[str],
+    width: float,
+    rig: Rig,
+    rest: Floats,
+    trajectories: Trajectories,
 ) -> tuple[str, Issue | None]:
-    """Where the pinned anchor of an element is today, empty if nowhere, and what is to be said of it."""
+    """Where the pinned anchor of an element is today, empty if nowhere, and what is to be said of
+    it."""
     moved = _moved_by_all(controls, rig, trajectories)
     same = same_point(element, points_of_meshes(rig))
     if same >= 0 and same in moved:
         return place_of(rig, same), None
     if not len(moved) or not np.isfinite(element.pinned_position).all():
-        why = "its controls move no point together" if not len(moved) else "its mesh has other points or faces by now"
+        why = (
+            "its controls move no point together"
+            if not len(moved)
+            else "its mesh has other points or faces by now"
+        )
         return "", issue("PIN_LOST", element.name, why)
     apart = np.linalg.norm(rest[moved] - element.pinned_position, axis=1)
     nearest = first_smallest(apart)
     off = float(apart[nearest]) / max(width, 1e-300)
     told = f"stands {off:.1f} handle widths from where it was pinned"
-    return place_of(rig, int(moved[nearest])), issue("PIN_CARRIED", element.name, told) if off > _NEAR else None
+    return place_of(rig, int(moved[nearest])), (
+        issue("PIN_CARRIED", element.name, told) if off > _NEAR else None
+    )
 
 
 def _moved_by_all(controls: Sequence[str], rig: Rig, trajectories: Trajectories) -> Indices:
-    """Points that every one of these controls moves by a share of its peak; none where one of them moves nothing."""
+    """Points that every one of these controls moves by a share of its peak; none where one of them
+    moves nothing."""
     by_name = {rig.controls[motion.control].name: motion for motion in trajectories.motions}
     found = np.arange(len(trajectories.base))
     for motion in (by_name.get(name) for name in controls):
-        far = motion.points[motion.arc_length >= _MOVES * motion.peak] if motion is not None else found[:0]
+        far = (
+            motion.points[motion.arc_length >= _MOVES * motion.peak]
+            if motion is not None
+            else found[:0]
+        )
         found = np.intersect1d(found, far)
     return found
 
 
 def with_pins(settings: Settings, pins: Pins) -> Settings:
-    """The settings with what the pins fix; what the configuration itself says of a control is stronger."""
+    """The settings with what the pins fix; what the configuration itself says of a control is
+    stronger."""
     renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
     controls = dict(settings.controls)
     for pin in pins.pins:
@@ -134,21 +167,27 @@ def with_pins(settings: Settings, pins: Pins) -> Settings:
 def _decided(override: ControlSettings, pin: Pin) -> ControlSettings:
     if pin.anchor:
         return replace(override, anchor=pin.anchor)
-    return replace(override, place="board" if pin.place == "board" else "face") if pin.place else override
+    return (
+        replace(override, place="board" if pin.place == "board" else "face")
+        if pin.place
+        else override
+    )
 
 
 def with_twins(
     rig: Rig, trajectories: Trajectories, symmetry: Symmetry, overrides: tuple[ControlSettings, ...]
 ) -> tuple[ControlSettings, ...]:
-    """The overrides with the anchor of one side on the other, too, and the mirror image of what one stays near, where
-    nothing is decided about that."""
+    """The overrides with the anchor of one side on the other, too, and the mirror image of what one
+    stays near, where nothing is decided about that."""
     found = list(overrides)
     for control, override in enumerate(overrides):
         twin = int(symmetry.twins[control])
         if twin in (-1, control) or not _follows(overrides[twin]):
             continue
         if override.near and not override.anchor:
-            found[twin] = replace(overrides[twin], near=MIRROR + override.near, within=override.within)
+            found[twin] = replace(
+                overrides[twin], near=MIRROR + override.near, within=override.within
+            )
         if override.anchor:
             point = fixed_anchor(rig, rig.controls[control].name, override)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
@@ -158,12 +197,14 @@ def with_twins(
 
 
 def _follows(override: ControlSettings) -> bool:
-    return override.follow_twin and not (override.anchor or override.place or override.near or override.exclude)
+    return override.follow_twin and not (
+        override.anchor or override.place or override.near or override.exclude
+    )
 
 
 def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int) -> int:
-    """The mirror image of a point, or what the twin moves nearest to that; -1 where it moves nothing, or that point
-    too: the two ends of a jaw's axis may be one element."""
+    """The mirror image of a point, or what the twin moves nearest to that; -1 where it moves
+    nothing, or that point too: the two ends of a jaw's axis may be one element."""
     motion = next((each for each in trajectories.motions if each.control == twin), None)
     if motion is None or motion.arc_length[motion.points == point].sum() >= _SHARED * motion.peak:
         return -1
@@ -175,35 +216,53 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     return int(far[first_smallest(np.linalg.norm(trajectories.base[far] - there, axis=1))])
 
 
-# --- recorded ----------------------------------------------------------------------------------------
+# --- recorded -------------------------------------------------------------------------------------
 
 
 def with_decisions(
-    layout: Layout, rig: Rig, rest: Floats, asked: Settings, pins: Pins, overrides: Sequence[ControlSettings]
+    layout: Layout,
+    rig: Rig,
+    rest: Floats,
+    asked: Settings,
+    pins: Pins,
+    overrides: Sequence[ControlSettings],
 ) -> Layout:
-    """The layout with the decisions of a person in it: those of the configuration, and those carried.
+    """The layout with the decisions of a person in it: those of the configuration, and those
+    carried.
 
-    `asked` are the settings before any layout fixed more, `overrides` (controls,) what was heeded in the end; `rest`
-    (n, 3) the points at rest.
+    `asked` are the settings before any layout fixed more, `overrides` (controls,) what was heeded
+    in the end; `rest` (n, 3) the points at rest.
     """
     decided = dict(_from_configuration(layout, asked))
     for element, pin in _of_pins(layout, pins):
-        still = [each for each in pin.decisions if each != "anchor" or _place(element) == pin.anchor]
+        still = [
+            each for each in pin.decisions if each != "anchor" or _place(element) == pin.anchor
+        ]
         decided[element.name] = decided.get(element.name, frozenset()) | frozenset(still)
-    anchored = {c.name for c, override in zip(rig.controls, overrides, strict=True) if override.anchor}
+    anchored = {
+        c.name for c, override in zip(rig.controls, overrides, strict=True) if override.anchor
+    }
     for element in layout.elements:
         other = decided.get(element.mirror, frozenset())
         if "anchor" in other and element.controls & anchored:
             decided[element.name] = decided.get(element.name, frozenset()) | {"anchor"}
     before = {element.name: pin.position for element, pin in _of_pins(layout, pins) if pin.anchor}
-    return replace(layout, elements=tuple(_pinned(e, decided, before, layout, rig, rest) for e in layout.elements))
+    return replace(
+        layout,
+        elements=tuple(_pinned(e, decided, before, layout, rig, rest) for e in layout.elements),
+    )
 
 
-def _from_configuration(layout: Layout, asked: Settings) -> Iterator[tuple[str, frozenset[Decision]]]:
+def _from_configuration(
+    layout: Layout, asked: Settings
+) -> Iterator[tuple[str, frozenset[Decision]]]:
     renamed = {each.rename: each for each in asked.controls.values() if each.rename}
     groups = [frozenset(members) for members in asked.groups.groups.values()]
     for element in layout.elements:
-        said = [renamed.get(name) or asked.controls.get(name, ControlSettings()) for name in element.controls]
+        said = [
+            renamed.get(name) or asked.controls.get(name, ControlSettings())
+            for name in element.controls
+        ]
         found: set[Decision] = {"anchor"} if any(each.anchor for each in said) else set()
         found |= {"place"} if any(each.place or each.near for each in said) else set()
         found |= {"grouping"} if element.controls in groups else set()
@@ -214,7 +273,11 @@ def _from_configuration(layout: Layout, asked: Settings) -> Iterator[tuple[str, 
 def _of_pins(layout: Layout, pins: Pins) -> Iterator[tuple[Element, Pin]]:
     """The elements that have the controls of a pin, each on its level."""
     for element, inner in _levels(layout):
-        yield from ((element, pin) for pin in pins.pins if pin.inner == inner and element.controls & set(pin.controls))
+        yield from (
+            (element, pin)
+            for pin in pins.pins
+            if pin.inner == inner and element.controls & set(pin.controls)
+        )
 
 
 def _levels(layout: Layout) -> Iterator[tuple[Element, bool]]:
@@ -234,13 +297,18 @@ def _pinned(
 ) -> Element:
     found = decided.get(element.name, frozenset())
     order: tuple[Decision, ...] = ("anchor", "place", "grouping")
-    kept = tuple(each for each in order if each in found and not (each == "anchor" and element.anchor.on_board))
+    kept = tuple(
+        each
+        for each in order
+        if each in found and not (each == "anchor" and element.anchor.on_board)
+    )
     if "anchor" not in kept:
         return replace(element, pinned=kept)
     start, _ = points_of_meshes(rig)[element.anchor.mesh]
     here = rest[start + element.anchor.point]
     then = np.array(before.get(element.name, (np.nan,) * 3))
-    # The place that was decided stays on record while it is the same place: carrying it on adds up no errors.
+    # The place that was decided stays on record while it is the same place: carrying it on adds up
+    # no errors.
     near = float(np.linalg.norm(here - then)) <= _NEAR * layout.handle_width
     x, y, z = (then if near else here).tolist()
     return replace(element, pinned=kept, pinned_position=(x, y, z))

@@ -1,7 +1,8 @@
 """An earlier layout that the new one should be like: what was where, and what it costs to leave it.
 
-It is a soft request.  Its groups stand where they still can, and every other place than the earlier one
-costs a penalty, so that a control moves when that improves the cost by more than the penalty and stays otherwise.
+It is a soft request.  Its groups stand where they still can, and every other place than the earlier
+one costs a penalty, so that a control moves when that improves the cost by more than the penalty
+and stays otherwise.
 """
 
 from __future__ import annotations
@@ -51,11 +52,14 @@ class PriorLayout(Record):
     penalty: float = 0.0
     """Cost of leaving a place, per copy of the element, in the units of the objective."""
     cutoff_distance: float = 0.0
-    """Distance at which the full penalty is due, in handle widths; 0 asks it of every other point."""
+    """Distance at which the full penalty is due, in handle widths; 0 asks it of every other
+    point."""
 
     def stood_on_face(self, controls: Sequence[int]) -> bool:
         """Whether any of these controls had its place on the face."""
-        return any(control in self.places and not self.places[control].on_board for control in controls)
+        return any(
+            control in self.places and not self.places[control].on_board for control in controls
+        )
 
 
 NO_PRIOR = PriorLayout()
@@ -81,18 +85,27 @@ def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
 
 
 def kept_groups(layout: Layout, rig: Rig) -> tuple[KeptGroup, ...]:
-    """The groups of a layout, without the controls that `rig` no longer has; each control in one only."""
+    """The groups of a layout, without the controls that `rig` no longer has; each control in one
+    only."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
     groups: list[KeptGroup] = []
     taken: set[int] = set()
     for element in outer_first(layout.elements):
-        kept = [place for place, member in enumerate(element.members) if index.get(member.control, -1) not in taken]
+        kept = [
+            place
+            for place, member in enumerate(element.members)
+            if index.get(member.control, -1) not in taken
+        ]
         kept = [place for place in kept if element.members[place].control in index]
         if not kept:
             continue
         controls = tuple(index[element.members[place].control] for place in kept)
-        opposed = tuple((kept.index(a), kept.index(b)) for a, b in element.opposed if a in kept and b in kept)
-        groups.append(KeptGroup(element.name if len(kept) == len(element.members) else "", controls, opposed))
+        opposed = tuple(
+            (kept.index(a), kept.index(b)) for a, b in element.opposed if a in kept and b in kept
+        )
+        groups.append(
+            KeptGroup(element.name if len(kept) == len(element.members) else "", controls, opposed)
+        )
         taken |= set(controls)
     return tuple(groups)
 
@@ -102,8 +115,8 @@ def leaving_penalties(
 ) -> Floats:
     """(R,) what each candidate of one copy of an element costs because it is not the earlier place.
 
-    Parameters: `anchors` (R,) points; `base` (n, 3) positions; `width` of a handle.  An element that stood
-    on the board pays the whole penalty for every place on the face.
+    Parameters: `anchors` (R,) points; `base` (n, 3) positions; `width` of a handle.  An element
+    that stood on the board pays the whole penalty for every place on the face.
     """
     cost = np.zeros(len(anchors))
     for control in controls:
@@ -114,23 +127,28 @@ def leaving_penalties(
     return cost
 
 
-def _penalty_share(prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float) -> Floats:
+def _penalty_share(
+    prior: PriorLayout, place: Place, anchors: Indices, base: Floats, width: float
+) -> Floats:
     """(R,) share of the penalty, from 0 at the earlier place to 1."""
     if place.on_board or not len(anchors):
         return np.ones(len(anchors))
     if prior.cutoff_distance > 0.0:
         apart = np.linalg.norm(base[anchors] - place.position, axis=1)
-        # Counted from the nearest candidate: where none is near, the nearest are still to be preferred.
+        # Counted from the nearest candidate: where none is near, the nearest are still to be
+        # preferred.
         return np.asarray(np.minimum(1.0, (apart - apart.min()) / (prior.cutoff_distance * width)))
     here = anchors == place.point
     if not here.any():
-        # The mesh has other points, or the control no longer moves that one: the nearest place stands for it.
+        # The mesh has other points, or the control no longer moves that one: the nearest place
+        # stands for it.
         here[first_smallest(np.linalg.norm(base[anchors] - place.position, axis=1))] = True
     return np.where(here, 0.0, 1.0)
 
 
 def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
-    """The places of the controls, and those of the sliders that some have besides under a coarse element."""
+    """The places of the controls, and those of the sliders that some have besides under a coarse
+    element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
     meshes = points_of_meshes(rig)
     places: dict[int, Place] = {}
@@ -138,7 +156,9 @@ def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place
     inner = inner_names(layout.elements)
     for element in outer_first(layout.elements):
         place = Place(same_point(element, meshes), element.anchor.position, element.anchor.on_board)
-        for control in (index[member.control] for member in element.members if member.control in index):
+        for control in (
+            index[member.control] for member in element.members if member.control in index
+        ):
             if control not in places:
                 places[control] = place
             elif element.name in inner:
@@ -148,11 +168,14 @@ def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place
 
 def points_of_meshes(rig: Rig) -> Mapping[str, tuple[int, RigMesh]]:
     """By prim path, each mesh and its first point among all points of the rig."""
-    return {mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)}
+    return {
+        mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)
+    }
 
 
 def same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
-    """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or faces."""
+    """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or
+    faces."""
     anchor = element.anchor
     if anchor.mesh not in meshes:
         return -1

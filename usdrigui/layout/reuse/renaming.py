@@ -10,9 +10,12 @@ from usdrigui.model import Element, Layout
 
 
 def with_names(layout: Layout, names: Mapping[str, str]) -> Layout:
-    """The layout with the new names of its controls by the old ones, and of the elements that are called after them."""
+    """The layout with the new names of its controls by the old ones, and of the elements that are
+    called after them."""
     elements = element_names(layout, names)
-    return replace(layout, elements=tuple(_renamed(each, names, elements) for each in layout.elements))
+    return replace(
+        layout, elements=tuple(_renamed(each, names, elements) for each in layout.elements)
+    )
 
 
 def element_names(layout: Layout, names: Mapping[str, str]) -> dict[str, str]:
@@ -23,14 +26,21 @@ def element_names(layout: Layout, names: Mapping[str, str]) -> dict[str, str]:
 def _name(element: Element, names: Mapping[str, str]) -> str:
     controls = [member.control for member in element.members]
     between = next((each for each in BETWEEN if element.name == each.join(controls)), None)
-    return element.name if between is None else between.join(names.get(control, control) for control in controls)
+    return (
+        element.name
+        if between is None
+        else between.join(names.get(control, control) for control in controls)
+    )
 
 
 def _renamed(element: Element, names: Mapping[str, str], elements: Mapping[str, str]) -> Element:
     return replace(
         element,
         name=elements[element.name],
-        members=tuple(replace(member, control=names.get(member.control, member.control)) for member in element.members),
+        members=tuple(
+            replace(member, control=names.get(member.control, member.control))
+            for member in element.members
+        ),
         mirror=elements.get(element.mirror, element.mirror),
         inner=tuple(elements.get(name, name) for name in element.inner),
     )

@@ -62,4 +62,6 @@ class Requests:
     def of_axes(self) -> Requests:
         """What holds for the sliders that controls have of their own under a coarse element."""
         overrides = tuple(replace(each, anchor=each.inner_anchor) for each in self.overrides)
-        return replace(self, overrides=overrides, prior=replace(self.prior, places=self.prior.axis_places))
+        return replace(
+            self, overrides=overrides, prior=replace(self.prior, places=self.prior.axis_places)
+        )

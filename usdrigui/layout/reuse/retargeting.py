@@ -1,9 +1,9 @@
-"""From one character's layout to another's: where the same place is on another face (paper section 1,
-re-targeting).
+"""From one character's layout to another's: where the same place is on another face (paper section
+1, re-targeting).
 
-The two faces need not share topology, size, pose or place in the world.  What they share is controls, by
-name: the region that each of them moves is a landmark, and the landmarks map one face onto the other, by a
-similarity that outvotes those that disagree and then by a smooth warp.
+The two faces need not share topology, size, pose or place in the world.  What they share is
+controls, by name: the region that each of them moves is a landmark, and the landmarks map one face
+onto the other, by a similarity that outvotes those that disagree and then by a smooth warp.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ CUTOFF_DISTANCE = 4.0
 _LEAST_FOR_SIMILARITY = 8
 _LEAST_FOR_WARP = 16
 _POWERS = (2.0, 12.0)
-"""Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to the peak."""
+"""Of the distance moved, as weights of the two landmarks of a control: a wide mean and one close to
+the peak."""
 _ROUNDS = 20
 _OUTLIER = 4.0
 """Landmarks further off than this many times the median do not shape the warp."""
@@ -33,11 +34,14 @@ _SMOOTHINGS = (1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2)
 """Of the warp, from one that passes through every landmark to hardly more than an affine map."""
 _FOLDS = 8
 _NO_WORSE = 1.1
-"""The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times the best one."""
+"""The smoothest warp is taken that predicts landmarks it has not seen no worse than this many times
+the best one."""
 _FAR_OFF = 3.0
-"""Landmarks that a warp misses by more than this many times the median miss count no more than so."""
+"""Landmarks that a warp misses by more than this many times the median miss count no more than
+so."""
 _FLAT = 1e-3
-"""Least share of the largest spread that landmarks have in their second direction: fewer lie on a line."""
+"""Least share of the largest spread that landmarks have in their second direction: fewer lie on a
+line."""
 
 
 @dataclass(frozen=True)
@@ -61,27 +65,39 @@ def of_another(
 ) -> PriorLayout:
     """Another character's layout as a prior of ours.
 
-    Parameters: `layout` of `theirs`; `names` maps their control names to ours where these differ.  Controls
-    without a counterpart are free.  Elements that share controls there share them here.
+    Parameters: `layout` of `theirs`; `names` maps their control names to ours where these differ.
+    Controls without a counterpart are free.  Elements that share controls there share them here.
     """
     renamed = with_names(layout, names)
-    places = corresponding([element.anchor.position for element in layout.elements], theirs, ours, names)
+    places = corresponding(
+        [element.anchor.position for element in layout.elements], theirs, ours, names
+    )
     index = {control.name: number for number, control in enumerate(ours[0].controls)}
     found: dict[int, Place] = {}
     inner = inner_names(renamed.elements)
-    by_level = sorted(zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner)
+    by_level = sorted(
+        zip(renamed.elements, places, strict=True), key=lambda pair: pair[0].name in inner
+    )
     for element, position in by_level:
         for member in element.members:
             if member.control in index and index[member.control] not in found:
                 found[index[member.control]] = Place(-1, position, element.anchor.on_board)
-    return PriorLayout(kept_groups(renamed, ours[0]), found, penalty=penalty, cutoff_distance=CUTOFF_DISTANCE)
+    return PriorLayout(
+        kept_groups(renamed, ours[0]), found, penalty=penalty, cutoff_distance=CUTOFF_DISTANCE
+    )
 
 
 def corresponding(
-    positions: list[Floats], theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+    positions: list[Floats],
+    theirs: tuple[Rig, Trajectories],
+    ours: tuple[Rig, Trajectories],
+    names: Mapping[str, str],
 ) -> Floats:
-    """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root space."""
-    return face_map(theirs, ours, names).points(np.array(positions, dtype=np.float64).reshape(-1, 3))
+    """(k, 3) positions on our face that correspond to `positions` (3,) on theirs, both in root
+    space."""
+    return face_map(theirs, ours, names).points(
+        np.array(positions, dtype=np.float64).reshape(-1, 3)
+    )
 
 
 @dataclass(frozen=True)
@@ -90,22 +106,32 @@ class FaceMap:
 
     similarity: _Similarity
     source: Floats
-    """(k, 3) trusted landmarks of the one face, mapped by the similarity; none where they are too few for a warp."""
+    """(k, 3) trusted landmarks of the one face, mapped by the similarity; none where they are too
+    few for a warp."""
     target: Floats
     """(k, 3) the same landmarks on the other."""
 
     def points(self, points: Floats) -> Floats:
         """(m, 3) where points (m, 3) of the one face are on the other."""
         aligned = self.similarity(points)
-        return _warped(self.source, self.target, aligned) if len(self.source) >= _LEAST_FOR_WARP else aligned
+        return (
+            _warped(self.source, self.target, aligned)
+            if len(self.source) >= _LEAST_FOR_WARP
+            else aligned
+        )
 
     def vectors(self, vectors: Floats) -> Floats:
         """(..., 3) displacements as the other face has them, without the warp."""
-        return np.asarray(self.similarity.scale * vectors @ self.similarity.rotation.T, dtype=np.float64)
+        return np.asarray(
+            self.similarity.scale * vectors @ self.similarity.rotation.T, dtype=np.float64
+        )
 
 
-def face_map(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]) -> FaceMap:
-    """The map from their face to ours by the controls that both have; `names` maps their names to ours."""
+def face_map(
+    theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], names: Mapping[str, str]
+) -> FaceMap:
+    """The map from their face to ours by the controls that both have; `names` maps their names to
+    ours."""
     source, target = _landmarks(theirs, ours, names)
     if len(source) < _LEAST_FOR_SIMILARITY or not _spread(source) or not _spread(target):
         return FaceMap(_by_size(theirs, ours), source[:0], target[:0])
@@ -113,7 +139,7 @@ def face_map(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories], n
     return FaceMap(similarity, similarity(source[weights > 0.0]), target[weights > 0.0])
 
 
-# --- landmarks ---------------------------------------------------------------------------------------
+# --- landmarks ------------------------------------------------------------------------------------
 
 
 def _landmarks(
@@ -121,7 +147,11 @@ def _landmarks(
 ) -> tuple[Floats, Floats]:
     """(k, 3) landmarks of the shared controls, on their face and on ours."""
     here, there = _marks(*ours), _marks(*theirs)
-    kept = [(marks, here[names.get(name, name)]) for name, marks in there.items() if names.get(name, name) in here]
+    kept = [
+        (marks, here[names.get(name, name)])
+        for name, marks in there.items()
+        if names.get(name, name) in here
+    ]
     return (
         np.array([pair[0] for pair in kept]).reshape(-1, 3),
         np.array([pair[1] for pair in kept]).reshape(-1, 3),
@@ -131,13 +161,16 @@ def _landmarks(
 def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
     """By control name, (2, 3) the middle of what it moves and the middle of what it moves most."""
     return {
-        rig.controls[motion.control].name: np.stack([_middle(trajectories, motion, power) for power in _POWERS])
+        rig.controls[motion.control].name: np.stack(
+            [_middle(trajectories, motion, power) for power in _POWERS]
+        )
         for motion in trajectories.motions
     }
 
 
 def _middle(trajectories: Trajectories, motion: Motion, power: float) -> Floats:
-    """(3,) mean of the places (a face that is split at seams is the same face), weighted by the distance moved."""
+    """(3,) mean of the places (a face that is split at seams is the same face), weighted by the
+    distance moved."""
     first = trajectories.places[motion.points] == motion.points
     weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
     if not weights.any():
@@ -151,7 +184,7 @@ def _spread(points: Floats) -> bool:
     return bool(values[1] > _FLAT * values[0])
 
 
-# --- from one face to the other ----------------------------------------------------------------------
+# --- from one face to the other -------------------------------------------------------------------
 
 
 def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
@@ -160,7 +193,9 @@ def _robust(source: Floats, target: Floats) -> tuple[_Similarity, Floats]:
     similarity = _fitted(source, target, weights)
     for _ in range(_ROUNDS):
         off = np.linalg.norm(similarity(source) - target, axis=1)
-        scale = max(float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max()))
+        scale = max(
+            float(np.median(off)), 1e-9 * float(np.linalg.norm(target - target[0], axis=1).max())
+        )
         weights = 1.0 / (1.0 + np.square(off / scale))
         similarity = _fitted(source, target, weights)
     return similarity, np.where(off <= _OUTLIER * scale, weights, 0.0)
@@ -181,9 +216,10 @@ def _fitted(source: Floats, target: Floats, weights: Floats) -> _Similarity:
 def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
     """`points` (k, 3) under the smooth warp that takes aligned landmarks to where they belong.
 
-    How far two characters' controls correspond differs from pair to pair: copies of one head agree to the point,
-    two makers' rigs only on the whole.  So the landmarks themselves choose the smoothness, each predicted from
-    the others (cross-validation, and the smoothest of the models that do about as well as the best).
+    How far two characters' controls correspond differs from pair to pair: copies of one head agree
+    to the point, two makers' rigs only on the whole.  So the landmarks themselves choose the
+    smoothness, each predicted from the others (cross-validation, and the smoothest of the models
+    that do about as well as the best).
     """
     fold = np.arange(len(source)) // len(_POWERS) % _FOLDS
     missed = np.zeros((len(_SMOOTHINGS), len(source)))
@@ -199,7 +235,8 @@ def _warped(source: Floats, target: Floats, points: Floats) -> Floats:
 
 
 def _thin_plate(source: Floats, target: Floats, smoothing: float, points: Floats) -> Floats:
-    """`points` moved as a thin-plate spline moves `source` to `target`; in units of the source's own size."""
+    """`points` moved as a thin-plate spline moves `source` to `target`; in units of the source's
+    own size."""
     middle = source.mean(axis=0)
     unit = float(np.linalg.norm(source - middle, axis=1).max())
     _, first = np.unique(np.round((source - middle) / unit, 6), axis=0, return_index=True)
@@ -224,7 +261,8 @@ def _solid(points: Floats) -> bool:
 
 
 def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -> _Similarity:
-    """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on up."""
+    """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on
+    up."""
     (rig, one), (other_rig, other) = theirs, ours
     scale = other.face_size / one.face_size
     rotation = _turn(rig.up, other_rig.up)

@@ -32,8 +32,8 @@ class Change:
     element: str
     """Its element now; before, when it was removed."""
     distance: float
-    """How far its handle is from where it was, in handle widths of the earlier layout; nan unless it was on
-    the face before and is now."""
+    """How far its handle is from where it was, in handle widths of the earlier layout; nan unless
+    it was on the face before and is now."""
     before: str
     """``MESH_PATH#POINT``, ``board`` or empty."""
     after: str
@@ -55,7 +55,9 @@ class Difference:
     @property
     def displaced(self) -> tuple[Change, ...]:
         """Changes of controls that both have."""
-        return tuple(change for change in self.changes if change.kind not in ("added", "removed", "renamed"))
+        return tuple(
+            change for change in self.changes if change.kind not in ("added", "removed", "renamed")
+        )
 
     @property
     def renamed(self) -> tuple[Change, ...]:
@@ -83,9 +85,10 @@ def difference(
 ) -> Difference:
     """Compare two layouts of one character.
 
-    `improvements` is what each element of `after` saves by not standing where it was, in the units of the
-    objective, as far as known; `matching` tells which control of the one is which of the other, and is worked out from
-    the layouts where it is not given.  The places of elements on the board are not compared.
+    `improvements` is what each element of `after` saves by not standing where it was, in the units
+    of the objective, as far as known; `matching` tells which control of the one is which of the
+    other, and is worked out from the layouts where it is not given.  The places of elements on the
+    board are not compared.
     """
     matching = matching or match_layouts(before, after)
     names = matching.renamed
@@ -95,18 +98,32 @@ def difference(
     changes = [
         *(_added(new[key]) for key in sorted(new.keys() - old.keys())),
         *(_removed(old[key], matching) for key in sorted(old.keys() - new.keys())),
-        *(_renamed(then, after, old[key], new[key], was, improvements) for key in sorted(old.keys() & new.keys())),
+        *(
+            _renamed(then, after, old[key], new[key], was, improvements)
+            for key in sorted(old.keys() & new.keys())
+        ),
     ]
     found = [change for change in changes if change is not None]
-    kinds: tuple[ChangeKind, ...] = ("added", "removed", "renamed", "regrouped", "to the face", "board", "moved")
+    kinds: tuple[ChangeKind, ...] = (
+        "added",
+        "removed",
+        "renamed",
+        "regrouped",
+        "to the face",
+        "board",
+        "moved",
+    )
     found.sort(key=lambda change: kinds.index(change.kind))
     return Difference(after.root, tuple(found), len(old.keys() & new.keys()))
 
 
 def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
-    """By control and by how many elements before this one hold it too: of doubled ones the left one comes first."""
+    """By control and by how many elements before this one hold it too: of doubled ones the left one
+    comes first."""
     memberships: dict[tuple[str, int], _Membership] = {}
-    from_left = sorted(layout.elements, key=lambda each: -float(each.anchor.position @ layout.plane_normal))
+    from_left = sorted(
+        layout.elements, key=lambda each: -float(each.anchor.position @ layout.plane_normal)
+    )
     for element in outer_first(from_left):
         for member in element.members:
             count = 0
@@ -122,7 +139,9 @@ def _added(held: _Membership) -> Change:
 
 
 def _removed(held: _Membership, matching: Matching) -> Change:
-    may_be = {each.before: f"may be {each.after} ({each.confidence:.0%} sure)" for each in matching.unsure}
+    may_be = {
+        each.before: f"may be {each.after} ({each.confidence:.0%} sure)" for each in matching.unsure
+    }
     why = (may_be[held.control],) if held.control in may_be else ()
     return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", why)
 
@@ -140,12 +159,24 @@ def _renamed(
     earlier = was.get(new.control, "")
     if change is None and earlier:
         where = _where(old), _where(new)
-        return Change(new.control, "renamed", new.element.name, _distance(before, old, new), *where, (), earlier)
+        return Change(
+            new.control,
+            "renamed",
+            new.element.name,
+            _distance(before, old, new),
+            *where,
+            (),
+            earlier,
+        )
     return change and replace(change, was=earlier)
 
 
 def _compared(
-    before: Layout, after: Layout, old: _Membership, new: _Membership, improvements: Mapping[str, float]
+    before: Layout,
+    after: Layout,
+    old: _Membership,
+    new: _Membership,
+    improvements: Mapping[str, float],
 ) -> Change | None:
     kind = _kind(before, after, old, new)
     if kind is None:
@@ -197,7 +228,10 @@ def _reasons(
     if left:
         yield f"no longer shares its element with {', '.join(left)}"
     if not one.on_board and one.mesh == other.mesh and one.topology_hash != other.topology_hash:
-        yield f"{one.mesh} has other points or faces: {one.point_count} points then, {other.point_count} now"
+        yield (
+            f"{one.mesh} has other points or faces: {one.point_count} points then,"
+            f" {other.point_count} now"
+        )
     if kind in ("moved", "board", "regrouped") and not one.on_board:
         yield from _crowd(after, old, new)
     if kind == "board" and new.element.reason:
@@ -212,9 +246,12 @@ def _reasons(
 
 
 def _handles(layout: Layout, control: str) -> int:
-    """How many elements of the first level a control has: two, where it is doubled across the middle."""
+    """How many elements of the first level a control has: two, where it is doubled across the
+    middle."""
     inner = inner_names(layout.elements)
-    return sum(control in element.controls for element in layout.elements if element.name not in inner)
+    return sum(
+        control in element.controls for element in layout.elements if element.name not in inner
+    )
 
 
 def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:

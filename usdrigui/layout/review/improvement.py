@@ -1,4 +1,5 @@
-"""By how much elements that left their earlier places improve the cost, apart from the penalty of leaving."""
+"""By how much elements that left their earlier places improve the cost, apart from the penalty of
+leaving."""
 
 from __future__ import annotations
 
@@ -12,16 +13,22 @@ from usdrigui.layout.review.review import cost_given_others
 from usdrigui.model import Floats, Indices
 
 
-def improvements(face: Face, requests: Requests, placement: PlacementProblem, labels: Indices) -> dict[str, float]:
-    """By element: cost at its earlier place less cost where it is, all others standing where they stand now.
+def improvements(
+    face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
+) -> dict[str, float]:
+    """By element: cost at its earlier place less cost where it is, all others standing where they
+    stand now.
 
-    Elements that stay, that had no place on the face, or that can no longer stand there are left out.
+    Elements that stay, that had no place on the face, or that can no longer stand there are left
+    out.
     """
     found: dict[str, float] = {}
     problem = placement.problem
     for index, choice in enumerate(placement.choices):
         group = placement.groups[choice.group]
-        stay, leave = penalties_of_leaving(face, requests.of_axes() if group.part else requests, choice)
+        stay, leave = penalties_of_leaving(
+            face, requests.of_axes() if group.part else requests, choice
+        )
         label, earlier = int(labels[index]), int(np.argmin(stay)) if len(stay) else -1
         if leave <= 0.0 or earlier < 0 or label == earlier or np.ptp(stay) == 0.0:
             continue

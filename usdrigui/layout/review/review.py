@@ -1,7 +1,8 @@
-"""How good a layout is, and whether it still fits its rig: for layers from any tool, or from any hand.
+"""How good a layout is, and whether it still fits its rig: for layers from any tool, or from any
+hand.
 
-`review` compares a `Layout` with the rig as it is today and rates every element by the objective that
-would place it (paper section 1: layouts also validate manual design choices).
+`review` compares a `Layout` with the rig as it is today and rates every element by the objective
+that would place it (paper section 1: layouts also validate manual design choices).
 """
 
 from __future__ import annotations
@@ -39,7 +40,8 @@ _MOVED = 1e-4
 _TOUCHING = 1e-6
 """Handles may be nearer than the separation by this share of it: layers hold single precision."""
 _WORTH = 0.05
-"""A better place is worth naming when it saves this much of what the typical control's displacement is worth."""
+"""A better place is worth naming when it saves this much of what the typical control's displacement
+is worth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,8 @@ class ElementReview:
     distance: float
     """Between the two handles, in handle widths; inf when it is alone."""
     gain: float
-    """What moving it to its best place would save, all others staying; a pair moves as one.  0 when it stands there."""
+    """What moving it to its best place would save, all others staying; a pair moves as one.  0 when
+    it stands there."""
     better: str
     """That place as ``MESH_PATH#POINT``, ready for a configuration; empty when it stands there."""
 
@@ -73,7 +76,9 @@ class Review:
     """Objective of the elements on the face as they stand; inf if two handles are too near."""
 
 
-def review(face: Face, candidates: Candidates, requests: Requests, settings: Settings, layout: Layout) -> Review:
+def review(
+    face: Face, candidates: Candidates, requests: Requests, settings: Settings, layout: Layout
+) -> Review:
     """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated."""
     faults = [
         *_stale(face.rig, face.trajectories, layout, settings.read),
@@ -85,7 +90,9 @@ def review(face: Face, candidates: Candidates, requests: Requests, settings: Set
     issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
     problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
     mates = _mates(face, layout, problem, choices, labels)
-    rated = tuple(_rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices)))
+    rated = tuple(
+        _rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices))
+    )
     issues += [
         issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
         for each in rated
@@ -103,17 +110,21 @@ def joined(parts: Sequence[Review]) -> Review:
     )
 
 
-def refuse_stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> None:
+def refuse_stale(
+    rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings
+) -> None:
     """Raise the first error for which a layout does not fit the rig any more (LAYOUT_...)."""
     for found in _stale(rig, trajectories, layout, settings):
         if found.severity == "error":
             raise refuse(found.code, found.path, found.message)
 
 
-# --- does it fit the rig -----------------------------------------------------------------------------
+# --- does it fit the rig --------------------------------------------------------------------------
 
 
-def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings) -> Iterator[Issue]:
+def _stale(
+    rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings
+) -> Iterator[Issue]:
     comparable = not _custom_base(layout, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = rig.control_names
@@ -123,19 +134,37 @@ def _stale(rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadS
         anchor = element.anchor
         mesh = meshes.get(anchor.mesh)
         if mesh is None:
-            yield issue("LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}")
+            yield issue(
+                "LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}"
+            )
         elif anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
             change = f"{anchor.point_count} points then, {len(mesh.points)} now"
-            yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces: {change}")
+            yield issue(
+                "LAYOUT_TOPOLOGY",
+                element.name,
+                f"{anchor.mesh} has other points or faces: {change}",
+            )
         elif not 0 <= anchor.point < len(mesh.points):
-            yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
+            yield issue(
+                "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}"
+            )
         elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
             off = f"{_off(rig, trajectories, element):.1%} of the face"
-            yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
+            yield issue(
+                "LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was"
+            )
         for member in element.members:
             if member.control not in known:
-                now = f"; {renamed[member.control]!r} does what it did" if member.control in renamed else ""
-                yield issue("LAYOUT_CONTROL_GONE", element.name, f"{rig.root} has no control {member.control!r}{now}")
+                now = (
+                    f"; {renamed[member.control]!r} does what it did"
+                    if member.control in renamed
+                    else ""
+                )
+                yield issue(
+                    "LAYOUT_CONTROL_GONE",
+                    element.name,
+                    f"{rig.root} has no control {member.control!r}{now}",
+                )
 
 
 def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:
@@ -146,7 +175,9 @@ def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:
 
 def _custom_base(layout: Layout, settings: ReadSettings) -> bool:
     """Whether the layout was solved at another base pose, so that positions cannot be compared."""
-    return bool(settings.pose) or settings.time is not None or not np.allclose(layout.base_values, 0.0)
+    return (
+        bool(settings.pose) or settings.time is not None or not np.allclose(layout.base_values, 0.0)
+    )
 
 
 def _unplaced(face: Face, layout: Layout, requests: Requests) -> Iterator[Issue]:
@@ -178,11 +209,12 @@ def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
             yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 
-# --- how good it is ----------------------------------------------------------------------------------
+# --- how good it is -------------------------------------------------------------------------------
 
 
 def _sound(face: Face, layout: Layout) -> tuple[Element, ...]:
-    """The elements on the face that can be rated: mesh, point and controls exist and the controls move it."""
+    """The elements on the face that can be rated: mesh, point and controls exist and the controls
+    move it."""
     rig = face.rig
     moving = {rig.controls[motion.control].name for motion in face.trajectories.motions}
     meshes = {mesh.path: len(mesh.points) for mesh in rig.meshes}
@@ -227,7 +259,9 @@ def _as_problem(
 def _as_groups(rig: Rig, layout: Layout, elements: tuple[Element, ...]) -> tuple[Group, ...]:
     index = {control.name: number for number, control in enumerate(rig.controls)}
     seen, parts = states(layout.elements), _parts(layout)
-    controls = {each.name: tuple(index[member.control] for member in each.members) for each in elements}
+    controls = {
+        each.name: tuple(index[member.control] for member in each.members) for each in elements
+    }
     return tuple(
         Group(
             element.name,
@@ -247,12 +281,21 @@ def _as_groups(rig: Rig, layout: Layout, elements: tuple[Element, ...]) -> tuple
 def _parts(layout: Layout) -> frozenset[str]:
     """Names of the elements all of whose controls a coarse element holds too."""
     inner = inner_names(layout.elements)
-    outer = {m.control for element in layout.elements if element.name not in inner for m in element.members}
+    outer = {
+        m.control
+        for element in layout.elements
+        if element.name not in inner
+        for m in element.members
+    }
     return frozenset(e.name for e in layout.elements if e.name in inner and outer >= e.controls)
 
 
 def _with_points(
-    face: Face, candidates: Candidates, groups: tuple[Group, ...], points: list[int], settings: Settings
+    face: Face,
+    candidates: Candidates,
+    groups: tuple[Group, ...],
+    points: list[int],
+    settings: Settings,
 ) -> Candidates:
     """The candidates with the anchors of the layout among them, pruned or not."""
     motions = face.trajectories.motions
@@ -281,29 +324,46 @@ def _with_point(face: Face, known: CandidateSet, point: int, settings: Settings)
 def _mates(
     face: Face, layout: Layout, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices
 ) -> list[int]:
-    """For every element the other one of its pair, where the two stand as mirror images; else -1."""
+    """For every element the other one of its pair, where the two stand as mirror images; else
+    -1."""
     mirror = {element.name: element.mirror for element in layout.elements}
     index = {variable.name: i for i, variable in enumerate(problem.variables)}
     at = [int(choice.anchors[label, 0]) for choice, label in zip(choices, labels, strict=True)]
     mates = [index.get(mirror[variable.name], -1) for variable in problem.variables]
-    return [j if j >= 0 and face.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)]
+    return [
+        j if j >= 0 and face.symmetry.partner[at[i]] == at[j] else -1 for i, j in enumerate(mates)
+    ]
 
 
 def _cost_with_mate(
-    face: Face, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
+    face: Face,
+    problem: LayoutProblem,
+    choices: tuple[Choice, ...],
+    labels: Indices,
+    index: int,
+    mate: int,
 ) -> Floats:
-    """(R,) cost of every candidate of an element with its mirror image on the mirror image of it; inf where none is."""
+    """(R,) cost of every candidate of an element with its mirror image on the mirror image of it;
+    inf where none is."""
     images = face.symmetry.partner[choices[index].anchors[:, 0]]
     anchors = choices[mate].anchors[:, 0]
     order = np.argsort(anchors, kind="stable")
     rows = order[np.minimum(np.searchsorted(anchors[order], images), len(anchors) - 1)]
-    cost = cost_given_others(problem, labels, index, mate) + cost_given_others(problem, labels, mate, index)[rows]
+    cost = (
+        cost_given_others(problem, labels, index, mate)
+        + cost_given_others(problem, labels, mate, index)[rows]
+    )
     cost += pair_costs(problem, index, mate, np.arange(len(images)), rows)
     return np.where(anchors[rows] == images, cost, np.inf)
 
 
 def _rated(
-    face: Face, problem: LayoutProblem, choices: tuple[Choice, ...], labels: Indices, index: int, mate: int
+    face: Face,
+    problem: LayoutProblem,
+    choices: tuple[Choice, ...],
+    labels: Indices,
+    index: int,
+    mate: int,
 ) -> ElementReview:
     variable, choice, label = problem.variables[index], choices[index], int(labels[index])
     alone = cost_given_others(problem, labels, index)
@@ -323,8 +383,11 @@ def _rated(
     )
 
 
-def cost_given_others(problem: LayoutProblem, labels: Indices, index: int, without: int = -1) -> Floats:
-    """(R,) cost of every candidate of one variable, all others but `without` staying where they are."""
+def cost_given_others(
+    problem: LayoutProblem, labels: Indices, index: int, without: int = -1
+) -> Floats:
+    """(R,) cost of every candidate of one variable, all others but `without` staying where they
+    are."""
     count = len(problem.variables[index].points)
     mine = np.arange(count)
     cost = problem.variables[index].cost.copy()
@@ -335,7 +398,9 @@ def cost_given_others(problem: LayoutProblem, labels: Indices, index: int, witho
 
 
 def _neighbour(problem: LayoutProblem, labels: Indices, index: int) -> tuple[str, float]:
-    handles = [variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)]
+    handles = [
+        variable.handles[label] for variable, label in zip(problem.variables, labels, strict=True)
+    ]
     nearest, distance = "", np.inf
     for other, positions in enumerate(handles):
         if other != index and problem.together[index, other]:

@@ -1,4 +1,5 @@
-"""The symmetry of a character whose base pose is not symmetric: who mirrors whom is decided at the neutral pose."""
+"""The symmetry of a character whose base pose is not symmetric: who mirrors whom is decided at the
+neutral pose."""
 
 from __future__ import annotations
 
@@ -18,7 +19,8 @@ _APART = 0.05
 
 
 _MIRRORED = 0.5
-"""Share of the points that have a mirror partner from which a pose shows the symmetry of a character."""
+"""Share of the points that have a mirror partner from which a pose shows the symmetry of a
+character."""
 
 
 def symmetry_at_pose(
@@ -28,15 +30,19 @@ def symmetry_at_pose(
     settings: Settings,
     base_values: Floats | None,
 ) -> Symmetry:
-    """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral pose.
+    """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
+    pose.
 
-    A pose with one eye closed has no mirror image there: pairs would find no common candidate and leave the face.
-    `fields` are those of `trajectories`, `base_values` (controls,) is their base pose; at the controls' defaults
-    nothing differs from `find_symmetry`, nor where the neutral pose has no symmetry.
+    A pose with one eye closed has no mirror image there: pairs would find no common candidate and
+    leave the face. `fields` are those of `trajectories`, `base_values` (controls,) is their base
+    pose; at the controls' defaults nothing differs from `find_symmetry`, nor where the neutral pose
+    has no symmetry.
     """
     defaults = np.array([control.default for control in rig.controls], dtype=np.float64)
     if base_values is None or np.array_equal(base_values, defaults):
-        return _or_at_bind_pose(rig, trajectories, find_symmetry(rig, trajectories, fields, settings), settings)
+        return _or_at_bind_pose(
+            rig, trajectories, find_symmetry(rig, trajectories, fields, settings), settings
+        )
     neutral = _same_controls(rig, trajectories, settings)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
     if not symmetry.normal.any():
@@ -44,11 +50,17 @@ def symmetry_at_pose(
     return _at_pose(symmetry, neutral, trajectories.base)
 
 
-def _or_at_bind_pose(rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings) -> Symmetry:
-    """What was found, or what the skeleton's bind pose shows where the base pose mirrors few points: a character may
-    rest in a pose of its own."""
+def _or_at_bind_pose(
+    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
+) -> Symmetry:
+    """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
+    points: a character may rest in a pose of its own."""
     bound = _bound(rig)
-    if bound is None or not settings.symmetry.enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
+    if (
+        bound is None
+        or not settings.symmetry.enabled
+        or float((found.partner >= 0).mean()) >= _MIRRORED
+    ):
         return found
     neutral = _same_controls(bound, trajectories, settings)
     symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
@@ -61,14 +73,23 @@ def _bound(rig: Rig) -> Rig | None:
     """The rig in its bind pose; None where that is its base pose, or has no inverse."""
     try:
         local = [
-            joint.bind @ np.linalg.inv(rig.joints[joint.parent].bind) if joint.parent >= 0 else joint.bind
+            (
+                joint.bind @ np.linalg.inv(rig.joints[joint.parent].bind)
+                if joint.parent >= 0
+                else joint.bind
+            )
             for joint in rig.joints
         ]
     except np.linalg.LinAlgError:
         return None
-    if all(np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, rig.joints, strict=True)):
+    if all(
+        np.allclose(at, joint.base, atol=1e-4) for at, joint in zip(local, rig.joints, strict=True)
+    ):
         return None
-    return replace(rig, joints=tuple(replace(joint, base=at) for at, joint in zip(local, rig.joints, strict=True)))
+    return replace(
+        rig,
+        joints=tuple(replace(joint, base=at) for at, joint in zip(local, rig.joints, strict=True)),
+    )
 
 
 def _same_controls(rig: Rig, trajectories: Trajectories, settings: Settings) -> Trajectories:
@@ -76,12 +97,15 @@ def _same_controls(rig: Rig, trajectories: Trajectories, settings: Settings) -> 
     neutral = find_trajectories(rig, settings.trajectories)
     if len(trajectories.motions) >= len(neutral.motions):
         return neutral
-    own, excluded = ({each.control for each in of} for of in (trajectories.motions, trajectories.excluded))
+    own, excluded = (
+        {each.control for each in of} for of in (trajectories.motions, trajectories.excluded)
+    )
     return of_controls(rig, neutral, own, excluded, settings.trajectories)
 
 
 def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:
-    """The same partners with the plane where most pairs now have it: what one side does must not tilt it."""
+    """The same partners with the plane where most pairs now have it: what one side does must not
+    tilt it."""
     side = plane_distance(neutral.base, symmetry)
     left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.5 * _APART * neutral.face_size))
     if not len(left):
@@ -97,6 +121,9 @@ def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetr
 
 
 def _distances(base: Floats, symmetry: Symmetry) -> Floats:
-    """(n,) distance of each point's partner from its exact mirror image; inf where there is none."""
-    apart = np.linalg.norm(reflected(base, symmetry) - base[np.maximum(symmetry.partner, 0)], axis=1)
+    """(n,) distance of each point's partner from its exact mirror image; inf where there is
+    none."""
+    apart = np.linalg.norm(
+        reflected(base, symmetry) - base[np.maximum(symmetry.partner, 0)], axis=1
+    )
     return np.where(symmetry.partner >= 0, apart, np.inf)

@@ -1,4 +1,5 @@
-"""Which way the face looks, and from which directions a layout is judged (paper section 3.3, occlusion)."""
+"""Which way the face looks, and from which directions a layout is judged (paper section 3.3,
+occlusion)."""
 
 from __future__ import annotations
 
@@ -11,10 +12,11 @@ _THREE_QUARTER = np.radians(40.0)
 
 
 def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
-    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there is one.
+    """(3,) unit direction from the face to the viewer: horizontal, in the mirror plane where there
+    is one.
 
-    A face moves most where it looks, so the normals of the moving surface, averaged over what each control moves, sum
-    up to the front.
+    A face moves most where it looks, so the normals of the moving surface, averaged over what each
+    control moves, sum up to the front.
     """
     outward = _moving_normals(trajectories)
     if plane_normal.any():
@@ -30,7 +32,8 @@ def front(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Float
 
 
 def front_of(up: Floats, trajectories: Trajectories, plane_normal: Floats) -> Floats:
-    """The same where the sides of the plane are known: its normal (3,) points to the character's left."""
+    """The same where the sides of the plane are known: its normal (3,) points to the character's
+    left."""
     ahead = np.cross(plane_normal, up)
     length = float(np.linalg.norm(ahead))
     return np.asarray(ahead / length) if length > 1e-6 else front(up, trajectories, plane_normal)
@@ -46,12 +49,14 @@ def three_quarter(ahead: Floats, up: Floats) -> tuple[Floats, Floats]:
 def _moving_normals(trajectories: Trajectories) -> Floats:
     """Sum over the controls of the mean normal of what each moves, by area.
 
-    Every control has one vote, and casts it as far as its region faces one way: what moves the whole head moves
-    normals that cancel, and the hair or the open neck must not outvote the face.
+    Every control has one vote, and casts it as far as its region faces one way: what moves the
+    whole head moves normals that cancel, and the hair or the open neck must not outvote the face.
     """
     votes = np.zeros(3)
     for motion in trajectories.motions:
-        weight = trajectories.areas[motion.points] * np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
+        weight = trajectories.areas[motion.points] * np.minimum(
+            motion.arc_length / motion.arc_length.mean(), 1.0
+        )
         total = float(weight.sum())
         if total > 0.0:
             votes += weight @ trajectories.normals[motion.points] / total

@@ -1,7 +1,9 @@
-"""Which symmetric controls act on two sides rather than in the middle (paper section 3.3, symmetric deformations).
+"""Which symmetric controls act on two sides rather than in the middle (paper section 3.3, symmetric
+deformations).
 
-The paper holds the element of a symmetric control to the mirror plane.  A puff of both cheeks hardly moves the plane:
-there its handle would stand on the lips.  Such a control gets a handle on each lobe; both set the same value.
+The paper holds the element of a symmetric control to the mirror plane.  A puff of both cheeks
+hardly moves the plane: there its handle would stand on the lips.  Such a control gets a handle on
+each lobe; both set the same value.
 """
 
 from __future__ import annotations
@@ -14,20 +16,27 @@ from usdrigui.model import Flags, Motion, Symmetry, Trajectories
 _MIDDLE = 0.02
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
 _KEPT = 0.7
-"""A control of which no name tells where it acts has two lobes if it keeps less of its peak in the middle."""
+"""A control of which no name tells where it acts has two lobes if it keeps less of its peak in the
+middle."""
 _KEPT_IN_PAIRS = 0.8
 _KEPT_IN_THE_MIDDLE = 0.5
-"""The same where the conventions expect it on both sides (a cheek), and in the middle (the lips)."""
+"""The same where the conventions expect it on both sides (a cheek), and in the middle (the
+lips)."""
 
 
 def two_lobed(
-    trajectories: Trajectories, symmetry: Symmetry, visible: Flags, motion: Motion, both_sides: bool | None
+    trajectories: Trajectories,
+    symmetry: Symmetry,
+    visible: Flags,
+    motion: Motion,
+    both_sides: bool | None,
 ) -> bool:
-    """Whether a symmetric control's motion has two lobes off the mirror plane and little in between.
+    """Whether a symmetric control's motion has two lobes off the mirror plane and little in
+    between.
 
-    `visible` (n,) are the points that some view sees, `both_sides` says whether the conventions of the field expect
-    the control on both sides; None where they do not know it.  The control of a joint stands on the skin that its joint
-    owns, once.
+    `visible` (n,) are the points that some view sees, `both_sides` says whether the conventions of
+    the field expect the control on both sides; None where they do not know it.  The control of a
+    joint stands on the skin that its joint owns, once.
     """
     if motion.owned is not None:
         return False

@@ -35,12 +35,13 @@ _FINALISTS = 6
 _EQUAL = 0.01
 """In tolerances: planes whose misfits differ by less fit equally well."""
 _SAME = 1e-3
-"""Planes that mirror every point to places nearer than this share of the region's extent are one."""
+"""Planes that mirror every point to places nearer than this share of the region's extent are
+one."""
 _TRIM = 0.7
 """Share of the pairs, the nearest ones, that a fit believes."""
 _TIE = 1e-3
-"""Weight of motion against position when partners are chosen: decides only between points that nearly
-touch, as closed lips do."""
+"""Weight of motion against position when partners are chosen: decides only between points that
+nearly touch, as closed lips do."""
 _LEAST_SHARE = 0.5
 """Least share of the moving region whose mirror image must meet the surface."""
 
@@ -58,21 +59,28 @@ class _Plane:
     offset: float
 
     def reflect(self, points: Floats) -> Floats:
-        return np.asarray(points - 2.0 * (points @ self.normal - self.offset)[:, None] * self.normal)
+        return np.asarray(
+            points - 2.0 * (points @ self.normal - self.offset)[:, None] * self.normal
+        )
 
 
-def find_symmetry(rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings) -> Symmetry:
-    """Mirror plane, partner points and twin controls of `rig`; `fields` are those of `trajectories`.
+def find_symmetry(
+    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
+) -> Symmetry:
+    """Mirror plane, partner points and twin controls of `rig`; `fields` are those of
+    `trajectories`.
 
-    The normal points to the character's left.  Where less than half of the moving region has a mirror
-    image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins as the
-    configuration says or -1.
+    The normal points to the character's left.  Where less than half of the moving region has a
+    mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
+    as the configuration says or -1.
     """
     count = len(trajectories.base)
     tolerance = settings.symmetry.tolerance * trajectories.face_size
     plane = None
     if settings.symmetry.enabled and trajectories.motions:
-        plane = _named_instead(rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories)
+        plane = _named_instead(
+            rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories
+        )
     if plane is None:
         partner, distance = np.full(count, -1, dtype=np.int64), np.full(count, np.inf)
         origin, normal = np.zeros(3), np.zeros(3)
@@ -80,16 +88,26 @@ def find_symmetry(rig: Rig, trajectories: Trajectories, fields: DisplacementFiel
         plane = _towards_left(plane, rig, trajectories)
         partner, distance = _partners(plane, trajectories, tolerance)
         middle = trajectories.base.mean(axis=0)
-        normal, origin = plane.normal, middle - (middle @ plane.normal - plane.offset) * plane.normal
+        normal, origin = (
+            plane.normal,
+            middle - (middle @ plane.normal - plane.offset) * plane.normal,
+        )
     twins, sources, turned = find_twins(rig, trajectories, fields, (partner, normal), settings)
     return Symmetry(origin, normal, partner, distance, twins, sources, turned)
 
 
 def about_plane_of(
-    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, whole: Symmetry, settings: Settings
+    rig: Rig,
+    trajectories: Trajectories,
+    fields: DisplacementFields,
+    whole: Symmetry,
+    settings: Settings,
 ) -> Symmetry:
-    """The symmetry of a part of a character about the plane of the `whole`; parameters as of `find_symmetry`."""
-    twins, sources, turned = find_twins(rig, trajectories, fields, (whole.partner, whole.normal), settings)
+    """The symmetry of a part of a character about the plane of the `whole`; parameters as of
+    `find_symmetry`."""
+    twins, sources, turned = find_twins(
+        rig, trajectories, fields, (whole.partner, whole.normal), settings
+    )
     return replace(whole, twins=twins, sources=sources, reversed=turned)
 
 
@@ -104,10 +122,12 @@ def plane_distance(points: Floats, symmetry: Symmetry) -> Floats:
     return np.asarray((points - symmetry.origin) @ symmetry.normal, dtype=np.float64)
 
 
-# --- the plane ---------------------------------------------------------------------------------------
+# --- the plane ------------------------------------------------------------------------------------
 
 
-def _find_plane(up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float) -> _Plane | None:
+def _find_plane(
+    up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float
+) -> _Plane | None:
     """The best mirror plane, or None where the character has none."""
     region, weights = _moving_region(trajectories)
     if len(region) < 4:
@@ -122,12 +142,19 @@ def _find_plane(up: Floats, trajectories: Trajectories, fields: DisplacementFiel
     best, equal = _ranked(starts, tree, rough, slack)
     finalists = [_refined(plane, tree, rough, 12) for plane in best[: max(_FINALISTS, equal)]]
     best, equal = _ranked(finalists, tree, sample, slack)
-    found = [_polished(_refined(plane, tree, sample, 60), tree, sample, tolerance) for plane in best[:equal]]
-    found = _distinct([plane for plane in found if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE], sample)
+    found = [
+        _polished(_refined(plane, tree, sample, 60), tree, sample, tolerance)
+        for plane in best[:equal]
+    ]
+    found = _distinct(
+        [plane for plane in found if _share(plane, tree, sample, tolerance) >= _LEAST_SHARE], sample
+    )
     return found[0] if len(found) == 1 else _by_motions(found, up, trajectories, fields, tolerance)
 
 
-def _ranked(planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float) -> tuple[list[_Plane], int]:
+def _ranked(
+    planes: list[_Plane], tree: cKDTree, sample: Floats, slack: float
+) -> tuple[list[_Plane], int]:
     """The distinct planes, the best first, and how many of them fit as well as the best."""
     misfits = [_misfit(plane, tree, sample) for plane in planes]
     order = sorted(range(len(planes)), key=lambda i: (round(misfits[i] / slack, 3), i))
@@ -150,22 +177,32 @@ def _distinct(planes: list[_Plane], sample: Floats) -> list[_Plane]:
 
 
 def _by_motions(
-    planes: list[_Plane], up: Floats, trajectories: Trajectories, fields: DisplacementFields, tolerance: float
+    planes: list[_Plane],
+    up: Floats,
+    trajectories: Trajectories,
+    fields: DisplacementFields,
+    tolerance: float,
 ) -> _Plane | None:
-    """Of planes that the surface fits equally well (a face as symmetric upside down as left to right), the one whose
-    mirror maps the controls' motions to each other best; of those alike in this, the one most along the up axis."""
+    """Of planes that the surface fits equally well (a face as symmetric upside down as left to
+    right), the one whose mirror maps the controls' motions to each other best; of those alike in
+    this, the one most along the up axis.
+    """
 
     def preference(plane: _Plane) -> tuple[float, float]:
         partner, _ = _partners(plane, trajectories, tolerance)
         agreed = pairable(agreements(fields, partner, plane.normal), trajectories).max(axis=1)
-        return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(abs(float(plane.normal @ up)), 3)
+        return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(
+            abs(float(plane.normal @ up)), 3
+        )
 
     return min(planes, key=preference, default=None)
 
 
 def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
-    """Places (p, 3) that the rig moves, and their weights: area, so that dense regions do not prevail,
-    times how many controls move them, so that the face prevails over what only a few controls move."""
+    """Places (p, 3) that the rig moves, and their weights: area, so that dense regions do not
+    prevail, times how many controls move them, so that the face prevails over what only a few
+    controls move.
+    """
     count = len(trajectories.base)
     moved = np.zeros(count)
     for motion in trajectories.motions:
@@ -190,21 +227,29 @@ def _thinned(points: Floats, weights: Floats) -> Floats:
 
 
 def _starts(every: Floats, region: Floats, weights: Floats, up: Floats) -> list[_Plane]:
-    """Candidate planes in all directions about the up axis: through the middle of the moving region and to
-    both sides of it, and through the middle of the whole character, where a mesh modelled symmetric has it."""
+    """Candidate planes in all directions about the up axis: through the middle of the moving region
+    and to both sides of it, and through the middle of the whole character, where a mesh modelled
+    symmetric has it.
+    """
     found = []
     for normal in _normals(region - np.average(region, axis=0, weights=weights), weights, up):
         along = region @ normal
         order = np.argsort(rounded(along), kind="stable")
         share = np.cumsum(weights[order]) / weights.sum()
-        found += [_Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS]
+        found += [
+            _Plane(normal, float(along[order[np.searchsorted(share, level)]])) for level in _LEVELS
+        ]
     middle = every.mean(axis=0)
-    found += [_Plane(normal, float(normal @ middle)) for normal in _normals(every - middle, np.ones(len(every)), up)]
+    found += [
+        _Plane(normal, float(normal @ middle))
+        for normal in _normals(every - middle, np.ones(len(every)), up)
+    ]
     return found
 
 
 def _normals(centred: Floats, weights: Floats, up: Floats) -> list[Floats]:
-    """Candidate plane normals: directions around the up axis, and the principal axes of the region."""
+    """Candidate plane normals: directions around the up axis, and the principal axes of the
+    region."""
     side = np.cross(up, axis_across(up))
     side /= np.linalg.norm(side)
     ahead = np.cross(up, side)
@@ -239,8 +284,8 @@ def _polished(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) ->
 def _fitted(points: Floats, images: Floats, before: _Plane) -> _Plane:
     """The plane whose reflection brings `points` nearest to `images` in the least-squares sense.
 
-    With both centred, the squared misfit of normal n is a constant plus 4 (p . n)(q . n): the normal is
-    the eigenvector of least eigenvalue of the symmetric part of sum p q^T.
+    With both centred, the squared misfit of normal n is a constant plus 4 (p . n)(q . n): the
+    normal is the eigenvector of least eigenvalue of the symmetric part of sum p q^T.
     """
     a, b = points.mean(axis=0), images.mean(axis=0)
     product = (points - a).T @ (images - b)
@@ -261,8 +306,9 @@ def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> fl
 
 
 def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -> _Plane | None:
-    """The plane that was found, or the one between the joints named left and right where it lies across that: a robot
-    may be as symmetric from front to back.  Fitted to the surface where that hardly turns it."""
+    """The plane that was found, or the one between the joints named left and right where it lies
+    across that: a robot may be as symmetric from front to back.  Fitted to the surface where that
+    hardly turns it."""
     named = plane_of_names(rig)
     if named is None or (found is not None and abs(float(found.normal @ named[0])) >= _AGREES):
         return found
@@ -270,7 +316,10 @@ def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -
     region, weights = _moving_region(trajectories)
     if len(region) < 4:
         return found
-    tree, sample = cKDTree(trajectories.base[np.unique(trajectories.places)]), _thinned(region, weights)
+    tree, sample = (
+        cKDTree(trajectories.base[np.unique(trajectories.places)]),
+        _thinned(region, weights),
+    )
     fitted = _refined(plane, tree, sample, 60)
     return fitted if abs(float(fitted.normal @ plane.normal)) >= _HARDLY_TURNED else plane
 
@@ -278,13 +327,17 @@ def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -
 def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane:
     """The plane with its normal to the character's left.
 
-    What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where joints alone are
-    controls, the face on the head tells, and then the names of the joints.
+    What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
+    joints alone are controls, the face on the head tells, and then the names of the joints.
     """
     ahead, left = None, None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
         ahead, named = ahead_of_head(rig, trajectories), plane_of_names(rig)
-        left = named[0] if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES else None
+        left = (
+            named[0]
+            if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES
+            else None
+        )
     if ahead is not None:
         left = np.cross(rig.up, ahead)
     elif left is None:
@@ -293,11 +346,14 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
     return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
 
 
-# --- points ------------------------------------------------------------------------------------------
+# --- points ---------------------------------------------------------------------------------------
 
 
-def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> tuple[Indices, Floats]:
-    """For every point the place nearest to its mirror image, -1 beyond the tolerance, and its distance."""
+def _partners(
+    plane: _Plane, trajectories: Trajectories, tolerance: float
+) -> tuple[Indices, Floats]:
+    """For every point the place nearest to its mirror image, -1 beyond the tolerance, and its
+    distance."""
     base, places = trajectories.base, trajectories.places
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)

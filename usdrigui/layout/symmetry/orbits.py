@@ -1,4 +1,5 @@
-"""n-fold symmetry about an axis, as annotated by the user (paper section 3.3, symmetric elements)."""
+"""n-fold symmetry about an axis, as annotated by the user (paper section 3.3, symmetric
+elements)."""
 
 from __future__ import annotations
 
@@ -13,12 +14,16 @@ from usdrigui.settings import ControlSettings
 
 
 def configured_orbits(
-    rig: Rig, trajectories: Trajectories, overrides: Sequence[ControlSettings], index: Mapping[str, int]
+    rig: Rig,
+    trajectories: Trajectories,
+    overrides: Sequence[ControlSettings],
+    index: Mapping[str, int],
 ) -> tuple[tuple[int, ...], ...]:
     """Motions of every ``orbit`` of the configuration, in its order.
 
-    `overrides` (controls,) is the configuration of each control, `index` finds controls by name, old names included.
-    Raises CONFIG_UNKNOWN_CONTROL or CONFIG_VALUE for members that do not exist or repeat.
+    `overrides` (controls,) is the configuration of each control, `index` finds controls by name,
+    old names included. Raises CONFIG_UNKNOWN_CONTROL or CONFIG_VALUE for members that do not exist
+    or repeat.
     """
     moving = {motion.control: i for i, motion in enumerate(trajectories.motions)}
     found: list[tuple[int, ...]] = []
@@ -39,10 +44,16 @@ def configured_orbits(
 
 
 def orbit_points(
-    trajectories: Trajectories, orbit: Sequence[Motion], up: Floats, tolerance: float, points: Indices
+    trajectories: Trajectories,
+    orbit: Sequence[Motion],
+    up: Floats,
+    tolerance: float,
+    points: Indices,
 ) -> Indices:
-    """(p, n) images of `points` under the orbit's rotations, the points themselves first; -1 where no point
-    lies within the `tolerance`, a length, of the rotated position.  `orbit` are the motions of its n members."""
+    """(p, n) images of `points` under the orbit's rotations, the points themselves first; -1 where
+    no point lies within the `tolerance`, a length, of the rotated position.  `orbit` are the
+    motions of its n members.
+    """
     centre, axis = _axis(trajectories, orbit, up)
     places = trajectories.places
     chosen = np.flatnonzero(places == np.arange(len(places)))

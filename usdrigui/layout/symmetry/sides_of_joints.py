@@ -1,4 +1,5 @@
-"""Left, right and the front as the skeleton tells them: by the sides in names of joints and the face on its head."""
+"""Left, right and the front as the skeleton tells them: by the sides in names of joints and the
+face on its head."""
 
 from __future__ import annotations
 
@@ -25,8 +26,8 @@ _COUNT = re.compile(r"[ _.-]*\d+$")
 
 
 def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
-    """Normal (3,) to the left and offset of the plane between the joints whose names tell left and right, at the base
-    pose; None where too few do or they do not agree."""
+    """Normal (3,) to the left and offset of the plane between the joints whose names tell left and
+    right, at the base pose; None where too few do or they do not agree."""
     places, last = joint_places(rig), [joint.path.rsplit("/", 1)[-1] for joint in rig.joints]
     pairs = []
     for i, other in _twins(rig, last).items():
@@ -45,11 +46,13 @@ def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
 
 
 def _twins(rig: Rig, names: list[str]) -> dict[int, int]:
-    """Joints whose names are those of others with the sides swapped, to these; a number at the end, by which exporters
-    count joints, may differ where the name is the only one of its kind."""
+    """Joints whose names are those of others with the sides swapped, to these; a number at the end,
+    by which exporters count joints, may differ where the name is the only one of its kind."""
     found: dict[int, int] = {}
     for told in (names, [_COUNT.sub("", name) for name in names]):
-        keys = [(joint.skeleton, name.lower()) for joint, name in zip(rig.joints, told, strict=True)]
+        keys = [
+            (joint.skeleton, name.lower()) for joint, name in zip(rig.joints, told, strict=True)
+        ]
         counts = Counter(keys)
         alone = {key: i for i, key in enumerate(keys) if counts[key] == 1}
         for (skeleton, name), i in alone.items():
@@ -60,14 +63,27 @@ def _twins(rig: Rig, names: list[str]) -> dict[int, int]:
 
 
 def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
-    """(3,) horizontal vector from the middle of the head to that of the joints of its face; None without them."""
+    """(3,) horizontal vector from the middle of the head to that of the joints of its face; None
+    without them."""
     regions = joint_regions(rig, trajectories)
-    facial = [i for i, name in enumerate(regions.of_joint) if name == FACE] if regions is not None else []
-    head = np.array([name == FACE for name in (*regions.of_skin, "")]) if regions is not None else np.zeros(1, bool)
+    facial = (
+        [i for i, name in enumerate(regions.of_joint) if name == FACE]
+        if regions is not None
+        else []
+    )
+    head = (
+        np.array([name == FACE for name in (*regions.of_skin, "")])
+        if regions is not None
+        else np.zeros(1, bool)
+    )
     points = trajectories.base[head[owner_of_points(rig)]] if facial else np.zeros((0, 3))
     if not len(points):
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     way = joint_places(rig)[facial].mean(axis=0) - middle
     level = np.asarray(way - (way @ rig.up) * rig.up)
-    return level if float(np.linalg.norm(level)) >= _AHEAD * float(np.ptp(points, axis=0).max()) else None
+    return (
+        level
+        if float(np.linalg.norm(level)) >= _AHEAD * float(np.ptp(points, axis=0).max())
+        else None
+    )

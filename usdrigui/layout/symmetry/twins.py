@@ -1,8 +1,9 @@
-"""Twin controls: which control is the mirror image of which (paper section 3.3, symmetric elements).
+"""Twin controls: which control is the mirror image of which (paper section 3.3, symmetric
+elements).
 
-Two controls are twins when one's motion, mirrored, is the other's; or, of controls that go both ways, its
-reverse (the yaw of two eyes turned by the same joint axis).  Names are hints that decide only
-where the motions leave room; the configuration has the last word.
+Two controls are twins when one's motion, mirrored, is the other's; or, of controls that go both
+ways, its reverse (the yaw of two eyes turned by the same joint axis).  Names are hints that decide
+only where the motions leave room; the configuration has the last word.
 """
 
 from __future__ import annotations
@@ -30,7 +31,8 @@ def find_twins(
     mirror: tuple[Indices, Floats],
     settings: Settings,
 ) -> tuple[Indices, tuple[str, ...], Flags]:
-    """Twin of every control, how it was decided, and whether it goes the other way, as in `Symmetry`.
+    """Twin of every control, how it was decided, and whether it goes the other way, as in
+    `Symmetry`.
 
     `mirror` are the partners (n,) of all points and the normal (3,) of the mirror plane.
     """
@@ -43,7 +45,9 @@ def find_twins(
         raw = agreements(fields, partner, normal)
         raw = 0.5 * (raw + raw.T)
         free = [i for i, motion in enumerate(trajectories.motions) if motion.control not in fixed]
-        for a, b, source in _matched(rig, trajectories, raw, free, settings.symmetry.twin_similarity):
+        for a, b, source in _matched(
+            rig, trajectories, raw, free, settings.symmetry.twin_similarity
+        ):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
         reversed_twins = _reversed(trajectories, twins, raw)
@@ -57,7 +61,9 @@ def _reversed(trajectories: Trajectories, twins: Indices, raw: Floats) -> Flags:
     flags = np.zeros(len(twins), dtype=bool)
     for control in two_sided:
         twin = int(twins[control])
-        flags[control] = twin != control and twin in two_sided and raw[row[control], row[twin]] < 0.0
+        flags[control] = (
+            twin != control and twin in two_sided and raw[row[control], row[twin]] < 0.0
+        )
     return flags
 
 
@@ -70,21 +76,27 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
     """
     mirrored, own = _mirrored(fields, partner, normal)
     product = own.products(mirrored)
-    both = DisplacementFields(own.places, mirrored, own.weights).sizes()[:, None] + own.sizes()[None, :]
+    both = (
+        DisplacementFields(own.places, mirrored, own.weights).sizes()[:, None]
+        + own.sizes()[None, :]
+    )
     ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
     return np.asarray(ratio, dtype=np.float64)
 
 
 def pairable(raw: Floats, trajectories: Trajectories) -> Floats:
-    """`agreements` with the sign dropped between controls that swing to both sides: such a one is symmetric when its
-    mirror image is its own reverse, and so are two."""
+    """`agreements` with the sign dropped between controls that swing to both sides: such a one is
+    symmetric when its mirror image is its own reverse, and so are two."""
     swings = np.zeros(len(raw), dtype=bool)
     swings[list(bidirectional(trajectories))] = True
     return np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
 
 
-def _mirrored(fields: DisplacementFields, partner: Indices, normal: Floats) -> tuple[Singles, DisplacementFields]:
-    """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among them."""
+def _mirrored(
+    fields: DisplacementFields, partner: Indices, normal: Floats
+) -> tuple[Singles, DisplacementFields]:
+    """The mirrored vectors (motions, m, 3), and the fields, at the places whose partner is among
+    them."""
     row = np.full(len(partner), -1, dtype=np.int64)
     row[fields.places] = np.arange(len(fields.places))
     images = partner[fields.places]
@@ -96,7 +108,8 @@ def _mirrored(fields: DisplacementFields, partner: Indices, normal: Floats) -> t
 
 
 def _configured(rig: Rig, settings: Settings, twins: Indices, sources: list[str]) -> set[int]:
-    """Enter the configured twins into `twins` and `sources`; returns the controls that it decides."""
+    """Enter the configured twins into `twins` and `sources`; returns the controls that it
+    decides."""
     index = control_index(rig, settings.controls)
     fixed: set[int] = set()
     for own, override in enumerate(control_overrides(rig, settings)):
@@ -124,11 +137,12 @@ def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
 def _matched(
     rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
-    """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at once.
+    """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at
+    once.
 
-    A matching of greatest weight (Edmonds; `networkx.max_weight_matching`): a pair weighs what both of its controls
-    agree, a control that is its own mirror image is matched with a node of its own.  Where weights tie, the pair whose
-    names come first is matched.
+    A matching of greatest weight (Edmonds; `networkx.max_weight_matching`): a pair weighs what both
+    of its controls agree, a control that is its own mirror image is matched with a node of its own.
+    Where weights tie, the pair whose names come first is matched.
     """
     raw = pairable(raw, trajectories)
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
@@ -145,8 +159,13 @@ def _matched(
     by_name = sorted(found, key=lambda pair: sorted(names[i] for i in pair), reverse=True)
     graph = nx.Graph()
     for rank, (i, j) in enumerate(by_name):
-        # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than one unit.
+        # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than
+        # one unit.
         graph.add_edge(i, j if i != j else -1 - i, weight=len(by_name) ** 2 * found[i, j] + rank)
-    matched = sorted(sorted(i if i >= 0 else -1 - i for i in pair) for pair in nx.max_weight_matching(graph))
+    matched = sorted(
+        sorted(i if i >= 0 else -1 - i for i in pair) for pair in nx.max_weight_matching(graph)
+    )
     controls = [motion.control for motion in trajectories.motions]
-    return [(controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched]
+    return [
+        (controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched
+    ]

@@ -1,8 +1,8 @@
 """Our checks as validators of USD itself (UsdValidation, USD 26.5 and later).
 
-plugInfo.json beside this file describes a plug-in, `usdrigui.usd.validation.tasks`, that USD imports when
-its validators are asked for.  With `plugin_path()` in ``PXR_PLUGINPATH_NAME`` every application that runs
-validators finds them; `register` makes them known to this process.
+plugInfo.json beside this file describes a plug-in, `usdrigui.usd.validation.tasks`, that USD
+imports when its validators are asked for.  With `plugin_path()` in ``PXR_PLUGINPATH_NAME`` every
+application that runs validators finds them; `register` makes them known to this process.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ import importlib
 from pathlib import Path
 
 NAME = "usdrigui.usd.validation.tasks"
-"""Name of the plug-in; a validator's name is this, a colon, and BlendShapes, ShapeWeights or Layouts."""
+"""Name of the plug-in; a validator's name is this, a colon, and BlendShapes, ShapeWeights or
+Layouts."""
 
 
 def plugin_path() -> Path:
@@ -20,7 +21,8 @@ def plugin_path() -> Path:
 
 
 def register() -> None:
-    """Make the validators known to the USD of this process, even if it has looked for validators before."""
+    """Make the validators known to the USD of this process, even if it has looked for validators
+    before."""
     from pxr import Plug, UsdValidation
 
     Plug.Registry().RegisterPlugins(str(plugin_path()))

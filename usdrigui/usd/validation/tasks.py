@@ -34,7 +34,8 @@ def _layouts(stage: Usd.Stage, *_: Any) -> list[Any]:
 
 
 def _as_error(found: Issue, stage: Usd.Stage, owner: Sdf.Path) -> Any:
-    """One finding, at the prim that was looked at and, where it is another, at the prim that it is about."""
+    """One finding, at the prim that was looked at and, where it is another, at the prim that it is
+    about."""
     sites = [UsdValidation.ValidationErrorSite(stage, owner)]
     if found.path.startswith("/") and found.path != str(owner) and stage.GetPrimAtPath(found.path):
         sites.append(UsdValidation.ValidationErrorSite(stage, Sdf.Path(found.path)))
@@ -57,7 +58,8 @@ def _repair(error: Any, target: Any, *_: Any) -> bool:
 def _register(kind: str, tasks: str, function: Any, **fixers: Any) -> None:
     """One validator: as the plug-in that `plugInfo.json` describes, or else by its metadata alone.
 
-    A registry reads the metadata of plug-ins when it is made; what is known to it later must bring its own.
+    A registry reads the metadata of plug-ins when it is made; what is known to it later must bring
+    its own.
     """
     registry = UsdValidation.ValidationRegistry()
     name = f"{NAME}:{kind}"
@@ -74,7 +76,9 @@ def _register(kind: str, tasks: str, function: Any, **fixers: Any) -> None:
 
 _FIXER = UsdValidation.ValidationFixer(
     name="PairNamesAndTargets",
-    description="Drop the pairs of name and target that UsdSkel ignores, and use the animation's order.",
+    description=(
+        "Drop the pairs of name and target that UsdSkel ignores, and use the animation's order."
+    ),
     fixerImplFn=_repair,
     canApplyFn=_can_repair,
 )

@@ -23,7 +23,8 @@ _CONTRIBUTION: dict[str, Any] = {
     "contribution_variant": "{variant}",
     "contribution_variant_is_default": False,
 }
-"""Every attribute that AYON's collector of USD contributions reads: a sublayer of the asset's rig layer."""
+"""Every attribute that AYON's collector of USD contributions reads: a sublayer of the asset's rig
+layer."""
 _SHARED = ("folderPath", "task", "variant", "stagingDir", "version", "followWorkfileVersion")
 
 
@@ -32,11 +33,11 @@ class CollectRigUI(pyblish.api.ContextPlugin):
 
     Characters are the files in ``context.data["rigUIAssets"]``, else in the environment variable
     USDRIGUI_PUBLISH (separated as paths are), and those that instances of the families ``rig`` and
-    ``character`` name in ``data["usdFile"]``.  An instance may name its layer in ``data["rigUILayer"]``;
-    otherwise it is ``CHAR.rigui.usda`` beside the character.
+    ``character`` name in ``data["usdFile"]``.  An instance may name its layer in
+    ``data["rigUILayer"]``; otherwise it is ``CHAR.rigui.usda`` beside the character.
 
-    Under AYON the layout contributes to USD as its rig does, one step stronger: with the rig's own attributes where
-    it has any, else as a sublayer of the ``rig`` layer of ``usdAsset``.
+    Under AYON the layout contributes to USD as its rig does, one step stronger: with the rig's own
+    attributes where it has any, else as a sublayer of the ``rig`` layer of ``usdAsset``.
     """
 
     label = "Collect rig UI layouts"
@@ -45,7 +46,9 @@ class CollectRigUI(pyblish.api.ContextPlugin):
 
     def process(self, context: Any) -> None:
         """Make the instances."""
-        listed = context.data.get("rigUIAssets") or os.environ.get("USDRIGUI_PUBLISH", "").split(os.pathsep)
+        listed = context.data.get("rigUIAssets") or os.environ.get("USDRIGUI_PUBLISH", "").split(
+            os.pathsep
+        )
         for path in filter(None, map(str, listed)):
             self._add(context, Path(path), {})
         for instance in list(context):
@@ -57,7 +60,8 @@ class CollectRigUI(pyblish.api.ContextPlugin):
     def _add(self, context: Any, asset: Path, source: Any) -> None:
         product = source.get("productName") or f"usd{asset.stem[:1].upper()}{asset.stem[1:]}"
         instance = context.create_instance(f"{product}RigUI")
-        # AYON requires a folder, a product and a variant of each instance; a listed asset goes to the context's folder.
+        # AYON requires a folder, a product and a variant of each instance; a listed asset goes to
+        # the context's folder.
         found = {key: context.data[key] for key in ("folderPath", "task") if key in context.data}
         found |= {key: source[key] for key in _SHARED if key in source}
         instance.data.update({"variant": asset.stem, **found})

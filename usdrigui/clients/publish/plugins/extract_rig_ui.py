@@ -12,7 +12,8 @@ from usdrigui.clients.publish import hook
 
 
 class ExtractRigUI(pyblish.api.InstancePlugin):
-    """The layout as a representation: a bare copy of the layer, staged, so that it can lie over any rig layer.
+    """The layout as a representation: a bare copy of the layer, staged, so that it can lie over any
+    rig layer.
 
     The representation is called ``usd``, as AYON's USD contributions look for that name.
     """

@@ -8,15 +8,19 @@ from typing import Any
 import pyblish.api
 
 from usdrigui.clients.publish import hook
-from usdrigui.clients.publish.framework import OptionalPyblishPluginMixin, PublishValidationError, RepairAction
+from usdrigui.clients.publish.framework import (
+    OptionalPyblishPluginMixin,
+    PublishValidationError,
+    RepairAction,
+)
 from usdrigui.errors import by_cause, sentences
 
 
 class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
     """The layout fits the character as it is, and every handle can be told apart and grabbed.
 
-    Runs `usdrigui check`.  The repair action lays the character out again; hand-made changes of the layer
-    are lost by it, so look at `usdrigui check` first where there are any.
+    Runs `usdrigui check`.  The repair action lays the character out again; hand-made changes of the
+    layer are lost by it, so look at `usdrigui check` first where there are any.
     """
 
     label = "Rig UI layout fits its rig"
@@ -26,7 +30,8 @@ class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
     optional = True
 
     def process(self, instance: Any) -> None:
-        """Raise what is found, a line for each cause; nothing where the publisher has switched the check off."""
+        """Raise what is found, a line for each cause; nothing where the publisher has switched the
+        check off."""
         if not self.is_active(instance.data):
             return
         asset, layer = Path(instance.data["rigUIAsset"]), Path(instance.data["rigUILayer"])
@@ -36,7 +41,9 @@ class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
             self.log.error("%s %s: %s", each.code, each.path, sentences(each))
         if causes:
             first = f"{causes[0].code} {causes[0].path}: {causes[0].message}"
-            raise PublishValidationError(first, title=hook.TITLE, description=hook.described(asset, found))
+            raise PublishValidationError(
+                first, title=hook.TITLE, description=hook.described(asset, found)
+            )
 
     @classmethod
     def repair(cls, instance: Any) -> None:
