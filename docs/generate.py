@@ -93,10 +93,7 @@ def settings_page() -> str:
         *(rows.pop(key) for key in TEN),
     ]
     parts += ["\n## The rest\n\n"]
-    parts += [
-        f"- `[{name}]` {inspect.cleandoc(part.__doc__).splitlines()[0]}\n"
-        for name, part in _parts()
-    ]
+    parts += [f"- `[{name}]` {_first_sentences(part)}\n" for name, part in _parts()]
     parts += [f"\n{_HEAD}", *rows.values()]
     parts.append("\n## Presets\n\n")
     for name, values in PRESETS.items():
@@ -107,6 +104,11 @@ def settings_page() -> str:
         ]
         parts.append(f"- `{name}`: {', '.join(changed) or 'the defaults above'}\n")
     return "".join(parts)
+
+
+def _first_sentences(part: type) -> str:
+    """The first paragraph of its docstring, in one line."""
+    return " ".join(inspect.cleandoc(part.__doc__ or "").partition("\n\n")[0].split())
 
 
 def codes_page() -> str:
