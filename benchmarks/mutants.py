@@ -1,15 +1,19 @@
 """Small faults put into the code one by one, and whether the tests of the file notice.
 
     python benchmarks/mutants.py [--count 100] [--seed 0] [--within layout solve pose usd]
-    [--seconds 120] [--json FILE]
+    [--record tests/unit tests/laws] [--reached FILE ...] [--seconds 60] [--json FILE]
 
 A mutant is one change of one expression: a number, a comparison, `+` for `-`, `max` for `min`, the
 last for the first. The kind is drawn first, then the place, so that no kind crowds out the others.
-Each is made in a copy of the checkout, and the quick tests of its file run there until one fails:
-those of its name, those that import it, those of its folder, and the laws of its package.  A mutant
-is killed when a test fails or when they take more than `--seconds` of processor time.  The test
-that kills must pass without the mutant.  Prints a line for each and the share killed; exit 1 below
-`--least`.
+All is done in a copy of the checkout. The quick tests of `--record` run there once with the places
+of the mutants marked (mutants_seen.py): what reaches a place is known, and what it takes. Then each
+mutant is made, and the tests that reach it run until one fails: those of its file first, the quick
+before the slow, as many as took `--seconds` of processor time. A mutant is killed when a test fails
+or when they take five times as long as they did. The test that kills must pass without the mutant.
+Prints a line for each and the share killed; exit 1 below `--least`.
+
+Shares: `--only-record FILE` writes what one share of `--record` reached; `--reached FILE ...` takes
+such files in place of recording; `--first` and `--count` are a share of the mutants.
 """
 
 from __future__ import annotations
@@ -31,19 +35,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-LAWS = {
-    "layout": ["tests/laws/test_layout_laws.py", "tests/unit/test_sample_asset.py"],
-    "solve": ["tests/unit/test_solve_exact.py", "tests/unit/test_solve_methods.py"],
-    "pose": ["tests/laws/test_posing_equals_usdskel.py"],
-    "usd": [
-        "tests/laws/test_layout_round_trip.py",
-        "tests/unit/test_layer.py",
-        "tests/unit/test_reading_controls.py",
-    ],
-}
-"""Tests that every file of a package answers to, after its own."""
-ELSEWHERE = ("tests/real/", "tests/refuse/", "tests/clients/", "tests/cli/", "tests/blender/")
-"""Tests of whole commands import much and are near no file."""
+PACKAGES = ("layout", "pose", "solve", "usd")
+RECORDED = ("tests/unit", "tests/laws")
+"""Tests of whole commands reach everything and take long: they are recorded when asked for."""
 COMPARED = {ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="}
 REPLACED = {ast.Add: "-", ast.Sub: "+", ast.Mult: "/", ast.Div: "*"}
 NAMES = {
@@ -67,6 +61,8 @@ class Mutant:
     start: int
     old: str
     new: str
+    span: tuple[int, int]
+    """The expression that is marked to see which tests reach it."""
 
     def applied(self, text: str) -> str:
         """The text of its file with the change."""
@@ -94,13 +90,13 @@ def mutants(path: Path) -> Iterator[Mutant]:
     ) -> Iterator[Mutant]:
         found = re.compile(pattern).search(text, after, before)
         if found:
-            yield Mutant(
-                str(path.relative_to(ROOT)), node.lineno, kind, found.start(), found.group(), new
-            )
+            where = str(path.relative_to(ROOT))
+            yield Mutant(where, node.lineno, kind, found.start(), found.group(), new, span)
 
     for node in _expressions(ast.parse(text)):
         start = offset(node.lineno, node.col_offset)
         end = offset(node.end_lineno or 0, node.end_col_offset or 0)
+        span = start, end
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
                 new = str(value + 1) if isinstance(value, int) else repr(value * 1.5 or 1.0)
@@ -158,70 +154,165 @@ def drawn(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
 # --- tests ----------------------------------------------------------------------------------------
 
 
-def tests_of(path: str) -> list[str]:
-    """Test files that answer for a file of the package, the nearest first."""
-    inside = Path(path).relative_to("usdrigui").with_suffix("")
-    folder = ROOT / "tests" / "unit" / inside.parent
-    if inside.parts[0] == "solve":
-        near = sorted(ROOT.glob("tests/unit/test_solve_*.py"))
-    else:
-        near = [
-            *folder.glob(f"test_{inside.stem}.py"),
-            *ROOT.glob(f"tests/unit/test_{inside.stem}.py"),
-        ]
-    module = ".".join(("usdrigui", *inside.parts))
-    everything = sorted((ROOT / "tests").rglob("test_*.py"))
-    near += [each for each in everything if module in _imported(each)]
-    near += sorted(folder.glob("test_*.py")) if len(inside.parts) > 2 else []
-    names = [str(each.relative_to(ROOT)) for each in near] + LAWS[inside.parts[0]]
-    return [
-        each
-        for each in dict.fromkeys(names)
-        if not each.startswith(ELSEWHERE) and (ROOT / each).exists()
+@dataclass(frozen=True)
+class Reached:
+    """Places that passing tests reach, and the processor seconds that each test took."""
+
+    tests_at: dict[str, set[str]]
+    on_import: set[str]
+    seconds: dict[str, float]
+
+    @staticmethod
+    def read(files: Sequence[Path]) -> Reached:
+        """What runners wrote (mutants_seen.py), one file each."""
+        reached = Reached({}, set(), {})
+        for file in files:
+            test, places = "", set[str]()
+            for line in file.read_text(encoding="utf-8").splitlines():
+                mark, _, rest = line.partition(" ")
+                if mark == "S" and not test:
+                    reached.on_import.add(rest)
+                elif mark == "S":
+                    places.add(rest)
+                elif mark == "T":
+                    test, places = rest, set()
+                else:
+                    reached.seconds[test] = float(rest)
+                    for place in places:
+                        reached.tests_at.setdefault(place, set()).add(test)
+        return reached
+
+    def by(self, mutant: Mutant, seconds: float) -> list[str]:
+        """Tests that reach the mutant, those of its file first, the quick before the slow.
+
+        What importing reaches is judged by the tests that reach a function of the file which names
+        it; where none does, by those that reach any.
+        """
+        tests = self.tests_at.get(_place(mutant), set())
+        if _place(mutant) not in self.tests_at:
+            functions = _functions_naming(mutant)
+            tests = set().union(*(self.tests_at.get(each, set()) for each in functions))
+        near = Path(mutant.path).stem
+
+        def rank(test: str) -> tuple[bool, float, str]:
+            return near not in Path(test.partition("::")[0]).stem, self.seconds[test], test
+
+        chosen, total = [], 0.0
+        for test in sorted(tests, key=rank):
+            if not chosen or total + self.seconds[test] <= seconds:
+                chosen.append(test)
+                total += self.seconds[test]
+        return chosen
+
+
+def _place(mutant: Mutant) -> str:
+    return f"{mutant.path}[{mutant.span[0]}:{mutant.span[1]}]"
+
+
+def _functions(path: str) -> list[tuple[str, ast.FunctionDef]]:
+    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
+    found = [each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)]
+    return [(f"{path}:{each.lineno}", each) for each in found]
+
+
+def _functions_naming(mutant: Mutant) -> list[str]:
+    """Places of the functions of its file that name what its statement assigns, or of all."""
+    functions = _functions(mutant.path)
+    assigned = set()
+    for node in ast.parse((ROOT / mutant.path).read_text(encoding="utf-8")).body:
+        if node.lineno <= mutant.line <= (node.end_lineno or 0) and isinstance(
+            node, ast.Assign | ast.AnnAssign
+        ):
+            assigned = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+    naming = [
+        place
+        for place, function in functions
+        if any(isinstance(each, ast.Name) and each.id in assigned for each in ast.walk(function))
     ]
+    return naming or [place for place, _ in functions]
 
 
-def _imported(path: Path) -> set[str]:
-    """Dotted names that a file imports, of modules or of what is in them."""
-    found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            found |= {each.name for each in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            found |= {node.module, *(f"{node.module}.{each.name}" for each in node.names)}
-    return found
+def marked(path: str, mutants: Sequence[Mutant]) -> str:
+    """The text of a file that says when a mutant's expression or a function is reached."""
+    text = (ROOT / path).read_text(encoding="utf-8")
+    lines = text.splitlines(keepends=True)
+    starts = [sum(map(len, lines[:at])) for at in range(len(lines))]
+    added: list[tuple[int, int, str]] = []
+    for place, function in _functions(path):
+        first = function.body[1 if ast.get_docstring(function) and function.body[1:] else 0]
+        line = min([first.lineno, *(each.lineno for each in getattr(first, "decorator_list", ()))])
+        if line > function.body[0].lineno or line > function.lineno:
+            indent = " " * first.col_offset
+            added.append((starts[line - 1], 0, f"{indent}_seen({place!r})\n"))
+    for start, end in {each.span for each in mutants}:
+        place = f"{path}[{start}:{end}]"
+        pair = [(start, -end, f"(_seen({place!r}) or ("), (end, -start, "))")]
+        if _parses(_with(text, pair)):
+            added += pair
+    future = re.search(r"^from __future__ import annotations\n", text, re.MULTILINE)
+    assert future, path
+    added.append((future.end(), 0, "from usdrigui._seen import seen as _seen\n"))
+    return _with(text, added)
 
 
-def failing(copy: Path, tests: Sequence[str], seconds: float) -> str:
-    """The first test that fails in the copy, `time` if they take too long, or nothing."""
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-x",
-        "-n",
-        "0",
-        "--suite",
-        "quick",
-        "-p",
-        "no:cacheprovider",
-        *tests,
-    ]
-    whole = max(1, int(seconds))
-    done = subprocess.run(
-        command,
+def _with(text: str, added: Sequence[tuple[int, int, str]]) -> str:
+    for at, _, new in sorted(added, reverse=True):
+        text = text[:at] + new + text[at:]
+    return text
+
+
+def _parses(text: str) -> bool:
+    try:
+        ast.parse(text)
+    except SyntaxError:
+        return False
+    return True
+
+
+def record(copy: Path, mutants: Sequence[Mutant], tests: Sequence[str], file: Path) -> None:
+    """Write what the tests reach of the mutants, run in the copy, which is as before after it."""
+    plugin = copy / "usdrigui" / "_seen.py"
+    shutil.copy2(Path(__file__).with_name("mutants_seen.py"), plugin)
+    before = {each.path: (copy / each.path).read_text(encoding="utf-8") for each in mutants}
+    for path in before:
+        of_file = [each for each in mutants if each.path == path]
+        (copy / path).write_text(marked(path, of_file), encoding="utf-8")
+    file.unlink(missing_ok=True)
+    environment = {"MUTANTS_SEEN": str(file.resolve())}
+    done = _pytest(copy, ["-p", "usdrigui._seen", *tests], environment, None)
+    print(done.stdout.strip().splitlines()[-1], flush=True)
+    for path, text in before.items():
+        (copy / path).write_text(text, encoding="utf-8")
+    plugin.unlink()
+
+
+def _pytest(
+    copy: Path, arguments: Sequence[str], environment: dict[str, str], seconds: int | None
+) -> subprocess.CompletedProcess[str]:
+    def limited() -> None:
+        if seconds is not None:
+            resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+
+    options = ["-n", "0", "--suite", "quick", "-p", "no:cacheprovider", "-p", "no:randomly"]
+    return subprocess.run(
+        [sys.executable, "-m", "pytest", *options, *arguments],
         cwd=copy,
         capture_output=True,
         text=True,
         check=False,
-        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(copy)},
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (whole, whole + 5)),
+        env={**os.environ, **environment, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONPATH": str(copy)},
+        preexec_fn=limited,
     )
+
+
+def failing(copy: Path, tests: Sequence[str], seconds: float) -> str:
+    """The first test that fails in the copy, `time` if they take too long, or nothing."""
+    done = _pytest(copy, ["-x", *tests], {}, max(1, int(seconds)))
     if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return "time"
     if done.returncode == 0:
         return ""
-    named = re.search(r"^(?:FAILED|ERROR) (\S+)", done.stdout, re.MULTILINE)
+    named = re.search(r"^(?:FAILED|ERROR) (.+?)(?: - .*)?$", done.stdout, re.MULTILINE)
     return named.group(1) if named else f"exit {done.returncode}"
 
 
@@ -237,15 +328,22 @@ def _copied(folder: Path) -> Path:
     return folder
 
 
-def judged(copy: Path, mutant: Mutant, seconds: float) -> str:
+def judged(copy: Path, mutant: Mutant, reached: Reached, seconds: float) -> str:
     """What kills the mutant; nothing where it survives."""
+    tests = reached.by(mutant, seconds)
+    if not tests:
+        return ""
+    allowed = 30.0 + 5.0 * sum(reached.seconds[each] for each in tests)
     target = copy / mutant.path
     sound = target.read_text(encoding="utf-8")
     target.write_text(mutant.applied(sound), encoding="utf-8")
     try:
-        return failing(copy, tests_of(mutant.path), seconds)
+        by = failing(copy, tests, allowed)
     finally:
         target.write_text(sound, encoding="utf-8")
+    if "::" in by and failing(copy, [by], allowed):
+        raise SystemExit(f"{by} fails without a mutant")
+    return by
 
 
 def main() -> int:
@@ -256,20 +354,27 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--first", type=int, default=0, help="pass over so many of those drawn")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--within", nargs="+", choices=sorted(LAWS), default=sorted(LAWS))
-    parser.add_argument("--seconds", type=float, default=120.0)
+    parser.add_argument("--within", nargs="+", choices=PACKAGES, default=PACKAGES)
+    parser.add_argument("--record", nargs="+", default=RECORDED, metavar="TESTS")
+    parser.add_argument("--only-record", type=Path, metavar="FILE")
+    parser.add_argument("--reached", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--least", type=float, default=0.9)
     parser.add_argument("--json", type=Path)
     asked = parser.parse_args()
     rows = []
     with tempfile.TemporaryDirectory() as place:
-        copy = _copied(Path(place))
+        copy = _copied(Path(place, "copy"))
         chosen = drawn(asked.within, asked.first + asked.count, asked.seed)[asked.first :]
+        if asked.only_record or not asked.reached:
+            file = asked.only_record or Path(place, "reached")
+            record(copy, chosen, asked.record, file)
+            if asked.only_record:
+                return 0
+            asked.reached = [file]
+        reached = Reached.read(asked.reached)
         for mutant in chosen:
-            by = judged(copy, mutant, asked.seconds)
-            if "::" in by and failing(copy, [by], asked.seconds):
-                print(f"{by} fails without a mutant", file=sys.stderr)
-                return 2
+            by = judged(copy, mutant, reached, asked.seconds)
             rows.append({**asdict(mutant), "killed by": by})
             change = f"{mutant.path}:{mutant.line} {mutant.kind}: {mutant.old} -> {mutant.new}"
             print(f"{'killed  ' if by else 'SURVIVED'} {change}  {by}", flush=True)

@@ -54,8 +54,10 @@ class Line:
 
     @property
     def grouping(self):
-        """What the stage of groups reads."""
-        return self.face, self.candidates, self.inputs.similarity, self.inputs.requests, self.inputs.settings
+        """What the stage of groups reads, but for what the configuration says of controls."""
+        inputs = self.inputs
+        groups, symmetry = inputs.settings.groups, inputs.settings.symmetry
+        return self.face, self.candidates, inputs.similarity, inputs.requests, groups, symmetry
 
 
 def problem_of(rig, settings=None, base_values=None, prior=NO_PRIOR):
@@ -77,7 +79,12 @@ def with_candidates(rig, settings=None):
     """A face and the candidates on it."""
     settings = settings or Settings()
     found = measured(rig, settings)
-    return Line(Placing(found.face, find_candidates(found.face, found.classification, found.requests, settings)))
+    return Line(
+        Placing(
+            found.face,
+            find_candidates(found.face, found.classification, found.requests, settings.candidates, settings.objective),
+        )
+    )
 
 
 def _start(rig, settings, base_values):

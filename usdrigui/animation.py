@@ -79,7 +79,9 @@ def animation_facts(
     uses.sort(key=lambda each: (-round(each.use, 9), each.control))
 
     def one_place(names: Sequence[str]) -> bool:
-        return share_a_place(face, candidates, similarity, requests, settings, names)
+        return share_a_place(
+            face, candidates, similarity, requests, settings.groups, settings.symmetry, names
+        )
 
     sets = [
         _suggestion(rig, controls, agreement, twins, one_place)

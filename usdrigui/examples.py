@@ -29,7 +29,13 @@ from usdrigui.layout.reuse.prior_layout import (
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.retargeting import of_another
 from usdrigui.model import Layout, Performance, Rig, Trajectories
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import (
+    ControlSettings,
+    LikeSettings,
+    ReadSettings,
+    Settings,
+    TrajectorySettings,
+)
 from usdrigui.usd.reader_process import read_composed_isolated, read_layouts_isolated
 from usdrigui.usd.reader_records import LayoutsResult
 from usdrigui.usd.source import SourceFile
@@ -132,14 +138,16 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
     )
 
 
-def rigs_over(examples: Examples, rigs: tuple[Rig, ...], settings: Settings) -> tuple[Rig, ...]:
+def rigs_over(
+    examples: Examples, rigs: tuple[Rig, ...], sampling: TrajectorySettings
+) -> tuple[Rig, ...]:
     """The characters to lay out: all, or those with an existing layout.
 
     Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of
     them.
     """
     if examples.previous and not any(
-        _can_be_of(examples.previous.get(rig.root), rig, settings) for rig in rigs
+        _can_be_of(examples.previous.get(rig.root), rig, sampling) for rig in rigs
     ):
         raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
     if examples.base is None:
@@ -167,12 +175,12 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
     return f"shares no control with a layout of the layer, of {', '.join(previous)}"
 
 
-def _can_be_of(layout: Layout | None, rig: Rig, settings: Settings) -> bool:
+def _can_be_of(layout: Layout | None, rig: Rig, sampling: TrajectorySettings) -> bool:
     """Whether a layout can be an earlier one of this character, all of whose controls may have
     other names now."""
     if layout is None or _shares_controls(layout, rig):
         return layout is not None
-    return bool(match_layout(layout, rig, find_trajectories(rig, settings.trajectories)).names)
+    return bool(match_layout(layout, rig, find_trajectories(rig, sampling)).names)
 
 
 def _shares_controls(layout: Layout, rig: Rig) -> bool:
@@ -192,9 +200,14 @@ class OwnExamples:
 
 
 def own_examples(
-    examples: Examples, rig: Rig, trajectories: Trajectories, settings: Settings
+    examples: Examples,
+    rig: Rig,
+    trajectories: Trajectories,
+    settings: LikeSettings,
+    sampling: TrajectorySettings,
 ) -> OwnExamples:
-    """The examples of one character, their controls matched with those that it has now.
+    """The examples of one character, their controls matched with those that it has now; `sampling`
+    is for the trajectories of a character to imitate.
 
     Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
     layer has no such character, or none of several characters to imitate has the path of this one.
@@ -216,51 +229,57 @@ def own_examples(
         for which, each in earlier.items()
         if each is not None
     }
-    like = _to_imitate(examples, rig, settings)
+    like = _to_imitate(examples, rig, settings.names, sampling)
     if like is not None:
-        found["like"] = match_rigs(like[:2], (rig, trajectories), settings.like.names)
+        found["like"] = match_rigs(like[:2], (rig, trajectories), settings.names)
     return OwnExamples(here.get("fixed"), here.get("previous"), like, found)
 
 
-def with_fixed(examples: OwnExamples, rig: Rig, settings: Settings) -> Settings:
-    """The settings of one character with the anchors that the examples fix.
+def with_fixed(
+    examples: OwnExamples, rig: Rig, controls: Mapping[str, ControlSettings]
+) -> Mapping[str, ControlSettings]:
+    """What the configuration says of the controls of one character, with the anchors that the
+    examples fix.
 
     Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
     """
-    return fixed_by(examples.fixed, rig, settings) if examples.fixed is not None else settings
+    return fixed_by(examples.fixed, rig, controls) if examples.fixed is not None else controls
 
 
 def decisions(
-    examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings
+    examples: OwnExamples, rig: Rig, trajectories: Trajectories, keep_penalty: float
 ) -> Pins:
-    """What a person has decided in the layouts that the new one succeeds; nothing at
-    ``objective.keep_penalty = 0``."""
+    """What a person has decided in the layouts that the new one succeeds; nothing at a
+    `keep_penalty` (``objective.keep_penalty``) of 0."""
     before = examples.previous or examples.fixed
-    if before is None or settings.objective.keep_penalty <= 0.0:
+    if before is None or keep_penalty <= 0.0:
         return Pins()
     return pins_of(before, rig, posed(rig, None).points, trajectories)
 
 
 def prior_layout_of(
-    examples: OwnExamples, rig: Rig, trajectories: Trajectories, settings: Settings
+    examples: OwnExamples,
+    rig: Rig,
+    trajectories: Trajectories,
+    settings: LikeSettings,
+    keep_penalty: float,
 ) -> PriorLayout:
-    """What the examples ask of one character besides fixed anchors."""
+    """What the examples ask of one character besides fixed anchors; `keep_penalty` is what leaving
+    a place of its earlier layout costs."""
     prior = NO_PRIOR
-    if examples.like is not None and settings.like.penalty > 0.0:
+    if examples.like is not None and settings.penalty > 0.0:
         other, found, layout = examples.like
-        names = {**examples.matchings["like"].names, **settings.like.names}
-        prior = of_another(
-            layout, (other, found), (rig, trajectories), names, settings.like.penalty
-        )
+        names = {**examples.matchings["like"].names, **settings.names}
+        prior = of_another(layout, (other, found), (rig, trajectories), names, settings.penalty)
     if examples.previous is not None:
-        prior = of_previous(examples.previous, rig, settings.objective.keep_penalty)
+        prior = of_previous(examples.previous, rig, keep_penalty)
     if examples.fixed is not None:
         prior = joined(PriorLayout(kept_groups(examples.fixed, rig)), prior)
     return prior
 
 
 def _to_imitate(
-    examples: Examples, rig: Rig, settings: Settings
+    examples: Examples, rig: Rig, names: Mapping[str, str], sampling: TrajectorySettings
 ) -> tuple[Rig, Trajectories, Layout] | None:
     if not examples.like:
         return None
@@ -270,8 +289,8 @@ def _to_imitate(
             "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}"
         )
     other, layout = by_root.get(rig.root) or examples.like[0]
-    _check_names(settings.like.names, other, rig)
-    return other, find_trajectories(other, settings.trajectories), layout
+    _check_names(names, other, rig)
+    return other, find_trajectories(other, sampling), layout
 
 
 def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:

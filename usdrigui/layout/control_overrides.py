@@ -3,22 +3,24 @@ one."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from usdrigui.model import Rig
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings
 
 
-def control_overrides(rig: Rig, settings: Settings) -> tuple[ControlSettings, ...]:
-    """(controls,) the configuration's part for every control of `rig`; defaults where it sets
-    nothing."""
-    renamed = {each.rename: each for each in settings.controls.values() if each.rename}
+def control_overrides(
+    rig: Rig,
+    controls: Mapping[str, ControlSettings],
+    groups: Mapping[str, Sequence[str]] | None = None,
+) -> tuple[ControlSettings, ...]:
+    """(controls,) what `controls`, of the configuration, say of every control of `rig`, and its
+    `groups` of their anchors; defaults where it sets nothing."""
+    renamed = {each.rename: each for each in controls.values() if each.rename}
     plain = ControlSettings()
-    found = {
-        c.name: renamed.get(c.name) or settings.controls.get(c.name, plain) for c in rig.controls
-    }
-    for members in settings.groups.groups.values():
+    found = {c.name: renamed.get(c.name) or controls.get(c.name, plain) for c in rig.controls}
+    for members in (groups or {}).values():
         anchors = {found[name].anchor for name in members if name in found} - {""}
         if len(anchors) == 1:
             # One element has one anchor: fixing a member fixes the group.

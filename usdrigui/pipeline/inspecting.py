@@ -167,6 +167,12 @@ def _group_lines(inputs: ProblemInputs) -> tuple[str, ...]:
         f"suggestion: {', '.join(found)} move the same region; [groups.groups] would make them one"
         " element"
         for found in suggested_groups(
-            inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings
+            inputs.face,
+            inputs.candidates,
+            inputs.similarity,
+            inputs.requests,
+            inputs.settings.groups,
+            inputs.settings.symmetry,
+            inputs.placement.groups,
         )
     )

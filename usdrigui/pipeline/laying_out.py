@@ -247,7 +247,7 @@ def _laid_out(
     reports: list[tuple[Reading, CharacterReport]] = []
     for each in readings:
         references, characters = followed(each.references, each.source.rigs)
-        for rig in rigs_over(references, characters, each.settings):
+        for rig in rigs_over(references, characters, each.settings.trajectories):
             same = [report for _, report in reports if report.root == rig.root]
             if not any(report.rig.variant_path == rig.variant_path for report in same):
                 own = as_sibling(references, rig, same[0].layout) if same else references

@@ -48,6 +48,7 @@ from usdrigui.layout.reuse.requests import Names, Requests
 from usdrigui.layout.review.review import refuse_stale
 from usdrigui.layout.symmetry.base_pose import symmetry_at_pose
 from usdrigui.layout.symmetry.mirror_plane import about_plane_of
+from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.layout.visibility import find_views
 from usdrigui.model import (
     Assignment,
@@ -197,9 +198,10 @@ def divided(
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.trajectories, base_values)
     _refuse_motionless(rig, found)
-    own = own_examples(examples, rig, found, settings)
-    asked, settings = settings, with_fixed(own, rig, settings)
-    pins = decisions(own, rig, found, settings)
+    own = own_examples(examples, rig, found, settings.like, settings.trajectories)
+    asked = settings
+    settings = replace(asked, controls=with_fixed(own, rig, asked.controls))
+    pins = decisions(own, rig, found, settings.objective.keep_penalty)
     existing = examples.existing(rig)
     if existing is not None:
         refuse_stale(rig, found, existing, settings.read)
@@ -208,7 +210,13 @@ def divided(
         symmetry = None
         if len(parts) > 1:
             symmetry = symmetry_at_pose(
-                rig, found, displacement_fields(found), settings, base_values
+                rig,
+                found,
+                displacement_fields(found),
+                settings.symmetry,
+                configured_twins(rig, settings.controls),
+                settings.trajectories,
+                base_values,
             )
     return Divided(
         rig,
@@ -237,11 +245,13 @@ def part_problem(
         settings = of_part(settings, rig, part)
     if character.existing is not None:
         settings = with_drawn_handles(character.existing, part.name, found, settings)
-    prior = prior_layout_of(character.examples, rig, found, settings)
+    prior = prior_layout_of(
+        character.examples, rig, found, settings.like, settings.objective.keep_penalty
+    )
     references = References(prior, character.existing, character.clips, tuple(neighbours))
     pins, values = character.pins, character.base_values
     while True:
-        fixed = with_pins(settings, pins)
+        fixed = replace(settings, controls=with_pins(settings.controls, pins))
         try:
             inputs = problem_at(
                 rig,
@@ -306,10 +316,20 @@ def problem_at(
     measured = measure(rig, found, settings, base_values, references, clock, camera, part, whole)
     face, requests, alike = measured.face, measured.requests, measured.similarity
     with clock.stage("candidates"):
-        candidates = find_candidates(face, measured.classification, requests, settings)
+        candidates = find_candidates(
+            face, measured.classification, requests, settings.candidates, settings.objective
+        )
         candidates = of_new_controls(requests.existing, rig, found, candidates)
     with clock.stage("problem"):
-        groups = find_groups(face, candidates, alike, requests, settings)
+        groups = find_groups(
+            face,
+            candidates,
+            alike,
+            requests,
+            settings.groups,
+            settings.symmetry,
+            settings.controls,
+        )
         groups = with_levels(rig, groups, settings.levels, requests.existing_names)
         placement = placement_problem(face, candidates, groups, requests, settings)
     return ProblemInputs(
@@ -339,14 +359,16 @@ def measure(
     """The stages before placing; parameters as of `problem_at`."""
     _refuse_motionless(rig, found)
     with clock.stage("symmetry"):
-        fields = displacement_fields(found)
+        fields, twins = displacement_fields(found), configured_twins(rig, settings.controls)
         if whole is not None and whole.normal.any() and part != FACE:
             # A hand by itself is nearly symmetric about its middle finger.
-            symmetry = about_plane_of(rig, found, fields, whole, settings)
+            symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
         else:
-            symmetry = symmetry_at_pose(rig, found, fields, settings, base_values)
+            symmetry = symmetry_at_pose(
+                rig, found, fields, settings.symmetry, twins, settings.trajectories, base_values
+            )
             if whole is not None and not symmetry.normal.any():
-                symmetry = about_plane_of(rig, found, fields, whole, settings)
+                symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
     with clock.stage("candidates"):
         views = find_views(
             rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera
@@ -379,7 +401,13 @@ def layout_of(inputs: ProblemInputs, assignment: Assignment) -> Layout:
     )
     rig, asked = inputs.face.rig, inputs.asked or inputs.settings
     return with_decisions(
-        found, rig, posed(rig, None).points, asked, inputs.pins, inputs.requests.overrides
+        found,
+        rig,
+        posed(rig, None).points,
+        asked.controls,
+        asked.groups.groups,
+        inputs.pins,
+        inputs.requests.overrides,
     )
 
 
@@ -436,7 +464,9 @@ def _requests(
     rig: Rig, found: Trajectories, symmetry: Symmetry, settings: Settings, references: References
 ) -> Requests:
     """The configuration and the existing layouts, as what they ask of each control."""
-    overrides = with_twins(rig, found, symmetry, control_overrides(rig, settings))
+    overrides = with_twins(
+        rig, found, symmetry, control_overrides(rig, settings.controls, settings.groups.groups)
+    )
     overrides = animation.weighted(
         rig, symmetry, overrides, references.clips, settings.animation.weight
     )

@@ -32,7 +32,7 @@ from usdrigui.model import (
     Rig,
     Side,
 )
-from usdrigui.settings import Settings
+from usdrigui.settings import OutputSettings, Settings
 
 _CROWDED = "too crowded; this control lost the least displacement"
 _ON_PLANE = 1e-3
@@ -72,7 +72,7 @@ def layout(
             )
             board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group))
         else:
-            elements.extend(_on_face(face, group, choice, int(label), requests, settings))
+            elements.extend(_on_face(face, group, choice, int(label), requests, settings.output))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
     return Layout(
         root=face.rig.root,
@@ -139,11 +139,16 @@ def _weights(
 
 
 def _on_face(
-    face: Face, group: Group, choice: Choice, label: int, requests: Requests, settings: Settings
+    face: Face,
+    group: Group,
+    choice: Choice,
+    label: int,
+    requests: Requests,
+    settings: OutputSettings,
 ) -> list[Element]:
     """The element of a group and of its mirror images."""
     names = names_of_copies(face.rig, group, choice)
-    least = settings.output.min_track * face.handle_width
+    least = settings.min_track * face.handle_width
     made = []
     for copy, controls in enumerate(choice.controls):
         point, source = int(choice.anchors[label, copy]), int(choice.sources[label, copy])
@@ -165,7 +170,7 @@ def _on_face(
                 mirror=mirror,
                 category="",
                 reason=group.reason,
-                adapt=overrides[0].adapt or settings.output.adapt,
+                adapt=overrides[0].adapt or settings.adapt,
                 glyph=fitted_glyph(
                     face, overrides, anchor, members, bool(mirror) and side == "right"
                 ),

@@ -8,7 +8,7 @@ the character is merged on the other.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, combinations
 
@@ -28,7 +28,7 @@ from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
 from usdrigui.model import Candidates, CandidateSet, ElementKind, Flags, Group, Indices
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, GroupSettings, SymmetrySettings
 from usdrigui.ties import first_largest
 
 _TWIN_LEEWAY = 0.8
@@ -64,7 +64,9 @@ def find_groups(
     candidates: Candidates,
     similarity: Similarity,
     requests: Requests,
-    settings: Settings,
+    settings: GroupSettings,
+    mirror: SymmetrySettings,
+    controls: Mapping[str, ControlSettings],
 ) -> tuple[Group, ...]:
     """One group per element, by name; every control that has candidates is in exactly one.
 
@@ -72,15 +74,15 @@ def find_groups(
     the other is its image.  Raises CONFIG_UNKNOWN_CONTROL and CONFIG_VALUE for groups of the
     configuration.
     """
-    grouping = _Grouping(face, candidates, similarity, requests, settings)
+    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
     merged = grouping.of_the_user()
-    names = control_index(face.rig, settings.controls)
+    names = control_index(face.rig, controls)
     orbits = configured_orbits(face.rig, face.trajectories, requests.overrides, names)
     turning = set().union(*orbits)
     merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
     merged += grouping.of_the_prior_layout(_free(merged, grouping))
     merged += grouping.joysticks(grouping.axes(_free(merged, grouping)), _free(merged, grouping))
-    if settings.groups.patches:
+    if settings.patches:
         merged += grouping.patches(_free(merged, grouping))
     merged += [
         _Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))
@@ -93,16 +95,14 @@ def suggested_groups(
     candidates: Candidates,
     similarity: Similarity,
     requests: Requests,
-    settings: Settings,
+    settings: GroupSettings,
+    mirror: SymmetrySettings,
+    groups: Sequence[Group],
 ) -> tuple[tuple[str, ...], ...]:
-    """Names of controls that the paper's Jaccard criterion would group and `find_groups` left
-    apart."""
-    grouping = _Grouping(face, candidates, similarity, requests, settings)
-    single = [
-        group
-        for group in find_groups(face, candidates, similarity, requests, settings)
-        if len(group.controls) == 1
-    ]
+    """Names of controls that the paper's Jaccard criterion would group and `groups`, as
+    `find_groups` made them, leave apart."""
+    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
+    single = [group for group in groups if len(group.controls) == 1 and not group.part]
     index = {motion.control: i for i, motion in enumerate(face.trajectories.motions)}
     free = {index[control] for group in single for control in (*group.controls, *group.mirror)}
     return tuple(
@@ -115,12 +115,13 @@ def share_a_place(
     candidates: Candidates,
     similarity: Similarity,
     requests: Requests,
-    settings: Settings,
+    settings: GroupSettings,
+    mirror: SymmetrySettings,
     names: Sequence[str],
 ) -> bool:
     """Whether controls could be one element: all are to stand on the face, and some point suits
     them all."""
-    grouping = _Grouping(face, candidates, similarity, requests, settings)
+    grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
     motions = [i for i in grouping.sets if grouping.names[i] in names]
     on_face = not any(grouping.category[i] for i in motions)
     return len(motions) == len(names) and on_face and grouping.may_share(tuple(motions))
@@ -143,23 +144,21 @@ class _Grouping:
         candidates: Candidates,
         similarity: Similarity,
         requests: Requests,
-        settings: Settings,
+        settings: GroupSettings,
+        mirror: SymmetrySettings,
     ) -> None:
         motions = face.trajectories.motions
         index = {motion.control: i for i, motion in enumerate(motions)}
         self.face, self.similarity, self.prior = face, similarity, requests.prior
-        self.settings, self.double_middle, self.requests = (
-            settings.groups,
-            settings.symmetry.double_middle,
-            requests,
-        )
+        self.settings, self.requests = settings, requests
+        self.double_middle = mirror.double_middle
         self.evidence = Evidence(face, similarity, requests.names.meanings)
         self.two_sided = frozenset(bidirectional(face.trajectories))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]
         twins = face.symmetry.twins
         # What the only view does not see holds no element, be it the image of one that is seen.
-        fold = settings.symmetry.fold and not face.views.one_sided(face.symmetry.normal)
+        fold = mirror.fold and not face.views.one_sided(face.symmetry.normal)
         found = {
             i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets
         }

@@ -6,7 +6,7 @@ moves most.  A rig that is a face alone, or a hand, is one part.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -100,7 +100,7 @@ def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
     index = {control.name: i for i, control in enumerate(rig.controls)}
 
     def concerns(names: Iterable[str]) -> bool:
-        controls = _controls(names, settings, index)
+        controls = _controls(names, settings.groups.groups, index)
         return not controls or not part.controls.isdisjoint(controls)
 
     groups = {name: each for name, each in settings.groups.groups.items() if concerns(each)}
@@ -120,16 +120,18 @@ def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
     said = [*settings.groups.groups.values()]
     said += [(name, *members) for name, members in settings.levels.members.items()]
     said += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
-    return [_controls(names, settings, index) for names in said]
+    return [_controls(names, settings.groups.groups, index) for names in said]
 
 
-def _controls(names: Iterable[str], settings: Settings, index: Mapping[str, int]) -> list[int]:
+def _controls(
+    names: Iterable[str], groups: Mapping[str, Sequence[str]], index: Mapping[str, int]
+) -> list[int]:
     """The controls that bear some names, and those of the elements that do."""
     found = []
     for name in names:
-        own = settings.groups.groups.get(name, (name,))
+        own = groups.get(name, (name,))
         found += [index[each] for each in own if each in index]
-        if name not in index and name not in settings.groups.groups:
+        if name not in index and name not in groups:
             found += [i for control, i in index.items() if name.startswith(f"{control}_")]
     return found
 

@@ -17,7 +17,7 @@ from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
-from usdrigui.settings import Settings
+from usdrigui.settings import CandidateSettings, ObjectiveSettings
 from usdrigui.ties import first_largest
 
 STAGE = "candidates"
@@ -33,7 +33,11 @@ _MOST = 0.85
 
 
 def find_candidates(
-    face: Face, classification: Sequence[Classification], requests: Requests, settings: Settings
+    face: Face,
+    classification: Sequence[Classification],
+    requests: Requests,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
 ) -> Candidates:
     """The candidates of every control that moves something.
 
@@ -52,12 +56,12 @@ def find_candidates(
                 LeftOff(face.control_name(motion.control), STAGE, "excluded by the configuration")
             )
             continue
-        points, sources = _places(face, motion, found, requests, settings)
+        points, sources = _places(face, motion, found, requests, settings, objective.samples)
         sets.append(
             CandidateSet(
                 motion=index,
                 points=points,
-                cost=linear_cost(face, motion, sources, settings),
+                cost=linear_cost(face, motion, sources, settings.occlusion_weight, objective),
                 coverage=found.coverage,
                 sources=sources,
                 category=found.category,
@@ -68,7 +72,12 @@ def find_candidates(
 
 
 def loosened(
-    face: Face, found: CandidateSet, requests: Requests, settings: Settings, least: float
+    face: Face,
+    found: CandidateSet,
+    requests: Requests,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
+    least: float,
 ) -> CandidateSet:
     """The set with every visible place where a handle keeps at least a share of the control's peak:
     for elements whose copies would collide at all of their better places."""
@@ -79,23 +88,38 @@ def loosened(
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
     return replace(
-        found, points=points, sources=points, cost=linear_cost(face, motion, points, settings)
+        found,
+        points=points,
+        sources=points,
+        cost=linear_cost(face, motion, points, settings.occlusion_weight, objective),
     )
 
 
 def candidates_of_axis(
-    face: Face, found: CandidateSet, requests: Requests, settings: Settings
+    face: Face,
+    found: CandidateSet,
+    requests: Requests,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
 ) -> CandidateSet:
     """The set of a control on the face under `requests` that fix it elsewhere or not at all."""
     motion = face.trajectories.motions[found.motion]
-    points, sources = _places(face, motion, Classification(), requests, settings)
+    points, sources = _places(face, motion, Classification(), requests, settings, objective.samples)
     return replace(
-        found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings)
+        found,
+        points=points,
+        sources=sources,
+        cost=linear_cost(face, motion, sources, settings.occlusion_weight, objective),
     )
 
 
 def _places(
-    face: Face, motion: Motion, found: Classification, requests: Requests, settings: Settings
+    face: Face,
+    motion: Motion,
+    found: Classification,
+    requests: Requests,
+    settings: CandidateSettings,
+    samples: int,
 ) -> tuple[Indices, Indices]:
     """Points at which the control may be anchored, ascending, and whose trajectories are drawn
     there."""
@@ -111,7 +135,7 @@ def _places(
         points = proxies(face, int(peak[0]))
         sources = np.repeat(peak, len(points))
     else:
-        points = sources = _moving_places(face, motion, requests, settings)
+        points = sources = _moving_places(face, motion, requests, settings, samples)
     return _with_prior(motion, requests, points, sources)
 
 
@@ -134,7 +158,9 @@ def _with_prior(
     return points, points
 
 
-def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Settings) -> Indices:
+def _moving_places(
+    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, samples: int
+) -> Indices:
     """Points that the control moves and where it may stand, ascending; near what the configuration
     names."""
     everywhere = np.ones(len(motion.points), dtype=bool)
@@ -146,30 +172,29 @@ def _moving_places(face: Face, motion: Motion, requests: Requests, settings: Set
     told = requests.overrides[motion.control].near or motion.control in requests.prior.places
     if not told and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
-    points = _pruned(face, motion, seen, some, settings)
+    points = _pruned(face, motion, seen, some, settings, samples)
     return points if len(points) else _unseen(motion, some, settings)
 
 
 def _standing(
-    face: Face, motion: Motion, requests: Requests, settings: Settings, among: Flags
+    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, among: Flags
 ) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.places[motion.points] == motion.points)
-    radius = settings.candidates.near_radius
-    return motion.stands_on(kept_near(face, motion.control, requests, motion.points, first, radius))
+    near = kept_near(face, motion.control, requests, motion.points, first, settings.near_radius)
+    return motion.stands_on(near)
 
 
 def _with_clear_handles(
-    face: Face, motion: Motion, requests: Requests, settings: Settings, seen: Flags
+    face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, seen: Flags
 ) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
     displacement."""
     clear = _standing(face, motion, requests, settings, seen & face.clear[motion.points])
     return (
         clear
-        if motion.arc_length[clear].max(initial=0.0)
-        >= _kept(motion, seen, settings.candidates.least_kept)
+        if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.least_kept)
         else seen
     )
 
@@ -197,7 +222,14 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     return seen
 
 
-def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Settings) -> Indices:
+def _pruned(
+    face: Face,
+    motion: Motion,
+    seen: Flags,
+    some: Flags,
+    settings: CandidateSettings,
+    samples: int,
+) -> Indices:
     """Points at which the control may be anchored, ascending; empty when no view sees what it
     moves.
 
@@ -205,30 +237,30 @@ def _pruned(face: Face, motion: Motion, seen: Flags, some: Flags, settings: Sett
     """
     if not seen.any():
         return np.zeros(0, dtype=np.int64)
-    arc, asked = motion.arc_length, settings.candidates
+    arc = motion.arc_length
     peak = float(arc[seen].max())
-    large = arc >= max(asked.peak_share * peak, _kept(motion, seen, settings.candidates.least_kept))
-    moving = large & (arc >= min(asked.prune_at * float(arc[some].mean()), peak))
+    large = arc >= max(settings.peak_share * peak, _kept(motion, seen, settings.least_kept))
+    moving = large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))
     for kept in (seen & moving, seen & large):
         points = motion.points[kept]
-        if asked.occlusion:
-            points = points[~_occluded(face, motion, points, settings.objective.samples)]
+        if settings.occlusion:
+            points = points[~_occluded(face, motion, points, samples)]
         if len(points):
             return np.asarray(points)
     return np.asarray(motion.points[seen & moving])
 
 
-def _unseen(motion: Motion, some: Flags, settings: Settings) -> Indices:
+def _unseen(motion: Motion, some: Flags, settings: CandidateSettings) -> Indices:
     """Candidates of a control that no view sees but that is to stand on the face all the same."""
-    arc, asked = motion.arc_length, settings.candidates
+    arc = motion.arc_length
     peak = float(arc[some].max())
-    least = max(asked.prune_at * float(arc[some].mean()), asked.peak_share * peak)
+    least = max(settings.prune_at * float(arc[some].mean()), settings.peak_share * peak)
     return np.asarray(motion.points[some & (arc >= min(least, peak))])
 
 
-def _seen(face: Face, points: Indices, settings: Settings) -> Flags:
+def _seen(face: Face, points: Indices, settings: CandidateSettings) -> Flags:
     """Which points can be seen from where the layout is judged: a flat layout has one view only."""
-    flat = settings.candidates.space == "view"
+    flat = settings.space == "view"
     return np.asarray(face.views.visible[0, points] if flat else face.views.anywhere[points])
 
 

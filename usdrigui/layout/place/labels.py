@@ -26,7 +26,12 @@ from usdrigui.layout.place.terms import displacement_unit, linear_cost, off_plan
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import orbit_points
 from usdrigui.model import CandidateSet, Choice, Floats, Group, Indices, Motion
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import (
+    CandidateSettings,
+    ControlSettings,
+    ObjectiveSettings,
+    SymmetrySettings,
+)
 
 
 def labels_of(
@@ -35,7 +40,9 @@ def labels_of(
     groups: tuple[Group, ...],
     index: int,
     overrides: Sequence[ControlSettings],
-    settings: Settings,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
+    mirror: SymmetrySettings,
 ) -> tuple[Choice, Floats, Floats]:
     """Candidates that all members and all copies of group `index` share, their costs (R,) without
     the overlap, and displacements (R,).
@@ -46,18 +53,19 @@ def labels_of(
     group = groups[index]
     if group.doubled:
         sets = {
-            control: _on_both_sides(face, sets[control], settings) for control in group.controls
+            control: _on_both_sides(face, sets[control], settings.occlusion_weight, objective)
+            for control in group.controls
         }
-    choice = _with_copies(face, group, index, sets[group.controls[0]], settings.symmetry.tolerance)
-    toward = face.views.flat_direction(settings.candidates.space)
-    weight = settings.objective.displacement_weight
+    choice = _with_copies(face, group, index, sets[group.controls[0]], mirror.tolerance)
+    toward = face.views.flat_direction(settings.space)
+    weight = objective.displacement_weight
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
         worth = weight * max(_importance(overrides[control]) for control in controls)
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
-            unit = displacement_unit(motion, face.trajectories.typical_length, settings.objective)
+            unit = displacement_unit(motion, face.trajectories.typical_length, objective)
             moved = _displacements(motion, choice.sources[:, copy], toward) / unit
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
@@ -65,7 +73,7 @@ def labels_of(
         cost += worst
         displacement += least
     if own_mirror_image(face, group):
-        cost += off_plane(face, choice.anchors[:, 0], settings.symmetry.plane_weight)
+        cost += off_plane(face, choice.anchors[:, 0], mirror.plane_weight)
     return choice, cost, displacement
 
 
@@ -76,13 +84,22 @@ def own_mirror_image(face: Face, group: Group) -> bool:
     return {int(face.symmetry.twins[control]) for control in group.controls} == set(group.controls)
 
 
-def drawn_points(face: Face, choice: Choice, settings: Settings) -> tuple[Floats, Floats]:
-    """Samples (R, copies, u, 3) along the drawn tracks, and handles (R, copies, 3)."""
-    toward = face.views.flat_direction(settings.candidates.space)
+def drawn_points(
+    face: Face, choice: Choice, samples_each: int, min_track: float, toward: Floats | None
+) -> tuple[Floats, Floats]:
+    """`samples_each` (u) samples (R, copies, u, 3) along the drawn tracks, and handles (R, copies,
+    3), flattened `toward` (3,) the viewer if that is given.
+
+    No track is drawn shorter than `min_track` handle widths.
+    """
+    least = min_track * face.handle_width
     samples = []
     for copy, controls in enumerate(choice.controls):
         anchors, sources = choice.anchors[:, copy], choice.sources[:, copy]
-        tracks = [_drawn_track(face, control, anchors, sources, settings) for control in controls]
+        tracks = [
+            _drawn_track(face, control, anchors, sources, samples_each, least)
+            for control in controls
+        ]
         samples.append(np.concatenate(tracks, axis=1))
     return flattened(np.stack(samples, axis=1), toward), flattened(
         face.trajectories.base[choice.anchors], toward
@@ -90,15 +107,13 @@ def drawn_points(face: Face, choice: Choice, settings: Settings) -> tuple[Floats
 
 
 def _drawn_track(
-    face: Face, control: int, anchors: Indices, sources: Indices, settings: Settings
+    face: Face, control: int, anchors: Indices, sources: Indices, samples: int, least: float
 ) -> Floats:
     """(R, u, 3) the drawn track of a control at each anchor: its trajectory, enlarged where it is
     too short."""
     motion = face.trajectories.motion_of(control)
-    factor = magnification(
-        arc_lengths(motion, sources), settings.output.min_track * face.handle_width
-    )
-    offsets = resampled(paths(motion, sources), settings.objective.samples)
+    factor = magnification(arc_lengths(motion, sources), least)
+    offsets = resampled(paths(motion, sources), samples)
     return np.asarray(face.trajectories.base[anchors][:, None] + factor[:, None, None] * offsets)
 
 
@@ -120,7 +135,9 @@ def _looked_up(candidate_set: CandidateSet, points: Indices) -> Floats:
     return np.where(candidate_set.points[rows] == points, candidate_set.cost[rows], np.inf)
 
 
-def _on_both_sides(face: Face, found: CandidateSet, settings: Settings) -> CandidateSet:
+def _on_both_sides(
+    face: Face, found: CandidateSet, occlusion_weight: float, objective: ObjectiveSettings
+) -> CandidateSet:
     """The candidates of a doubled control and their mirror images, which it moves alike: one side
     may be all that is fixed, or all that pruning leaves."""
     partner = face.symmetry.partner
@@ -131,9 +148,8 @@ def _on_both_sides(face: Face, found: CandidateSet, settings: Settings) -> Candi
     places = np.unique(np.concatenate([places, images[moved & (images[:, 0] >= 0)]]), axis=0)
     _, first = np.unique(places[:, 0], return_index=True)
     points, sources = places[first].T
-    return replace(
-        found, points=points, sources=sources, cost=linear_cost(face, motion, sources, settings)
-    )
+    cost = linear_cost(face, motion, sources, occlusion_weight, objective)
+    return replace(found, points=points, sources=sources, cost=cost)
 
 
 def _with_copies(

@@ -32,7 +32,7 @@ from usdrigui.model import (
     Variable,
 )
 from usdrigui.overlap import own_costs
-from usdrigui.settings import ControlSettings, ObjectiveSettings, Settings
+from usdrigui.settings import CandidateSettings, ControlSettings, ObjectiveSettings, Settings
 from usdrigui.surface import mean_edge_length, mesh_triangles
 
 _NEEDED = 5.0
@@ -74,9 +74,11 @@ def placement_problem(
     for index, group in enumerate(groups):
         if group.category:
             continue
-        asked, own = (
-            (requests, sets) if not group.part else _of_axis(face, sets, group, requests, settings)
-        )
+        asked, own = (requests, sets)
+        if group.part:
+            asked, own = _of_axis(
+                face, sets, group, requests, settings.candidates, settings.objective
+            )
         variable, choice = _variable(costs, own, groups, index, asked)
         variables.append(variable)
         choices.append(choice)
@@ -126,13 +128,15 @@ def _of_axis(
     sets: Mapping[int, CandidateSet],
     group: Group,
     requests: Requests,
-    settings: Settings,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
 ) -> tuple[Requests, dict[int, CandidateSet]]:
     """Requests and candidates, by control, of an axis of a coarse element with a slider of its
     own."""
     asked = requests.of_axes()
     return asked, {
-        c: candidates_of_axis(face, sets[c], asked, settings) for c in sorted(group.all_controls)
+        c: candidates_of_axis(face, sets[c], asked, settings, objective)
+        for c in sorted(group.all_controls)
     }
 
 
@@ -157,19 +161,27 @@ def _variable(
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with loosened candidates where its copies collide at all
     others, or its members share none."""
-    face, settings, group = costs.face, costs.settings, groups[index]
-    for least in (None, settings.candidates.least_kept, SHARED_LEAST)[
-        : 3 if len(group.controls) > 1 else 2
-    ]:
+    face, group = costs.face, groups[index]
+    settings, objective = costs.settings.candidates, costs.settings.objective
+    toward, min_track = face.views.flat_direction(settings.space), costs.settings.output.min_track
+    for least in (None, settings.least_kept, SHARED_LEAST)[: 3 if len(group.controls) > 1 else 2]:
         used = sets
         if least is not None:
             used = {
-                c: loosened(face, sets[c], requests, settings, least) for c in group.all_controls
+                c: loosened(face, sets[c], requests, settings, objective, least)
+                for c in group.all_controls
             }
         choice, cost, displacement = labels_of(
-            face, used, groups, index, requests.overrides, settings
+            face,
+            used,
+            groups,
+            index,
+            requests.overrides,
+            settings,
+            objective,
+            costs.settings.symmetry,
         )
-        samples, handles = drawn_points(face, choice, settings)
+        samples, handles = drawn_points(face, choice, objective.samples, min_track, toward)
         cost = cost + own_costs(samples, handles, costs.overlap, costs.separation)
         cost += costs_beside_existing(
             costs.existing, costs.overlap, costs.separation, samples, handles
@@ -186,7 +198,7 @@ def _variable(
             cost[kept] + stay,
             samples[kept],
             handles[kept],
-            _off_face_cost(group, requests, settings.objective) + leave,
+            _off_face_cost(group, requests, objective) + leave,
             displacement[kept],
             group.states,
         ),

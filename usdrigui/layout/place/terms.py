@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Floats, Indices, Motion
-from usdrigui.settings import ObjectiveSettings, Settings
+from usdrigui.settings import ObjectiveSettings
 
 _MIDDLE = 1e-3
 """In handle widths: nearer to the mirror plane is on it."""
@@ -22,11 +22,17 @@ _TIE = 1e-5
 between two mirror images, negligible against any other cost."""
 
 
-def linear_cost(face: Face, motion: Motion, points: Indices, settings: Settings) -> Floats:
+def linear_cost(
+    face: Face,
+    motion: Motion,
+    points: Indices,
+    occlusion_weight: float,
+    settings: ObjectiveSettings,
+) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.trajectories.normals, motion, points, settings.candidates.occlusion_weight)
-    own = own + common(face, motion, points, settings.objective)
-    return own + user_linear_cost(face, motion, points, settings.objective.terms)
+    own = occlusion(face.trajectories.normals, motion, points, occlusion_weight)
+    own = own + common(face, motion, points, settings)
+    return own + user_linear_cost(face, motion, points, settings.terms)
 
 
 def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -> Floats:

@@ -6,6 +6,7 @@ Fixed anchors (``controls."name".anchor``) are kept to the point, and the rest i
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.levels import outer_first
 from usdrigui.model import Element, Floats, Layout, Motion, Rig, Symmetry
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
 """In front of what ``near`` names: its mirror image."""
@@ -24,16 +25,18 @@ _SAME = 0.5
 widths."""
 
 
-def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
-    """The settings with every anchor of `layout` fixed.
+def fixed_by(
+    layout: Layout, rig: Rig, controls: Mapping[str, ControlSettings]
+) -> dict[str, ControlSettings]:
+    """What the configuration says of controls, with every anchor of `layout` fixed.
 
     A place that the configuration itself gives a control is stronger.  Raises FIXED_IMPOSSIBLE
     where the layout was made for other points, CONFIG_UNKNOWN_CONTROL where it has a control that
     the rig lacks.
     """
     known = rig.control_names
-    renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
-    controls = dict(settings.controls)
+    renamed = {each.rename: name for name, each in controls.items() if each.rename}
+    found = dict(controls)
     placed: set[str] = set()
     for element in outer_first(layout.elements):
         for member in element.members:
@@ -43,18 +46,19 @@ def fixed_by(layout: Layout, rig: Rig, settings: Settings) -> Settings:
                     "CONFIG_UNKNOWN_CONTROL", where, f"{rig.root} has no control {member.control!r}"
                 )
             name = renamed.get(member.control, member.control)
-            override = controls.get(name, ControlSettings())
+            override = found.get(name, ControlSettings())
             if name in placed:
-                controls[name] = _anchored_again(override, element, rig)
+                found[name] = _anchored_again(override, element, rig)
                 continue
             if override.anchor or override.place:
                 continue
             placed.add(name)
-            beside = element.anchor.on_board
-            controls[name] = (
-                replace(override, place="board") if beside else _anchored(override, element, rig)
+            found[name] = (
+                replace(override, place="board")
+                if element.anchor.on_board
+                else _anchored(override, element, rig)
             )
-    return replace(settings, controls=controls)
+    return found
 
 
 def fixed_anchor(rig: Rig, name: str, override: ControlSettings) -> int | None:

@@ -19,7 +19,7 @@ from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.levels import outer_first
 from usdrigui.model import Decision, Element, Floats, Indices, Layout, Rig, Symmetry, Trajectories
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
 _NEAR = 0.5
@@ -148,20 +148,20 @@ def _moved_by_all(controls: Sequence[str], rig: Rig, trajectories: Trajectories)
     return found
 
 
-def with_pins(settings: Settings, pins: Pins) -> Settings:
-    """The settings with what the pins fix; what the configuration itself says of a control is
+def with_pins(controls: Mapping[str, ControlSettings], pins: Pins) -> dict[str, ControlSettings]:
+    """What the configuration says of controls, with what the pins fix; what it says itself is
     stronger."""
-    renamed = {each.rename: name for name, each in settings.controls.items() if each.rename}
-    controls = dict(settings.controls)
+    renamed = {each.rename: name for name, each in controls.items() if each.rename}
+    found = dict(controls)
     for pin in pins.pins:
         for control in pin.controls:
             name = renamed.get(control, control)
-            override = controls.get(name, ControlSettings())
+            override = found.get(name, ControlSettings())
             if pin.inner:
-                controls[name] = replace(override, inner_anchor=override.inner_anchor or pin.anchor)
+                found[name] = replace(override, inner_anchor=override.inner_anchor or pin.anchor)
             elif not (override.anchor or override.place or override.near):
-                controls[name] = _decided(override, pin)
-    return replace(settings, controls=controls)
+                found[name] = _decided(override, pin)
+    return found
 
 
 def _decided(override: ControlSettings, pin: Pin) -> ControlSettings:
@@ -223,17 +223,18 @@ def with_decisions(
     layout: Layout,
     rig: Rig,
     rest: Floats,
-    asked: Settings,
+    asked: Mapping[str, ControlSettings],
+    groups: Mapping[str, Sequence[str]],
     pins: Pins,
     overrides: Sequence[ControlSettings],
 ) -> Layout:
     """The layout with the decisions of a person in it: those of the configuration, and those
     carried.
 
-    `asked` are the settings before any layout fixed more, `overrides` (controls,) what was heeded
-    in the end; `rest` (n, 3) the points at rest.
+    `asked` is what the configuration says of controls before any layout fixed more, `groups` its
+    groups, `overrides` (controls,) what was heeded in the end; `rest` (n, 3) the points at rest.
     """
-    decided = dict(_from_configuration(layout, asked))
+    decided = dict(_from_configuration(layout, asked, groups))
     for element, pin in _of_pins(layout, pins):
         still = [
             each for each in pin.decisions if each != "anchor" or _place(element) == pin.anchor
@@ -254,18 +255,17 @@ def with_decisions(
 
 
 def _from_configuration(
-    layout: Layout, asked: Settings
+    layout: Layout, asked: Mapping[str, ControlSettings], groups: Mapping[str, Sequence[str]]
 ) -> Iterator[tuple[str, frozenset[Decision]]]:
-    renamed = {each.rename: each for each in asked.controls.values() if each.rename}
-    groups = [frozenset(members) for members in asked.groups.groups.values()]
+    renamed = {each.rename: each for each in asked.values() if each.rename}
+    together = [frozenset(members) for members in groups.values()]
     for element in layout.elements:
         said = [
-            renamed.get(name) or asked.controls.get(name, ControlSettings())
-            for name in element.controls
+            renamed.get(name) or asked.get(name, ControlSettings()) for name in element.controls
         ]
         found: set[Decision] = {"anchor"} if any(each.anchor for each in said) else set()
         found |= {"place"} if any(each.place or each.near for each in said) else set()
-        found |= {"grouping"} if element.controls in groups else set()
+        found |= {"grouping"} if element.controls in together else set()
         if found:
             yield element.name, frozenset(found)
 

@@ -33,7 +33,7 @@ from usdrigui.model import (
     Trajectories,
 )
 from usdrigui.overlap import pair_costs, total_cost
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import CandidateSettings, ObjectiveSettings, ReadSettings, Settings
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
@@ -238,7 +238,7 @@ def _as_problem(
     """The problem in which every element is one variable, its own anchor among the candidates."""
     groups = _as_groups(face.rig, layout, elements)
     points = [_point(face.rig, element) for element in elements]
-    sets = _with_points(face, candidates, groups, points, settings)
+    sets = _with_points(face, candidates, groups, points, settings.candidates, settings.objective)
     placement = placement_problem(face, sets, groups, requests, settings)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
@@ -295,7 +295,8 @@ def _with_points(
     candidates: Candidates,
     groups: tuple[Group, ...],
     points: list[int],
-    settings: Settings,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
 ) -> Candidates:
     """The candidates with the anchors of the layout among them, pruned or not."""
     motions = face.trajectories.motions
@@ -303,16 +304,22 @@ def _with_points(
     for group, point in zip(groups, points, strict=True):
         for control in group.controls:
             if control in sets and point in motions[sets[control].motion].points:
-                sets[control] = _with_point(face, sets[control], point, settings)
+                sets[control] = _with_point(face, sets[control], point, settings, objective)
     return Candidates(tuple(sets.values()), candidates.left_off)
 
 
-def _with_point(face: Face, known: CandidateSet, point: int, settings: Settings) -> CandidateSet:
+def _with_point(
+    face: Face,
+    known: CandidateSet,
+    point: int,
+    settings: CandidateSettings,
+    objective: ObjectiveSettings,
+) -> CandidateSet:
     if point in known.points:
         return known
     motion = face.trajectories.motions[known.motion]
     at = int(np.searchsorted(known.points, point))
-    cost = linear_cost(face, motion, np.array([point]), settings)
+    cost = linear_cost(face, motion, np.array([point]), settings.occlusion_weight, objective)
     return replace(
         known,
         points=np.insert(known.points, at, point),

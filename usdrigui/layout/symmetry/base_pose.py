@@ -3,6 +3,7 @@ neutral pose."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.model import Floats, Rig, Symmetry, Trajectories
-from usdrigui.settings import Settings
+from usdrigui.settings import SymmetrySettings, TrajectorySettings
 
 _APART = 0.05
 """Pairs nearer to each other than this share of the face say little about where the plane lies."""
@@ -27,7 +28,9 @@ def symmetry_at_pose(
     rig: Rig,
     trajectories: Trajectories,
     fields: DisplacementFields,
-    settings: Settings,
+    settings: SymmetrySettings,
+    configured: Mapping[int, int],
+    sampling: TrajectorySettings,
     base_values: Floats | None,
 ) -> Symmetry:
     """`find_symmetry`, but for a base pose of its own with the partners and twins of the neutral
@@ -40,30 +43,30 @@ def symmetry_at_pose(
     """
     defaults = np.array([control.default for control in rig.controls], dtype=np.float64)
     if base_values is None or np.array_equal(base_values, defaults):
-        return _or_at_bind_pose(
-            rig, trajectories, find_symmetry(rig, trajectories, fields, settings), settings
-        )
-    neutral = _same_controls(rig, trajectories, settings)
-    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings)
+        found = find_symmetry(rig, trajectories, fields, settings, configured)
+        return _or_at_bind_pose(rig, trajectories, found, settings, configured, sampling)
+    neutral = _same_controls(rig, trajectories, sampling)
+    symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings, configured)
     if not symmetry.normal.any():
-        return find_symmetry(rig, trajectories, fields, settings)
+        return find_symmetry(rig, trajectories, fields, settings, configured)
     return _at_pose(symmetry, neutral, trajectories.base)
 
 
 def _or_at_bind_pose(
-    rig: Rig, trajectories: Trajectories, found: Symmetry, settings: Settings
+    rig: Rig,
+    trajectories: Trajectories,
+    found: Symmetry,
+    settings: SymmetrySettings,
+    configured: Mapping[int, int],
+    sampling: TrajectorySettings,
 ) -> Symmetry:
     """What was found, or what the skeleton's bind pose shows where the base pose mirrors few
     points: a character may rest in a pose of its own."""
     bound = _bound(rig)
-    if (
-        bound is None
-        or not settings.symmetry.enabled
-        or float((found.partner >= 0).mean()) >= _MIRRORED
-    ):
+    if bound is None or not settings.enabled or float((found.partner >= 0).mean()) >= _MIRRORED:
         return found
-    neutral = _same_controls(bound, trajectories, settings)
-    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings)
+    neutral = _same_controls(bound, trajectories, sampling)
+    symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings, configured)
     if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
         return found
     return _at_pose(symmetry, neutral, trajectories.base)
@@ -92,15 +95,17 @@ def _bound(rig: Rig) -> Rig | None:
     )
 
 
-def _same_controls(rig: Rig, trajectories: Trajectories, settings: Settings) -> Trajectories:
+def _same_controls(
+    rig: Rig, trajectories: Trajectories, sampling: TrajectorySettings
+) -> Trajectories:
     """Trajectories of the same controls at the defaults of all."""
-    neutral = find_trajectories(rig, settings.trajectories)
+    neutral = find_trajectories(rig, sampling)
     if len(trajectories.motions) >= len(neutral.motions):
         return neutral
     own, excluded = (
         {each.control for each in of} for of in (trajectories.motions, trajectories.excluded)
     )
-    return of_controls(rig, neutral, own, excluded, settings.trajectories)
+    return of_controls(rig, neutral, own, excluded, sampling)
 
 
 def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:

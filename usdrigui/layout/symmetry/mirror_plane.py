@@ -7,6 +7,7 @@ reflection to pairs of nearest points, and the far pairs (hair, clothes) are tri
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +19,7 @@ from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
 from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
-from usdrigui.settings import Settings
+from usdrigui.settings import SymmetrySettings
 from usdrigui.ties import axis_across, rounded, towards
 
 _SAMPLE = 2000
@@ -65,19 +66,23 @@ class _Plane:
 
 
 def find_symmetry(
-    rig: Rig, trajectories: Trajectories, fields: DisplacementFields, settings: Settings
+    rig: Rig,
+    trajectories: Trajectories,
+    fields: DisplacementFields,
+    settings: SymmetrySettings,
+    configured: Mapping[int, int],
 ) -> Symmetry:
     """Mirror plane, partner points and twin controls of `rig`; `fields` are those of
-    `trajectories`.
+    `trajectories`, `configured` the twins that the configuration says (`configured_twins`).
 
     The normal points to the character's left.  Where less than half of the moving region has a
     mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
     as the configuration says or -1.
     """
     count = len(trajectories.base)
-    tolerance = settings.symmetry.tolerance * trajectories.face_size
+    tolerance = settings.tolerance * trajectories.face_size
     plane = None
-    if settings.symmetry.enabled and trajectories.motions:
+    if settings.enabled and trajectories.motions:
         plane = _named_instead(
             rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories
         )
@@ -92,7 +97,9 @@ def find_symmetry(
             plane.normal,
             middle - (middle @ plane.normal - plane.offset) * plane.normal,
         )
-    twins, sources, turned = find_twins(rig, trajectories, fields, (partner, normal), settings)
+    twins, sources, turned = find_twins(
+        rig, trajectories, fields, (partner, normal), configured, settings.twin_similarity
+    )
     return Symmetry(origin, normal, partner, distance, twins, sources, turned)
 
 
@@ -101,12 +108,14 @@ def about_plane_of(
     trajectories: Trajectories,
     fields: DisplacementFields,
     whole: Symmetry,
-    settings: Settings,
+    settings: SymmetrySettings,
+    configured: Mapping[int, int],
 ) -> Symmetry:
     """The symmetry of a part of a character about the plane of the `whole`; parameters as of
     `find_symmetry`."""
+    mirror = whole.partner, whole.normal
     twins, sources, turned = find_twins(
-        rig, trajectories, fields, (whole.partner, whole.normal), settings
+        rig, trajectories, fields, mirror, configured, settings.twin_similarity
     )
     return replace(whole, twins=twins, sources=sources, reversed=turned)
 

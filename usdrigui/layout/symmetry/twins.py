@@ -8,6 +8,8 @@ only where the motions leave room; the configuration has the last word.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import networkx as nx
 import numpy as np
 
@@ -16,7 +18,7 @@ from usdrigui.errors import meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
 from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings
 
 _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
@@ -29,25 +31,28 @@ def find_twins(
     trajectories: Trajectories,
     fields: DisplacementFields,
     mirror: tuple[Indices, Floats],
-    settings: Settings,
+    configured: Mapping[int, int],
+    least: float,
 ) -> tuple[Indices, tuple[str, ...], Flags]:
     """Twin of every control, how it was decided, and whether it goes the other way, as in
     `Symmetry`.
 
-    `mirror` are the partners (n,) of all points and the normal (3,) of the mirror plane.
+    `mirror` are the partners (n,) of all points and the normal (3,) of the mirror plane,
+    `configured` as of `configured_twins`; motions agree by `least` to be twins.
     """
     partner, normal = mirror
     count = len(rig.controls)
     twins, sources = np.full(count, -1, dtype=np.int64), [""] * count
     reversed_twins = np.zeros(count, dtype=bool)
-    fixed = _configured(rig, settings, twins, sources)
+    for own, other in configured.items():
+        twins[own], sources[own] = other, "config"
     if normal.any():
         raw = agreements(fields, partner, normal)
         raw = 0.5 * (raw + raw.T)
-        free = [i for i, motion in enumerate(trajectories.motions) if motion.control not in fixed]
-        for a, b, source in _matched(
-            rig, trajectories, raw, free, settings.symmetry.twin_similarity
-        ):
+        free = [
+            i for i, motion in enumerate(trajectories.motions) if motion.control not in configured
+        ]
+        for a, b, source in _matched(rig, trajectories, raw, free, least):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
         reversed_twins = _reversed(trajectories, twins, raw)
@@ -107,22 +112,19 @@ def _mirrored(
     return fields.vectors[:, source[here]] @ turn, own
 
 
-def _configured(rig: Rig, settings: Settings, twins: Indices, sources: list[str]) -> set[int]:
-    """Enter the configured twins into `twins` and `sources`; returns the controls that it
-    decides."""
-    index = control_index(rig, settings.controls)
-    fixed: set[int] = set()
-    for own, override in enumerate(control_overrides(rig, settings)):
-        if not override.twin:
-            continue
-        name = rig.controls[own].name
-        other = _named_twin(own, name, override.twin, index)
-        fixed |= {own, other} - {-1}
-        twins[own] = other
-        sources[own] = "config"
-        if other >= 0:
-            twins[other], sources[other] = own, "config"
-    return fixed
+def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[int, int]:
+    """The controls whose twin the configuration says, to that; -1 where they are to have none.
+
+    Raises CONFIG_UNKNOWN_CONTROL for a twin that is no control.
+    """
+    index = control_index(rig, controls)
+    found: dict[int, int] = {}
+    for own, override in enumerate(control_overrides(rig, controls)):
+        if override.twin:
+            found[own] = other = _named_twin(own, rig.controls[own].name, override.twin, index)
+            if other >= 0:
+                found[other] = own
+    return found
 
 
 def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:

@@ -93,7 +93,7 @@ def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
         for each, joint in zip(line.face.rig.controls, turned, strict=True)
     )
     face = replace(line.face, rig=replace(line.face.rig, controls=controls))
-    assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:])) == shared
+    assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:], {})) == shared
 
 
 AT = (0.0, -0.55)
@@ -173,7 +173,7 @@ def test_patches_and_fans_by_the_jaccard_index():
     fan = next(group for key, group in fans.items() if set(key) == {"pucker", "lipUp", "lipOut"})
     assert fan.kind == "fan"
     line = chain.problem_of(rig, chain.settings(groups=off))
-    assert any(set(names) <= {"pucker", "lipUp", "lipOut"} for names in suggested_groups(*line.grouping))
+    assert any(set(names) <= {"pucker", "lipUp", "lipOut"} for names in suggested_groups(*line.grouping, line.groups))
     assert not any(len(k) > 1 for k in groups_of(rig, groups={**off, "patches": True, "jaccard_min": 1.0})[0])
 
 

@@ -13,6 +13,7 @@ from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
+from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.settings import Settings
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
@@ -22,7 +23,9 @@ ROTATION *= np.sign(np.linalg.det(ROTATION))
 def symmetry_of(rig, settings=None):
     settings = settings or Settings()
     found = trajectories(rig, settings.trajectories)
-    return find_symmetry(rig, found, displacement_fields(found), settings)
+    return find_symmetry(
+        rig, found, displacement_fields(found), settings.symmetry, configured_twins(rig, settings.controls)
+    )
 
 
 def names(rig, symmetry):
