@@ -24,7 +24,7 @@ from usdrigui.layout.motion.activity import (
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.model import Candidates, Performance, Rig, Symmetry
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
 
 _ACTIVE = 0.05
@@ -33,7 +33,7 @@ _NAMED = 3
 """Controls of a set whose names make the name of its element."""
 
 
-def performances(paths: Sequence[Path], settings: Settings) -> tuple[Performance, ...]:
+def performances(paths: Sequence[Path], settings: ReadSettings) -> tuple[Performance, ...]:
     """Every animation of some files.  Raises ANIMATION_MISSING and everything that reading an asset
     can raise."""
     return tuple(each for path in paths for each in read_performances_isolated(path, settings))

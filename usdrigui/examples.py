@@ -80,7 +80,7 @@ class Examples:
         return layout_of(self.base.layouts, rig) if self.base is not None else None
 
 
-def read_examples(layers: ExampleLayers, settings: Settings) -> Examples:
+def read_examples(layers: ExampleLayers, settings: ReadSettings) -> Examples:
     """Read the layers, each in a process of its own.
 
     Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and
@@ -310,14 +310,14 @@ def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
 
 
 def _characters(
-    layer: Path, settings: Settings
+    layer: Path, settings: ReadSettings
 ) -> tuple[tuple[tuple[Rig, Layout], ...], tuple[SourceFile, ...]]:
     """The characters of a layer to imitate, read without what the configuration says of ours, and
     their files."""
     limits = ReadSettings(
-        time_limit=settings.read.time_limit,
-        memory_limit=settings.read.memory_limit,
-        size_limit=settings.read.size_limit,
+        time_limit=settings.time_limit,
+        memory_limit=settings.memory_limit,
+        size_limit=settings.size_limit,
     )
     found, read = read_composed_isolated(layer, Settings(read=limits))
     layouts = _by_root(found)

@@ -21,7 +21,7 @@ from usdrigui.errors import Exit, RigUIError
 from usdrigui.layout import glyph_fitting as fitting
 from usdrigui.model import Glyph
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare
-from usdrigui.settings import OutputSettings, load
+from usdrigui.settings import OutputSettings, ReadSettings, load
 from usdrigui.usd import glyphs
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.read_layout import read_layout
@@ -319,7 +319,7 @@ def test_glyphs_come_back_from_the_layer(tmp_path):
     layout = with_glyphs(laid_out.layout_of(rig, beside=("brow_L",)))
     path = written(tmp_path, rig, layout, source)
     assert not laid_out.validation_errors(Usd.Stage.Open(str(path)))
-    (back,) = read_layouts_isolated(path, load({})).layouts
+    (back,) = read_layouts_isolated(path, ReadSettings()).layouts
     for one, other in zip(layout.elements, back.elements, strict=True):
         assert (one.glyph.name, one.glyph.form) == (other.glyph.name, other.glyph.form)
         assert np.allclose(one.glyph.points, other.glyph.points, atol=1e-6)

@@ -689,5 +689,5 @@ def test_a_range_of_one_side_holds_for_the_other_unless_said_otherwise(said, max
     channels = tuple(Channel(token, "/anim", i) for i, token in enumerate(("brow_L", "brow_R")))
     nothing = [[float("nan")] * 2] * 2
     authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
-    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}))
+    drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}).controls)
     assert [draft.range.maximum for draft in drafts] == maxima

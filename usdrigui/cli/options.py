@@ -251,7 +251,7 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
     from usdrigui.usd.reader_process import read_layouts_isolated
 
     try:
-        found = read_layouts_isolated(layer, limits)
+        found = read_layouts_isolated(layer, limits.read)
     except RigUIError as error:
         # Perhaps its configuration raises the limit that it ran into, or the variant selected has
         # no layout; only its name can tell which that is.

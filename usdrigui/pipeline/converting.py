@@ -28,9 +28,9 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     CONVERT_COMPOSED (another layer brings the layout in, or a part of it), FILE_TARGET and all that
     reading and writing can raise.
     """
-    own = read_layer_isolated(layer, settings)
+    own = read_layer_isolated(layer, settings.read)
     chosen = [selecting(settings, each) for each in own.variants] or [settings]
-    layouts = [read_layouts_isolated(layer, each) for each in chosen]
+    layouts = [read_layouts_isolated(layer, each.read) for each in chosen]
     origins = [path for each in layouts for path in each.composed_from.values()]
     if origins or not own.ours:
         raise refuse(
@@ -44,7 +44,7 @@ def convert(layer: Path, target: Path, settings: Settings) -> State:
     reads = [read_rigs_isolated(source, each) for each in chosen]
     laid = {pair[1].variant_path or pair[1].root: pair for pair in _pairs(layouts, reads, source)}
     check_target(source, target)
-    check_replaceable(target, settings)
+    check_replaceable(target, settings.read)
     from usdrigui.usd.layer import write_layout
 
     make_folder(target)

@@ -42,8 +42,8 @@ def inspect(
     clock = Clock(progress)
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
-        clips = animation.performances(animations, settings)
-        examples = read_examples(ExampleLayers(like=like), settings)
+        clips = animation.performances(animations, settings.read)
+        examples = read_examples(ExampleLayers(like=like), settings.read)
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:

@@ -84,7 +84,7 @@ def process(
             _check_character(
                 asset, target, each.source, each.settings, over_base=layers.base is not None
             )
-        check_replaceable(target, settings, asset if output is None else None)
+        check_replaceable(target, settings.read, asset if output is None else None)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
@@ -124,7 +124,11 @@ def process_stage(
     settings = replace(settings, output=replace(settings.output, bare=True))
     root = stage.GetRootLayer() if hasattr(stage, "GetRootLayer") else stage
     with clock.stage("read"):
-        sets = in_memory.read_open_variants(stage, settings) if settings.read.each_variant else {}
+        sets = (
+            in_memory.read_open_variants(stage, settings.read.variants)
+            if settings.read.each_variant
+            else {}
+        )
         readings, plain = _read_each(
             settings,
             sets,
@@ -171,7 +175,7 @@ def _readings(
                 "adds to the variant that the shot selects, and to no other",
             )
         return _read_over(asset, settings, layers), ()
-    sets = read_variants_isolated(asset, settings) if settings.read.each_variant else {}
+    sets = read_variants_isolated(asset, settings.read) if settings.read.each_variant else {}
     return _read_each(settings, sets, functools.partial(_read, asset, layers))
 
 
@@ -185,7 +189,7 @@ def _read_each(
 
 def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
     source = read_rigs_isolated(asset, settings)
-    return Reading(settings, source, read_examples(layers, settings))
+    return Reading(settings, source, read_examples(layers, settings.read))
 
 
 def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Reading]:
@@ -214,7 +218,9 @@ def _of_variant(
     select."""
     source = replace(found.source, rigs=tuple(rigs))
     return Reading(
-        found.settings, source, read_examples(layers, variants.selecting(found.settings, chosen))
+        found.settings,
+        source,
+        read_examples(layers, variants.selecting(found.settings, chosen).read),
     )
 
 

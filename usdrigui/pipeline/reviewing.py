@@ -135,7 +135,7 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
         return _checked(layer, settings, clock)
     reviews, plain = variants.in_each_variant(
         settings,
-        read_variants_isolated(layer, settings),
+        read_variants_isolated(layer, settings.read),
         lambda chosen: _checked(layer, chosen, clock),
     )
     characters = {root: review for each in reviews for root, review in each.characters}
@@ -225,7 +225,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     at all."""
     if refusal.issue.code != "LAYOUT_MISSING":
         raise refusal
-    found = read_faults_isolated(asset, settings)
+    found = read_faults_isolated(asset, settings.read)
     if found.empty:
         raise refusal
     try:
@@ -249,7 +249,7 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
         return _difference(before, after, settings)
     each, _ = variants.in_each_variant(
         settings,
-        read_variants_isolated(after, settings),
+        read_variants_isolated(after, settings.read),
         lambda chosen: _difference(before, after, chosen),
     )
     characters = {one.root: one for found in each for one in found.characters}
@@ -259,7 +259,7 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
 
 def _difference(before: Path, after: Path, settings: Settings) -> LayerDifference:
     old, new = (
-        {each.root: each for each in read_layouts_isolated(layer, settings).layouts}
+        {each.root: each for each in read_layouts_isolated(layer, settings.read).layouts}
         for layer in (before, after)
     )
     shared = [(old[root], new[root]) for root in new if root in old]

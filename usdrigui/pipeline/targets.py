@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.settings import Settings
+from usdrigui.settings import ReadSettings
 from usdrigui.usd.reader_process import read_layer_isolated
 from usdrigui.usd.safe_write import State, Transaction, check_not_read, file_error, same_file
 
@@ -65,7 +65,7 @@ def check_target(asset: Path, target: Path) -> None:
         raise refuse("FILE_TARGET", str(target), "a layout layer ends in .usda, .usdc or .usd")
 
 
-def check_replaceable(target: Path, settings: Settings, asset: Path | None = None) -> None:
+def check_replaceable(target: Path, settings: ReadSettings, asset: Path | None = None) -> None:
     """What stands at the target must be a layout layer of ours: nobody's own work is replaced by a
     slip of the hand.
 

@@ -20,7 +20,7 @@ from typing import Literal
 from pxr import Sdf, Tf
 
 from usdrigui.errors import RigUIError, refuse
-from usdrigui.settings import Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
     read_layer_isolated,
@@ -56,7 +56,7 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT,
     and all that reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.
     """
-    _check_editable(asset, settings)
+    _check_editable(asset, settings.read.size_limit)
     with editing(asset, settings.read.time_limit):
         return _attached(asset, layer, settings)
 
@@ -68,7 +68,7 @@ def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
     what reading and `usdrigui.usd.replacing` can raise.
     """
-    _check_editable(asset, settings)
+    _check_editable(asset, settings.read.size_limit)
     with editing(asset, settings.read.time_limit):
         return _detached(asset, layer, settings)
 
@@ -90,12 +90,12 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
-    layouts = read_layouts_isolated(layer, settings).layouts
+    layouts = read_layouts_isolated(layer, settings.read).layouts
     read = read_rigs_isolated(asset, settings)
     missing = sorted({layout.root for layout in layouts} - {rig.root for rig in read.rigs})
     if missing:
         raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
-    _check_bare(asset, layer, settings)
+    _check_bare(asset, layer, settings.read)
     source = open_layer(asset)
     if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
         return "unchanged"
@@ -109,13 +109,13 @@ def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
             )
     entry = relative_asset_path(layer, asset)
     return _replaced(
-        asset, source, before, functools.partial(_holds_layouts, roots, settings), added=entry
+        asset, source, before, functools.partial(_holds_layouts, roots, settings.read), added=entry
     )
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
-    read_layer_isolated(asset, settings)  # What survives that may be opened here.
+    read_layer_isolated(asset, settings.read)  # What survives that may be opened here.
     source = open_layer(asset)
     entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
     if not entries:
@@ -126,15 +126,15 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
 # --- what may be edited ---------------------------------------------------------------------------
 
 
-def _check_editable(asset: Path, settings: Settings) -> None:
+def _check_editable(asset: Path, size_limit: int) -> None:
     if asset.suffix.lower() == ".usdz":
         raise refuse("ATTACH_PACKAGE", str(asset), "is a package, whose layers cannot be edited")
     if asset.is_symlink():
         raise refuse("ATTACH_LINK", str(asset), f"is a link to {os.path.realpath(asset)}")
-    check_source(asset, settings.read.size_limit)
+    check_source(asset, size_limit)
 
 
-def _check_bare(asset: Path, layer: Path, settings: Settings) -> None:
+def _check_bare(asset: Path, layer: Path, settings: ReadSettings) -> None:
     """Refuse layers that bring sublayers of their own, or lead back to the asset."""
     if same_file(asset, layer):
         raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
@@ -246,7 +246,7 @@ def _means(text: str, layer: Sdf.Layer) -> bool:
         return False
 
 
-def _holds_layouts(roots: Sequence[str], settings: Settings, path: Path) -> bool:
+def _holds_layouts(roots: Sequence[str], settings: ReadSettings, path: Path) -> bool:
     """Whether the file composes to a character with the layouts."""
     return set(roots) <= {each.root for each in read_layouts_isolated(path, settings).layouts}
 

@@ -22,7 +22,7 @@ from usdrigui.model import (
     RigMesh,
 )
 from usdrigui.rotation import rotation_part, rotation_vectors
-from usdrigui.settings import ControlSettings, JointSettings, Settings
+from usdrigui.settings import ControlSettings, JointSettings, ReadSettings
 from usdrigui.usd.joint_defaults import Turn, default_turns, posed_locals
 from usdrigui.usd.ranges import Authored, Range, blend_shape_range
 
@@ -78,16 +78,16 @@ def blend_shape_drafts(
     used: set[int],
     authored: Authored,
     rest: Floats,
-    settings: Settings,
+    configured: Mapping[str, ControlSettings],
 ) -> list[Draft]:
     """One draft per token that some mesh implements; a token of several animations drives them
-    all."""
+    all.  `configured` is what the configuration says of controls."""
     by_token: dict[str, list[int]] = {}
     for index, channel in enumerate(channels):
         if index in used:
             by_token.setdefault(channel.token, []).append(index)
     drafts = []
-    configured = _with_ranges_of_twins(by_token, settings.controls)
+    configured = _with_ranges_of_twins(by_token, configured)
     for token, indices in by_token.items():
         override = configured.get(token, ControlSettings())
         span = _hull(
@@ -98,14 +98,19 @@ def blend_shape_drafts(
 
 
 def joint_drafts(
-    joints: tuple[Joint, ...], clip: Clip | None, named_poses: bool, settings: Settings
+    joints: tuple[Joint, ...],
+    clip: Clip | None,
+    named_poses: bool,
+    settings: ReadSettings,
+    configured: Mapping[str, JointSettings],
 ) -> list[Draft]:
-    """Rotations of joints about their own axes, in degrees from the base pose."""
+    """Rotations of joints about their own axes, in degrees from the base pose; `configured` is what
+    the configuration says of joints."""
     names = joint_names(joints)
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []
     for index, joint in enumerate(joints):
-        override = joint_settings(joint, joints, settings.joints)
+        override = joint_settings(joint, joints, configured)
         for axis in range(3):
             span = _joint_range(override, axis, spans[index, axis], named_poses, settings)
             if span is not None:
@@ -184,7 +189,7 @@ def pose_drafts(
 
 
 def settled(
-    drafts: list[Draft], settings: Settings
+    drafts: list[Draft], configured: Mapping[str, ControlSettings]
 ) -> tuple[tuple[Control, ...], tuple[Control, ...], list[LeftOff]]:
     """The controls after ranges, names and labels of the configuration, and those that it excludes.
 
@@ -195,7 +200,7 @@ def settled(
     excluded: list[Control] = []
     left_off: list[LeftOff] = []
     names: set[str] = set()
-    configured = _with_ranges_of_twins([draft.name for draft in drafts], settings.controls)
+    configured = _with_ranges_of_twins([draft.name for draft in drafts], configured)
     for draft in drafts:
         override = configured.get(draft.name, ControlSettings())
         if override.exclude:
@@ -431,17 +436,21 @@ def _animated_spans(joints: tuple[Joint, ...], clip: Clip) -> Floats:
 
 
 def _joint_range(
-    override: JointSettings | None, axis: int, span: Floats, named_poses: bool, settings: Settings
+    override: JointSettings | None,
+    axis: int,
+    span: Floats,
+    named_poses: bool,
+    settings: ReadSettings,
 ) -> Range | None:
     """The range of one joint axis, or None if it is no control."""
     if override is not None:
         if _AXES[axis] not in override.axes:
             return None
         return Range(override.minimum, 0.0, override.maximum, "config")
-    which = settings.read.joints
+    which = settings.joints
     if which == "none" or (which == "auto" and named_poses):
         return None
-    least = settings.read.joint_min_degrees
+    least = settings.joint_min_degrees
     if span[1] - span[0] > least:
         low, high = (float(end) if abs(end) > least else 0.0 for end in span)
         return Range(min(0.0, low), 0.0, max(0.0, high), "animation")
@@ -450,19 +459,17 @@ def _joint_range(
     return None
 
 
-def unknown_joints(joints: tuple[Joint, ...], settings: Settings) -> set[str]:
+def unknown_joints(joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]) -> set[str]:
     """Names in ``[joints]`` that fit no joint."""
     return {
         name
-        for name, override in settings.joints.items()
+        for name, override in configured.items()
         if not any(joint_settings(joint, joints, {name: override}) for joint in joints)
     }
 
 
-def unknown_names(drafts: list[Draft], left_off: list[LeftOff], settings: Settings) -> set[str]:
+def unknown_names(
+    drafts: list[Draft], left_off: list[LeftOff], configured: Mapping[str, ControlSettings]
+) -> set[str]:
     """Names in ``[controls]`` that neither a draft nor something left off bears."""
-    return (
-        set(settings.controls)
-        - {draft.name for draft in drafts}
-        - {each.control for each in left_off}
-    )
+    return set(configured) - {draft.name for draft in drafts} - {each.control for each in left_off}

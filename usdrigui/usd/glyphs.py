@@ -16,7 +16,7 @@ from pxr import Sdf, Usd, UsdGeom
 
 from usdrigui.errors import RigUIError, refuse
 from usdrigui.model import Floats, Glyph, Indices
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
 from usdrigui.usd.mesh import left_handed
 from usdrigui.usd.source import check_source
@@ -45,7 +45,9 @@ _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
 """By basis: rows are the powers 0 to 3 of the parameter, columns the four control points."""
 
 
-def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, Glyph]:
+def read_glyphs(
+    stage: Usd.Stage, asset: Path, controls: Mapping[str, ControlSettings], size_limit: int
+) -> dict[str, Glyph]:
     """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
 
     ``/PRIM`` is a prim of the asset, ``FILE</PRIM>`` one of another layer, whose path is relative
@@ -53,11 +55,11 @@ def read_glyphs(stage: Usd.Stage, asset: Path, settings: Settings) -> dict[str, 
     the code of an array that cannot be right, and what opening FILE raises.
     """
     found: dict[str, Glyph] = {}
-    for control, override in settings.controls.items():
+    for control, override in controls.items():
         key = f'controls."{control}".glyph'
         if override.glyph and override.glyph not in found:
             file, path = _address(key, override.glyph)
-            source = _opened(key, asset.parent / file, settings) if file else stage
+            source = _opened(key, asset.parent / file, size_limit) if file else stage
             prim = source.GetPrimAtPath(path)
             if not prim or not prim.IsActive():
                 raise refuse(
@@ -82,9 +84,9 @@ def _address(key: str, text: str) -> tuple[str, str]:
     return file, path
 
 
-def _opened(key: str, path: Path, settings: Settings) -> Usd.Stage:
+def _opened(key: str, path: Path, size_limit: int) -> Usd.Stage:
     try:
-        check_source(path, settings.read.size_limit)
+        check_source(path, size_limit)
         return open_stage(path)
     except RigUIError as error:
         if error.issue.code != "FILE_NOT_FOUND":

@@ -19,12 +19,12 @@ from usdrigui.usd.rig import read_rigs
 from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
-    from collections.abc import Collection
+    from collections.abc import Collection, Mapping
 
 
 def read_open_rigs(source: Usd.Stage | Sdf.Layer, settings: Settings) -> ReadResult:
     """What an open stage or layer holds; raises as `usdrigui.usd.rig.read_rigs`."""
-    stage = _copy(source, settings)
+    stage = _copy(source, settings.read.variants)
     return _result(stage, settings, own_layouts(stage), None)
 
 
@@ -35,7 +35,7 @@ def read_open_layouts(
 
     Raises LAYOUT_MISSING, LAYOUT_STALE and as `read_open_rigs`.
     """
-    stage = _copy(source, settings)
+    stage = _copy(source, settings.read.variants)
     layouts = read_layout(stage)
     return layouts, _result(stage, settings, (), {each.root for each in layouts})
 
@@ -59,13 +59,13 @@ def _result(
 
 
 def read_open_variants(
-    source: Usd.Stage | Sdf.Layer, settings: Settings
+    source: Usd.Stage | Sdf.Layer, variants: Mapping[str, str]
 ) -> dict[str, tuple[str, ...]]:
     """The variants of every set on an open stage or layer; raises VARIANT_UNKNOWN."""
-    return variant_sets(_copy(source, settings))
+    return variant_sets(_copy(source, variants))
 
 
-def _copy(source: Usd.Stage | Sdf.Layer, settings: Settings) -> Usd.Stage:
+def _copy(source: Usd.Stage | Sdf.Layer, variants: Mapping[str, str]) -> Usd.Stage:
     """The same layers composed once more: whatever is tried on that stage, the caller's is left
     alone."""
     session = Sdf.Layer.CreateAnonymous()
@@ -74,5 +74,5 @@ def _copy(source: Usd.Stage | Sdf.Layer, settings: Settings) -> Usd.Stage:
     else:
         session.TransferContent(source.GetSessionLayer())
         stage = Usd.Stage.Open(source.GetRootLayer(), session, source.GetPathResolverContext())
-    select(stage, settings.read.variants)
+    select(stage, variants)
     return stage

@@ -10,7 +10,7 @@ from pxr import Usd, Vt
 
 from usdrigui.errors import Issue, issue, meant, refuse
 from usdrigui.model import Channel, Joint, LeftOff
-from usdrigui.settings import PoseSettings, Settings
+from usdrigui.settings import PoseSettings
 from usdrigui.usd.controls import NamedPose, State
 from usdrigui.usd.ranges import custom_data
 from usdrigui.usd.skeleton import Armature, locals_at, weights_at
@@ -78,7 +78,7 @@ def named_poses(
     joints: tuple[Joint, ...],
     channels: tuple[Channel, ...],
     base: State,
-    settings: Settings,
+    configured: Mapping[str, PoseSettings],
 ) -> list[NamedPose]:
     """The poses of the asset's frames, all but the first, and those of the configuration, which
     win.
@@ -90,11 +90,9 @@ def named_poses(
     poses = [
         NamedPose(frame.name, "", np.array([0.0, 1.0]), source.keys([frame.time]))
         for frame in frames[1:]
-        if frame.name not in settings.poses
+        if frame.name not in configured
     ]
-    poses.extend(
-        _configured(name, configured, source) for name, configured in settings.poses.items()
-    )
+    poses.extend(_configured(name, each, source) for name, each in configured.items())
     return poses
 
 

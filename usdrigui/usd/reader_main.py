@@ -60,13 +60,13 @@ def respond(request: Request) -> Response:
         if request.task == "composed":
             return _composed(path, request.settings)
         if request.task == "layouts":
-            return Response(layouts=_layouts(path, request.settings))
+            return Response(layouts=_layouts(path, request.settings.read.variants))
         if request.task == "clips":
             return Response(performances=_performances(path))
         if request.task == "faults":
-            return Response(faults=_faults(path, request.settings))
+            return Response(faults=_faults(path, request.settings.read.variants))
         if request.task == "variants":
-            return Response(variants=_variants(path, request.settings))
+            return Response(variants=_variants(path, request.settings.read.variants))
         if request.task == "layer":
             return Response(layer=_layer(path))
         return Response(rigs=_rigs(path, request.settings))
@@ -112,7 +112,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.rig import read_rigs
     from usdrigui.usd.variants import variant_path
 
-    with _hashed_before(path, settings) as (before, heard), _kept_stages() as stages:
+    with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
         rigs = _told(read_rigs(path, settings), path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
@@ -128,15 +128,13 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         )
 
 
-def _layouts(path: Path, settings: Settings) -> LayoutsResult:
+def _layouts(path: Path, variants: Mapping[str, str]) -> LayoutsResult:
     from usdrigui.usd.read_layout import layout_paths, with_corrections
     from usdrigui.usd.stage import open_stage
     from usdrigui.usd.variants import select_unselected
 
-    with _hashed_before(path, settings) as (before, _), _kept_stages() as stages:
-        stage = open_stage(
-            path, settings.read.variants
-        )  # kept, so that what opens it next finds it so
+    with _hashed_before(path, variants) as (before, _), _kept_stages() as stages:
+        stage = open_stage(path, variants)  # kept, so that what opens it next finds it so
         if not stage.GetRootLayer().subLayerPaths:
             select_unselected(stage, layout_paths(stage.GetRootLayer()))
         found = _layouts_in(path, stages, before)
@@ -160,7 +158,7 @@ def _composed(path: Path, settings: Settings) -> Response:
     from usdrigui.usd.rig import read_rigs
     from usdrigui.usd.stage import open_stage
 
-    with _hashed_before(path, settings) as (before, heard), _kept_stages() as stages:
+    with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
@@ -177,18 +175,18 @@ def _performances(path: Path) -> tuple[Performance, ...]:
     return read_performances(path)
 
 
-def _variants(path: Path, settings: Settings) -> Mapping[str, tuple[str, ...]]:
+def _variants(path: Path, variants: Mapping[str, str]) -> Mapping[str, tuple[str, ...]]:
     from usdrigui.usd.stage import open_stage
     from usdrigui.usd.variants import variant_sets
 
-    return variant_sets(open_stage(path, settings.read.variants))
+    return variant_sets(open_stage(path, variants))
 
 
-def _faults(path: Path, settings: Settings) -> FaultsResult:
+def _faults(path: Path, variants: Mapping[str, str]) -> FaultsResult:
     from usdrigui.usd.faults import stage_faults
     from usdrigui.usd.stage import open_stage
 
-    stage = open_stage(path, settings.read.variants)
+    stage = open_stage(path, variants)
     return FaultsResult(stage_faults(stage), not stage.GetPseudoRoot().GetAllChildren())
 
 
@@ -243,7 +241,7 @@ def _stage_of(path: Path, stages: Any) -> Any:
 
 @contextlib.contextmanager
 def _hashed_before(
-    path: Path, settings: Settings
+    path: Path, variants: Mapping[str, str]
 ) -> Iterator[tuple[Mapping[str, SourceFile], Sequence[str]]]:
     """The files that compose an asset of several, by path, as they were before anything is read for
     good.
@@ -255,7 +253,7 @@ def _hashed_before(
     from usdrigui.usd.stage import listening, open_stage
 
     with listening() as heard:
-        stage = open_stage(path, settings.read.variants)
+        stage = open_stage(path, variants)
     names = _files(path, (stage,)) if _depends(stage) else ()
     if names:
         del stage

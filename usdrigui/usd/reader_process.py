@@ -31,7 +31,7 @@ from usdrigui.processes import (
     reaped,
     signals_later,
 )
-from usdrigui.settings import Settings
+from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd import serialization
 from usdrigui.usd.reader_records import (
     FaultsResult,
@@ -55,7 +55,7 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
     SOURCE_TOO_LARGE, SOURCE_LFS_POINTER, SOURCE_CRASHES_USD, SOURCE_TIME_LIMIT,
     SOURCE_MEMORY_LIMIT, SOURCE_READER_LOST, SOURCE_CHANGED.
     """
-    limits = limits or Limits.of(settings)
+    limits = limits or Limits.of(settings.read)
     before = check_source(path, limits.size)
     try:
         result = _understood(_response("rigs", path, settings, limits).rigs, path)
@@ -68,11 +68,11 @@ def read_rigs_isolated(path: Path, settings: Settings, limits: Limits | None = N
 
 
 def read_layouts_isolated(
-    path: Path, settings: Settings, limits: Limits | None = None
+    path: Path, settings: ReadSettings, limits: Limits | None = None
 ) -> LayoutsResult:
     """As `usdrigui.usd.read_layout.read_layout` and `source_of`, in a reader; raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layouts", path, settings, limits).layouts, path)
+    return _understood(_asked("layouts", path, Settings(read=settings), limits).layouts, path)
 
 
 def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResult, ReadResult]:
@@ -87,7 +87,7 @@ def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResul
     except RigUIError as error:
         if (
             error.issue.code == "SKELROOT_MISSING"
-            and not read_layouts_isolated(path, settings).source
+            and not read_layouts_isolated(path, settings.read).source
         ):
             raise refuse("SOURCE_MISSING", str(path), "does not sublayer any asset") from error
         raise
@@ -95,32 +95,34 @@ def read_composed_isolated(path: Path, settings: Settings) -> tuple[LayoutsResul
 
 
 def read_performances_isolated(
-    path: Path, settings: Settings, limits: Limits | None = None
+    path: Path, settings: ReadSettings, limits: Limits | None = None
 ) -> tuple[Performance, ...]:
     """As `usdrigui.usd.clips.read_performances`, in a reader; raises as `read_rigs_isolated`."""
-    return _understood(_asked("clips", path, settings, limits).performances or None, path)
+    return _understood(
+        _asked("clips", path, Settings(read=settings), limits).performances or None, path
+    )
 
 
 def read_faults_isolated(
-    path: Path, settings: Settings, limits: Limits | None = None
+    path: Path, settings: ReadSettings, limits: Limits | None = None
 ) -> FaultsResult:
     """As `usdrigui.usd.faults.stage_faults`, in a reader; raises as `read_rigs_isolated` where
     nothing can be read."""
-    return _understood(_asked("faults", path, settings, limits).faults, path)
+    return _understood(_asked("faults", path, Settings(read=settings), limits).faults, path)
 
 
 def read_layer_isolated(
-    path: Path, settings: Settings, limits: Limits | None = None
+    path: Path, settings: ReadSettings, limits: Limits | None = None
 ) -> LayerResult:
     """A layer by itself, in a reader; what it composes need not be there.  Raises as
     `read_rigs_isolated`."""
-    return _understood(_asked("layer", path, settings, limits).layer, path)
+    return _understood(_asked("layer", path, Settings(read=settings), limits).layer, path)
 
 
-def read_variants_isolated(path: Path, settings: Settings) -> Mapping[str, tuple[str, ...]]:
+def read_variants_isolated(path: Path, settings: ReadSettings) -> Mapping[str, tuple[str, ...]]:
     """As `usdrigui.usd.variants.variant_sets`, in a reader; raises as `read_rigs_isolated` and
     VARIANT_UNKNOWN."""
-    return _understood(_asked("variants", path, settings, None).variants, path)
+    return _understood(_asked("variants", path, Settings(read=settings), None).variants, path)
 
 
 def _understood(part: _Part | None, path: Path) -> _Part:
@@ -136,7 +138,7 @@ def _garbled(path: Path) -> RigUIError:
 
 def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Response:
     """The reader's response about a file that it may be shown."""
-    limits = limits or Limits.of(settings)
+    limits = limits or Limits.of(settings.read)
     check_source(path, limits.size)
     return _response(task, path, settings, limits)
 

@@ -27,10 +27,9 @@ class Limits:
     """MiB of the asset's file."""
 
     @classmethod
-    def of(cls, settings: Settings) -> Limits:
+    def of(cls, settings: ReadSettings) -> Limits:
         """The limits that the settings name."""
-        read = settings.read
-        return cls(read.time_limit, read.memory_limit, read.size_limit)
+        return cls(settings.time_limit, settings.memory_limit, settings.size_limit)
 
 
 @dataclass(frozen=True, eq=False)

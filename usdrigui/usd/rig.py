@@ -6,7 +6,7 @@ is asked of UsdSkel, so that a rig means here what it means in any other applica
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -15,7 +15,7 @@ from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
 from usdrigui.usd.controls import (
     Draft,
@@ -89,8 +89,8 @@ def read_rigs(
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
         readings = [_guarded(root, settings, instances=laid_out is not None) for root in roots]
-        glyphs = _guarded_glyphs(stage, path, settings)
-    _check_names(readings, settings)
+        glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit)
+    _check_names(readings, settings.controls, settings.joints)
     rigs = tuple(
         replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls
     )
@@ -165,9 +165,11 @@ def _guarded(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading
         raise refuse("USD_ERROR", str(root.GetPath()), usd_message(error)) from None
 
 
-def _guarded_glyphs(stage: Usd.Stage, path: Path, settings: Settings) -> dict[str, Glyph]:
+def _guarded_glyphs(
+    stage: Usd.Stage, path: Path, controls: Mapping[str, ControlSettings], size_limit: int
+) -> dict[str, Glyph]:
     try:
-        return read_glyphs(stage, path, settings)
+        return read_glyphs(stage, path, controls, size_limit)
     except Tf.ErrorException as error:
         raise refuse("USD_ERROR", str(path), usd_message(error)) from None
 
@@ -178,9 +180,9 @@ def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
             f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
         )
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
-    scene = _scene(root, settings, instances=instances)
+    scene = _scene(root, settings.read, instances=instances)
     drafts, left_off, issues = _drafts(root, scene, settings)
-    controls, excluded, unused = settled(drafts, settings)
+    controls, excluded, unused = settled(drafts, settings.controls)
     lost = (*left_off, *unused, *scene.names.left_off)
     rig = Rig(
         root=str(root.GetPath()),
@@ -198,11 +200,12 @@ def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
         issues=(*scene.found.issues, *scene.names.issues, *issues),
         excluded=excluded,
     )
-    unknown = unknown_names(drafts, list(lost), settings), unknown_joints(scene.joints, settings)
-    return _Reading(rig, *unknown, scene.bound_in_vain, tuple(scene.found.faults))
+    unknown = unknown_names(drafts, list(lost), settings.controls)
+    joints = unknown_joints(scene.joints, settings.joints)
+    return _Reading(rig, unknown, joints, scene.bound_in_vain, tuple(scene.found.faults))
 
 
-def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
+def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene:
     cache = UsdSkel.Cache()
     everything = Usd.TraverseInstanceProxies()
     skel_root = UsdSkel.Root(root)
@@ -210,10 +213,10 @@ def _scene(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Scene:
     bindings = [
         each for each in cache.ComputeSkelBindings(skel_root, everything) if _belongs(each, root)
     ]
-    time = settings.read.time
+    time = settings.time
     frames = Frames(root, Usd.TimeCode.Default() if time is None else Usd.TimeCode(time))
     armatures = read_armatures([each.GetSkeleton() for each in bindings], cache, frames)
-    names = read_frame_names(root, armatures, settings.read.pose_names)
+    names = read_frame_names(root, armatures, settings.pose_names)
     if time is None and names.frames:
         time = names.frames[0].time  # The asset itself says which frame is its rest pose.
     found = Found()
@@ -248,15 +251,19 @@ def _drafts(
     authored, issues = read_ranges(
         root, scene.armatures, scene.channels, scene.meshes, scene.authored_weights, scene.clip
     )
-    drafts = blend_shape_drafts(scene.channels, used, authored, scene.base_weights, settings)
-    drafts += joint_drafts(scene.joints, scene.clip, bool(scene.names.frames), settings)
+    drafts = blend_shape_drafts(
+        scene.channels, used, authored, scene.base_weights, settings.controls
+    )
+    drafts += joint_drafts(
+        scene.joints, scene.clip, bool(scene.names.frames), settings.read, settings.joints
+    )
     if settings.read.joints != "none" and not scene.names.frames:
         issues += ignored_motion(str(root.GetPath()), scene.joints, scene.clip)
     base = State(
         scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4)
     )
     poses = named_poses(
-        scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings
+        scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings.poses
     )
     more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
     lost = [*left_off_tokens(scene.found, used), *left_off]
@@ -411,10 +418,10 @@ def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     return ()
 
 
-def _check_names(readings: list[_Reading], settings: Settings) -> None:
+def _check_names(readings: list[_Reading], controls: Iterable[str], joints: Iterable[str]) -> None:
     """Refuse names in the configuration that no rig knows, all at once."""
     faults = Faults()
-    for name in settings.controls:
+    for name in controls:
         if all(name in reading.unknown_controls for reading in readings):
             hint = meant(
                 name, (control.name for reading in readings for control in reading.rig.controls)
@@ -422,7 +429,7 @@ def _check_names(readings: list[_Reading], settings: Settings) -> None:
             what = f"no rig of the asset has this control{hint}"
             with faults.collected():
                 raise refuse("CONFIG_UNKNOWN_CONTROL", f'controls."{name}"', what)
-    for name in settings.joints:
+    for name in joints:
         if all(name in reading.unknown_joints for reading in readings):
             hint = meant(
                 name, (each for reading in readings for each in _names_of_joints(reading.rig))

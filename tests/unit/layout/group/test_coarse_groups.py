@@ -160,8 +160,8 @@ def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
 
 def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
-    fixed = fixed_by(first, FACE, joystick())
-    again = lay_out(FACE, fixed, prior=PriorLayout(kept_groups(first, FACE))).layout
+    fixed = fixed_by(first, FACE, {})
+    again = lay_out(FACE, replace(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first, FACE))).layout
     assert anchors(again) == anchors(first)
     kept = lay_out(FACE, joystick(), prior=of_previous(first, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)

@@ -12,7 +12,7 @@ from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.improvement import improvements
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, Settings
 
 
 def lay_out(rig, settings=None, prior=NO_PRIOR):
@@ -64,7 +64,7 @@ def at_another_place(line, name, column=0):
 
 
 def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
-    settings = fixed_by(before.layout, face, Settings())
+    settings = Settings(controls=fixed_by(before.layout, face, {}))
     again = lay_out(face, settings, PriorLayout(kept_groups(before.layout, face)))
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
@@ -75,7 +75,7 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
 def test_the_rest_is_optimal_given_what_is_fixed(face, before):
     layout, point = at_another_place(before, "pucker")
     partial = replace(layout, elements=tuple(each for each in layout.elements if each.name == "pucker"))
-    settings = fixed_by(partial, face, Settings())
+    settings = Settings(controls=fixed_by(partial, face, {}))
     line = lay_out(face, settings)
     assert anchors(line.layout)["pucker"] == point
     assert line.assignment.status == "optimal"
@@ -89,14 +89,14 @@ def test_the_rest_is_optimal_given_what_is_fixed(face, before):
 def test_fixing_beside_keeps_a_control_off_the_face(face, before):
     element = chain.by_name(before)["chin"]
     beside = replace(element, anchor=replace(element.anchor, on_board=True))
-    settings = fixed_by(replace(before.layout, elements=(beside,)), face, Settings())
+    settings = Settings(controls=fixed_by(replace(before.layout, elements=(beside,)), face, {}))
     assert anchors(lay_out(face, settings).layout)["chin"] == "board"
 
 
 def test_the_configuration_is_stronger_than_the_fixed_layer(face, before):
-    settings = fixed_by(before.layout, face, chain.settings(controls={"chin": {"anchor": "/Root/mesh#20"}}))
-    assert settings.controls["chin"].anchor == "/Root/mesh#20"
-    assert settings.controls["pucker"].anchor == f"/Root/mesh#{anchors(before.layout)['pucker']}"
+    controls = fixed_by(before.layout, face, {"chin": ControlSettings(anchor="/Root/mesh#20")})
+    assert controls["chin"].anchor == "/Root/mesh#20"
+    assert controls["pucker"].anchor == f"/Root/mesh#{anchors(before.layout)['pucker']}"
 
 
 def test_fixing_one_member_fixes_its_group(face):
@@ -131,9 +131,9 @@ def test_impossible_requests_are_refused_with_the_reason(face, controls, groups,
 def test_a_layer_fixed_on_other_points_is_refused(face, before):
     other = makers.face(columns=31)
     with pytest.raises(RigUIError, match="other points or faces"):
-        fixed_by(before.layout, other, Settings())
+        fixed_by(before.layout, other, {})
     with pytest.raises(RigUIError) as refused:
-        fixed_by(before.layout, without(face, "chin"), Settings())
+        fixed_by(before.layout, without(face, "chin"), {})
     assert refused.value.issue.code == "CONFIG_UNKNOWN_CONTROL"
 
 
