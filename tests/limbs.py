@@ -15,9 +15,9 @@ _AROUND = 12
 _RINGS = 8
 
 
-def chain_rig(bones=3, length=1.0, radius=0.15):
-    """A tube of `bones` bones from the origin, each of a joint; the weight passes to the next joint halfway, over a
-    fifth of a bone on either side; every joint has a control of each axis, ``j0:rx`` and so on."""
+def chain_rig(bones=3, length=1.0, radius=0.15, late=0.0):
+    """A tube of `bones` bones from the origin, each of a joint; the weight passes to the next joint `late` bones beyond
+    it, over a fifth of a bone on either side; every joint has a control of each axis, ``j0:rx`` and so on."""
     rings = np.linspace(0.0, bones * length, bones * _RINGS + 1)
     angles = np.linspace(0.0, 2.0 * np.pi, _AROUND, endpoint=False)
     circle = radius * np.stack([np.cos(angles), np.zeros(_AROUND), np.sin(angles)], axis=1)
@@ -26,7 +26,7 @@ def chain_rig(bones=3, length=1.0, radius=0.15):
     beside = ring * _AROUND + (corner + 1) % _AROUND
     here = ring * _AROUND + corner
     faces = np.stack([here, here + _AROUND, beside + _AROUND, beside], axis=1)
-    weights = _weights(points[:, 1] / length, bones)
+    weights = _weights(points[:, 1] / length - late, bones)
     skin = Skin(np.tile(np.arange(bones), (len(points), 1)), weights, "classicLinear", np.eye(4), False)
     mesh = makers.mesh(points, faces, skin=skin)
     joints = tuple(_joint(i, length) for i in range(bones))

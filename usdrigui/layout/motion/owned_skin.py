@@ -7,15 +7,25 @@ and the next one.
 
 from __future__ import annotations
 
+from collections import Counter
+from dataclasses import dataclass
+
 import numpy as np
 
 from usdrigui.model import Control, Flags, Floats, Rig
 
-_SPAN = (0.2, 0.8)
+_SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control stands."""
 _BEYOND = 0.5
-"""Factor on the weight of skin beyond that, and of skin nearer to another bone of the same
-chain."""
+"""Factor on the weight of skin beyond that."""
+_FIRM = 0.5
+"""Skin that a joint holds by this share of the most that it holds anywhere is wholly its own."""
+_OTHERS = 8
+"""Power of the ratio of distances by which skin nearer to another bone of the chain counts less."""
+_LAST = 0.8
+"""Length of the bone of a joint at the end of a chain, as a share of the bone before it."""
+_FAN = 6
+"""Joints at the end of a chain that fan out from one joint, at least, have no bones: a face."""
 _NOTHING = 1e-3
 """Weight below which a point does not count as skin of a joint."""
 
@@ -34,7 +44,8 @@ def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
     while joints:
         weights = _weights(rig, joints)
         if weights.max(initial=0.0) > _NOTHING:
-            return weights * _by_own_bone(rig, joints, points, weights > _NOTHING)
+            firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
+            return np.asarray(firm * _by_own_bone(rig, joints, points, weights > _NOTHING))
         joints = {i for i, joint in enumerate(rig.joints) if joint.parent in joints}
     return None
 
@@ -54,31 +65,53 @@ def _weights(rig: Rig, joints: set[int]) -> Floats:
 
 def _by_own_bone(rig: Rig, joints: set[int], points: Floats, owned: Flags) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
-    or below is nearer.
-
-    A joint at the end of a chain, or one of several that fan out from one, has no bone to lie
-    along.
-    """
+    or below is nearer."""
     factor = np.ones(len(points))
-    places = joint_places(rig)
-    bones = [
-        (i, k)
-        for k, each in enumerate(rig.joints)
-        if (i := each.parent) >= 0 and (places[i] != places[k]).any()
-    ]
-    own = [bone for bone in bones if bone[0] in joints and bone[1] not in joints]
+    bones = _bones(rig)
+    own = [bone for bone in bones if bone.joint in joints and bone.next not in joints]
     if not own:
         return factor
     above, below = (
         _above(rig, joints),
         {k for k in range(len(rig.joints)) if joints & _above(rig, {k})},
     )
-    rivals = [bone for bone in bones if bone[0] in (above | below) - joints]
-    near, share = _nearest(points[owned], places, own)
-    rival, _ = _nearest(points[owned], places, rivals)
+    starts = {bone.start.tobytes() for bone in own}
+    chain = (above | below) - joints
+    rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]
+    near, share = _nearest(points[owned], own)
+    rival, _ = _nearest(points[owned], rivals)
     along = (share >= _SPAN[0]) & (share <= _SPAN[1])
-    factor[owned] = np.where(along, 1.0, _BEYOND) * np.where(near <= rival, 1.0, _BEYOND)
+    nearer = np.minimum(1.0, rival / np.maximum(near, 1e-30))
+    factor[owned] = np.where(along, 1.0, _BEYOND) * nearer**_OTHERS
     return factor
+
+
+@dataclass(frozen=True, eq=False)
+class _Bone:
+    joint: int
+    next: int
+    """The joint at its end, -1 at the end of a chain."""
+    start: Floats
+    along: Floats
+    """(3,) from the joint to the next one; straight on from the bone before at the end of a
+    chain."""
+
+
+def _bones(rig: Rig) -> list[_Bone]:
+    """The bones between joints apart from each other, and those of joints at the end of a chain."""
+    places, parents = joint_places(rig), [joint.parent for joint in rig.joints]
+    found = [
+        _Bone(i, k, places[i], places[k] - places[i])
+        for k, i in enumerate(parents)
+        if i >= 0 and (places[i] != places[k]).any()
+    ]
+    ends = [k for k in range(len(parents)) if parents[k] >= 0 and k not in parents]
+    fan = Counter(parents[k] for k in ends)
+    for k in ends:
+        along = _LAST * (places[k] - places[parents[k]])
+        if fan[parents[k]] < _FAN and along.any():
+            found.append(_Bone(k, -1, places[k], along))
+    return found
 
 
 def _above(rig: Rig, joints: set[int]) -> set[int]:
@@ -90,14 +123,13 @@ def _above(rig: Rig, joints: set[int]) -> set[int]:
     return found
 
 
-def _nearest(points: Floats, places: Floats, bones: list[tuple[int, int]]) -> tuple[Floats, Floats]:
+def _nearest(points: Floats, bones: list[_Bone]) -> tuple[Floats, Floats]:
     """(p,) distance to the nearest bone, and the share of the way along it."""
     least, share = np.full(len(points), np.inf), np.zeros(len(points))
-    for start, end in bones:
-        along = places[end] - places[start]
-        at = (points - places[start]) @ along / float(along @ along)
+    for bone in bones:
+        at = (points - bone.start) @ bone.along / float(bone.along @ bone.along)
         apart = np.linalg.norm(
-            points - places[start] - np.clip(at, 0.0, 1.0)[:, None] * along, axis=1
+            points - bone.start - np.clip(at, 0.0, 1.0)[:, None] * bone.along, axis=1
         )
         nearer = apart < least
         least[nearer], share[nearer] = apart[nearer], at[nearer]

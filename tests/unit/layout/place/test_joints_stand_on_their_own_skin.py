@@ -20,6 +20,17 @@ def test_the_control_of_a_joint_stands_along_its_own_bone(bones):
         assert np.ptp([joint, joint + 1, *points[:, 1]]) == 1.0, name
 
 
+@pytest.mark.parametrize("late", [0.8, -0.6])
+def test_skin_by_another_bone_counts_less_than_how_firmly_it_is_held(late):
+    """Most of the skin of each joint lies by the bone of the next one, or of the one before it."""
+    found = candidates(limbs.chain_rig(4, late=late))
+    middle = (1, 2) if late > 0.0 else (1, 2, 3)  # before the first bone there is none
+    for joint in middle:
+        for axis in "xyz":
+            points = found[f"j{joint}:r{axis}"]
+            assert np.ptp([joint, joint + 1, *points[:, 1]]) <= 1.05, (joint, axis)
+
+
 def test_near_asks_before_pruning_does():
     """Skin of the first bone near its joint hardly moves: pruning would leave none of it."""
     near = {"near": "/Root/mesh.point[12]", "within": 0.1}
