@@ -119,6 +119,13 @@ class Viewer:
         self.page.mouse.up()
         self.settle()
 
+    def touch(self, kind, *places):
+        """Fingers on the view: `kind` is touchStart, touchMove or touchEnd, `places` those that are down."""
+        self.fingers = getattr(self, "fingers", None) or self.page.context.new_cdp_session(self.page)
+        points = [dict(zip(("x", "y"), self.on_page(at), strict=True), id=i) for i, at in enumerate(places)]
+        self.fingers.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        self.settle()
+
     def marks_in(self, left, top, width, height):
         """How much of a rectangle of the view the handles and tracks cover: the sum of their opacity, 0 to 1 each."""
         return self.page.evaluate(

@@ -563,6 +563,12 @@ _CODES: dict[str, Code] = {
         "Give each CSV file that the page saved once.",
         Exit.FILE,
     ),
+    "REVIEW_LAYER": Code(
+        "error",
+        "The file holds no review.",
+        "Give a layer that Save review wrote on the page of this character.",
+        Exit.FILE,
+    ),
     "FILE_WRITE": Code(
         "error",
         "The file could not be written; what was there before is untouched.",

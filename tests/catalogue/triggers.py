@@ -584,6 +584,9 @@ TRIGGERS: Mapping[str, Trigger] = {
     "WORKER_LOST": _supervised("kill -KILL $$"),
     "WORKER_CRASHED": _supervised("kill -SEGV $$"),
     "OUTPUT_STREAM": _full_output,
+    "REVIEW_LAYER": lambda folder, _: command(
+        "view", folder / "char.rigui.usda", "--review", folder / "none.usda"
+    ),
     "STUDY_RESULTS": lambda folder, _: command("study", folder / "none.csv"),
     "WORKING_DIRECTORY": _no_working_directory,
     "FILE_ACCESS": _raising(OSError(errno.ENAMETOOLONG, os.strerror(errno.ENAMETOOLONG), "char.usda")),

@@ -19,6 +19,25 @@ def test_writes_one_page(layer, tmp_path):
     assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
+def test_a_review_goes_into_the_page_as_text_that_ends_no_element(layer, tmp_path):
+    notes = tmp_path / "notes.usda"
+    notes.write_text('#usda 1.0\n# string note = "</script><b>"\n')
+    page = tmp_path / "page.html"
+    assert main(["view", str(layer), "--html", str(page), "--review", str(notes)]) == 0
+    assert '"#usda 1.0\\n# string note = \\"\\u003c/script>\\u003cb>\\"\\n"' in page.read_text(encoding="utf-8")
+    assert main(["view", str(layer), "--html", str(notes), "--review", str(notes)]) == 3
+    assert notes.read_text().startswith("#usda")
+
+
+@pytest.mark.parametrize("content", [b"#usda 1.0\n", b'string note = "', b'#usda 1.0\n\xff string note = "'])
+def test_what_is_no_review_is_refused(layer, tmp_path, content, capsys):
+    (tmp_path / "notes.usda").write_bytes(content)
+    options = ["--html", str(tmp_path / "page.html"), "--review", str(tmp_path / "notes.usda")]
+    assert main(["view", str(layer), *options]) == 3
+    assert "REVIEW_LAYER" in capsys.readouterr().err
+    assert not (tmp_path / "page.html").exists()
+
+
 def test_serves_and_says_where(layer, monkeypatch, capsys):
     real, stop = serve.serve, threading.Event()
 

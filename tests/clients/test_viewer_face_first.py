@@ -149,30 +149,21 @@ def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
 # --- fingers -----------------------------------------------------------------------------------------
 
 
-def touch(session, viewer, kind, *places):
-    points = [dict(zip(("x", "y"), viewer.on_page(at), strict=True), id=i) for i, at in enumerate(places)]
-    session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-    viewer.settle()
-
-
 def test_one_finger_poses_and_two_hold_the_camera(opened):
     viewer = opened("phone")
-    session = viewer.page.context.new_cdp_session(viewer.page)
     element = viewer.element("brow_L")
     end = element["tracks"][0][-1]
-    touch(session, viewer, "touchStart", [element["handle"][0] + 9, element["handle"][1] + 9])
+    viewer.touch("touchStart", [element["handle"][0] + 9, element["handle"][1] + 9])
     for share in (0.25, 0.5):
-        touch(
-            session, viewer, "touchMove", [h + 9 + share * (e - h) for h, e in zip(element["handle"], end, strict=True)]
-        )
-    touch(session, viewer, "touchEnd")
+        viewer.touch("touchMove", [h + 9 + share * (e - h) for h, e in zip(element["handle"], end, strict=True)])
+    viewer.touch("touchEnd")
     moved = viewer.moved(0.01)
     assert moved == pytest.approx({"brow_L": 0.5}, abs=0.02)
     far = viewer.page.evaluate("usdrigui.app.view.camera.distance")
-    touch(session, viewer, "touchStart", [150, 200])
-    touch(session, viewer, "touchStart", [150, 200], [250, 200])
-    touch(session, viewer, "touchMove", [100, 200], [300, 200])
-    touch(session, viewer, "touchEnd", [100, 200])
-    touch(session, viewer, "touchEnd")
+    viewer.touch("touchStart", [150, 200])
+    viewer.touch("touchStart", [150, 200], [250, 200])
+    viewer.touch("touchMove", [100, 200], [300, 200])
+    viewer.touch("touchEnd", [100, 200])
+    viewer.touch("touchEnd")
     assert viewer.page.evaluate("usdrigui.app.view.camera.distance") == pytest.approx(far / 2, rel=0.02)
     assert viewer.moved(0.01) == moved

@@ -46,6 +46,14 @@ def add_view(commands: Any) -> None:
         metavar="USDA",
         help="keep the animation in this layer, written as it is made in the page",
     )
+    parser.add_argument(
+        "--review",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="USDA",
+        help="open the notes of a review that the page saved; may be given again",
+    )
     add_configuration(parser)
 
 
@@ -147,12 +155,15 @@ def _visible(
 
 
 def _spared(
-    outputs: Sequence[Path | None], loaded: pipeline.Loaded, arguments: argparse.Namespace
+    outputs: Sequence[Path | None],
+    loaded: pipeline.Loaded,
+    arguments: argparse.Namespace,
+    more: Sequence[Path] = (),
 ) -> tuple[Path, ...]:
     """Every file that was read; refuses outputs that are one of them before anything is drawn."""
     from usdrigui import pipeline
 
-    read = (*files_read(arguments), *loaded.files)
+    read = (*files_read(arguments), *loaded.files, *more)
     pipeline.check_outputs(outputs, read)
     return read
 
@@ -160,17 +171,22 @@ def _spared(
 def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.pose import evaluate
-    from usdrigui.view import page, serve
+    from usdrigui.view import page, review, serve
 
+    reviews = [review.read_review(path) for path in arguments.review]
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
     for rig, layout in loaded.characters:
         evaluate.prepare(rig, layout)  # refuses a layout made for another version of the character
-    read = _spared((arguments.html,), loaded, arguments)
+    read = _spared((arguments.html,), loaded, arguments, arguments.review)
     name = Path(arguments.layer).name
     live = _live(arguments, read)
     html = page.page_html(
-        loaded.characters, name, arguments.study, arguments.live.name if live else ""
+        loaded.characters,
+        name,
+        arguments.study,
+        arguments.live.name if live else "",
+        reviews,
     )
     if arguments.html:
         state = pipeline.write_file(html.encode(), arguments.html, read)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import json
 from collections.abc import Sequence
 from importlib.resources import files
 
@@ -30,7 +31,7 @@ _PAGE = """<!DOCTYPE html>
 <body{flags}>
 <div id="app"><p class="loading">Loading {title}…</p></div>
 <noscript>This page needs JavaScript.</noscript>
-<script type="text/plain" id="scene">{scene}</script>
+<script type="text/plain" id="scene">{scene}</script>{reviews}
 <script>{script}</script>
 </body>
 </html>
@@ -38,15 +39,20 @@ _PAGE = """<!DOCTYPE html>
 
 
 def page_html(
-    rig_layouts: Sequence[tuple[Rig, Layout]], title: str, study: bool = False, live: str = ""
+    rig_layouts: Sequence[tuple[Rig, Layout]],
+    title: str,
+    study: bool = False,
+    live: str = "",
+    reviews: Sequence[str] = (),
 ) -> str:
     """One HTML file in which the characters can be posed by their layouts.
 
     The same records and title always give the same text.  With ``study`` the page offers the
     evaluation of the paper's section 5 as well (docs/decisions/073); with the name of a file
     ``live`` it keeps its animation there, by way of the server that it comes from
-    (docs/decisions/079).  Raises RigUIError VIEW_MISMATCH when a layout does not belong to its rig,
-    or when there is no character at all.
+    (docs/decisions/079).  `reviews` are layers whose notes it opens (docs/decisions/142).  Raises
+    RigUIError VIEW_MISMATCH when a layout does not belong to its rig, or when there is no character
+    at all.
     """
     if not rig_layouts:
         raise refuse("VIEW_MISMATCH", "", "there is no character with a layout to show")
@@ -58,7 +64,14 @@ def page_html(
         flags=(" data-study" if study else "") + (f' data-live="{markup(live)}"' if live else ""),
         scene=base64.b64encode(pack(rig_layouts, title)).decode("ascii"),
         script=script,
+        reviews=_reviews(reviews),
     )
+
+
+def _reviews(layers: Sequence[str]) -> str:
+    """The layers as JSON in an element of their own; nothing where there are none."""
+    said = json.dumps(list(layers), ensure_ascii=False).replace("<", "\\u003c")
+    return f'\n<script type="text/plain" id="reviews">{said}</script>' if layers else ""
 
 
 def _asset(name: str) -> str:

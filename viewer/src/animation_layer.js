@@ -263,7 +263,7 @@ function put(prims, path, { type, metadata = '', lines }) {
 }
 
 /** Prims nested by path, those that share ancestors sharing the overs. */
-function nested(prims) {
+export function nested(prims) {
   const tree = { children: new Map() };
   for (const [path, prim] of prims) {
     let node = tree;
@@ -276,10 +276,10 @@ function nested(prims) {
   return tree;
 }
 
-function rendered({ children }, indent = '') {
+export function rendered({ children }, indent = '') {
   return [...children].flatMap(([name, child]) => [
     `${indent}${child.type} ${quoted(name)}${child.metadata && ' ('}`,
-    ...(child.metadata ? [`${indent}    ${child.metadata}`, `${indent})`] : []),
+    ...(child.metadata ? [...child.metadata.split('\n').map((line) => `${indent}    ${line}`), `${indent})`] : []),
     `${indent}{`,
     ...child.lines.map((line) => `${indent}    ${line}`),
     ...rendered(child, `${indent}    `),
@@ -299,4 +299,4 @@ export function stringsNamed(name, text) {
 }
 
 const rounded = (value) => Number(value.toPrecision(9));
-const number = (value) => String(rounded(value) + 0);
+export const number = (value) => String(rounded(value) + 0);

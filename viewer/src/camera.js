@@ -24,6 +24,13 @@ export class OrbitCamera {
     this.above = cross(this.towards, this.right);
   }
 
+  /** Look at a target from where `towards` points (unit vector), so far away. */
+  lookFrom(target, towards, distance) {
+    this.target = target;
+    this.distance = distance;
+    this.turn(Math.atan2(dot(towards, this.side), dot(towards, this.front)), Math.asin(Math.min(1, Math.max(-1, dot(towards, this.up)))));
+  }
+
   /** Fit points (lists of 3) into a column of `width` by `height` pixels. */
   frame(points, width, height, margin = 1.06) {
     if (!points.length) return;

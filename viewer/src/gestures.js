@@ -33,6 +33,7 @@ export class Gestures {
   press(event) {
     const at = this.view.locate(event);
     if (event.pointerType === 'touch') {
+      if (this.active?.isOfPen) return undefined; // the hand that holds the pen
       this.fingers.set(event.pointerId, at);
       if (this.fingers.size === 2) return this.beginTwo();
     }
@@ -41,7 +42,8 @@ export class Gestures {
     this.view.surface.setPointerCapture(event.pointerId);
     this.view.freshen();
     this.reach = event.pointerType === 'touch' ? FINGER / 2 : 0;
-    this.active = { start: at, last: at, hand: at, moved: false, ...this.chooseGesture(event, at) };
+    const { pointerId: pointer, pointerType } = event;
+    this.active = { pointer, isOfPen: pointerType === 'pen', start: at, last: at, hand: at, moved: false, ...this.chooseGesture(event, at) };
     this.active.begin?.();
     event.preventDefault();
     return undefined;
@@ -50,9 +52,15 @@ export class Gestures {
   move(event) {
     const at = this.view.locate(event);
     if (this.fingers.has(event.pointerId)) this.fingers.set(event.pointerId, at);
-    if (this.active?.isOfTwo) return this.moveTwo();
+    if (this.active?.isOfTwo) {
+      this.active.stale = true; // until the frame, so that both fingers have moved
+      return this.view.request();
+    }
+    if (this.active && this.active.pointer !== event.pointerId) return undefined;
     if (event.pointerType !== 'touch') this.reach = 0;
-    this.pending = { at, fine: event.ctrlKey || event.metaKey };
+    const passed = this.session.options.draw && this.active ? event.getCoalescedEvents?.() ?? [] : [];
+    const trail = [...(this.pending?.trail ?? []), ...(passed.length ? passed : [event]).map((each) => this.view.locate(each))];
+    this.pending = { at, trail, fine: event.ctrlKey || event.metaKey };
     return this.view.request();
   }
 
@@ -61,6 +69,7 @@ export class Gestures {
   /** Take back what the first finger has begun; the two of them hold the camera. */
   beginTwo() {
     this.cancel();
+    this.pending = null;
     this.active = { isOfTwo: true, ...this.grip() };
   }
 
@@ -71,14 +80,16 @@ export class Gestures {
   }
 
   moveTwo() {
-    if (this.fingers.size < 2) return;
-    const { camera } = this.view;
+    if (this.fingers.size < 2 || !this.active.stale) return;
+    const { camera, columns: [{ left, top, width, height }] } = this.view;
     const [before, now] = [this.active, this.grip()];
-    camera.pan(now.x - before.x, now.y - before.y, this.view.height);
-    camera.zoom(before.apart / now.apart);
+    const nearer = now.apart / before.apart;
+    camera.zoom(1 / nearer);
+    const stays = (at, was, middle) => at - middle - nearer * (was - middle); // what is between the fingers stays there
+    camera.pan(stays(now.x, before.x, left + width / 2), stays(now.y, before.y, top + height / 2), height);
     const turned = Math.atan2(Math.sin(now.angle - before.angle), Math.cos(now.angle - before.angle));
     camera.turn(camera.azimuth + turned, camera.elevation);
-    Object.assign(this.active, now);
+    Object.assign(this.active, now, { stale: false });
     this.view.changed('camera');
   }
 
@@ -89,14 +100,15 @@ export class Gestures {
 
   /** Act on the latest move; called once before each frame. */
   flush() {
+    if (this.active?.isOfTwo) this.moveTwo();
     if (!this.pending) return;
-    const { at, fine } = this.pending;
+    const { at, trail, fine } = this.pending;
     this.pending = null;
-    if (this.active) this.dragTo(at, fine);
+    if (this.active) this.dragTo(at, fine, trail);
     else this.hover(at);
   }
 
-  dragTo(at, fine) {
+  dragTo(at, fine, trail) {
     const { active } = this;
     const scale = fine ? FINE : 1;
     active.hand = {
@@ -109,13 +121,14 @@ export class Gestures {
     if (!active.moved && Math.hypot(at.x - active.start.x, at.y - active.start.y) < SLOP) return;
     if (!active.moved) active.grab?.();
     active.moved = true;
-    active.drag?.(active.hand, step, at);
+    active.drag?.(active.hand, step, at, trail);
   }
 
   release(event) {
+    if (this.active?.isOfTwo) this.moveTwo();
     this.fingers.delete(event.pointerId);
     if (this.active?.isOfTwo) this.active = null;
-    if (!this.active) return;
+    if (!this.active || this.active.pointer !== event.pointerId) return;
     this.move(event);
     this.flush();
     const { active } = this;
@@ -166,13 +179,17 @@ export class Gestures {
   }
 
   hover(at) {
+    if (this.session.options.draw && at.column) {
+      this.session.setHover(null);
+      return this.view.setCursor('crosshair');
+    }
     const { overlay } = this.view;
     const on = this.view.controlsAt(at);
     if (on && at.column && !this.reach && overlay.point(at.x, at.y)) this.view.changed('overlay');
     const element = on ? overlay.elementAt(at.x, at.y) : null;
     this.session.setHover(element);
     const onSkin = !element && at.column?.kind !== 'target' && this.view.pick(at);
-    this.view.setCursor(element ? 'grab' : onSkin && this.session.options.skinDrag ? 'crosshair' : 'default');
+    return this.view.setCursor(element ? 'grab' : onSkin && this.session.options.skinDrag ? 'crosshair' : 'default');
   }
 
   // --- what a press means ----------------------------------------------------------------------------
@@ -180,6 +197,7 @@ export class Gestures {
   chooseGesture(event, at) {
     const { view, session } = this;
     if (event.button === 1 || event.button === 2) return this.panning();
+    if (session.options.draw && at.column && at.column === view.controlsColumn && !event.altKey) return view.review.drawing(at);
     const { reach } = this;
     const coarse = view.controlsAt(at) ? view.overlay.badgeAt(at.x, at.y, reach ? reach / 2 : undefined) : null;
     if (coarse) return { click: () => session.openOrClose([coarse]) };
@@ -211,7 +229,7 @@ export class Gestures {
     const { camera } = this.view;
     return {
       drag: (_, [dx, dy]) => {
-        camera.pan(dx, dy, this.view.height);
+        camera.pan(dx, dy, this.view.columns[0].height);
         this.view.changed('camera');
       },
     };
@@ -238,11 +256,12 @@ export class Gestures {
     return {
       begin: () => {
         if (!session.selection.has(element.index)) session.select([element]);
-        before = session.beginEdit();
+        session.emit('editing');
         this.setDragging(element);
         view.setCursor('grabbing');
       },
       grab: () => {
+        before = session.beginEdit();
         const [held, map] = view.overlay.draggable(element, view.camera.projector(view.controlsColumn));
         drag = beginDrag(held, session.controls, session.rest, session.values, map);
       },
@@ -251,7 +270,7 @@ export class Gestures {
         session.set(this.withSelection(element, drag, changed, before));
       },
       drop: () => session.endEdit(`Drag ${element.label}`, before),
-      undo: () => session.set([...before.entries()]),
+      undo: () => before && session.set([...before.entries()]),
     };
   }
 

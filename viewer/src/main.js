@@ -9,6 +9,8 @@ import { Inspector } from './inspector.js';
 import { Stops, listenToKeys } from './keyboard.js';
 import { Live } from './live.js';
 import { Pull } from './pull.js';
+import { notesIn, notesOf } from './notes.js';
+import { Review } from './review.js';
 import { readScene } from './scene.js';
 import { Session } from './session.js';
 import { Timeline } from './timeline.js';
@@ -29,7 +31,7 @@ const SHORTCUTS = [
   ['Tab, arrow keys', 'go through the handles, and move them (Shift: more, Ctrl: less)'],
   ['S  H  L', 'symmetry, show or hide handles, all labels'],
   ['Hold H, B, I', 'hide all elements, show the pose before, show what the selection moves'],
-  ['C  P', 'the list of controls, the panel'],
+  ['C  P  N', 'the list of controls, the panel, the notes of a review'],
   ['Double-click the skin', 'look at a region closely, and back'],
   ['M', 'open the selected coarse element into its members, or close it'],
   ['0  R', 'zero, reset the selection'],
@@ -52,13 +54,15 @@ class App {
     this.offer = make('div', { class: 'offer', role: 'alertdialog', 'aria-label': 'Work from before', hidden: true });
     this.storage = browserStorage();
     this.kept = scene.characters.map(() => null);
+    this.roots = scene.characters.map(({ root }) => root);
+    this.reviews = receivedReviews();
     this.live = this.makeLive();
     this.open(0);
     this.live?.run();
     for (const event of ['pagehide', 'beforeunload']) window.addEventListener(event, (leaving) => this.leave(leaving));
     listenToKeys(this.shortcuts(), {
       h: (on) => this.view.hold('bare', on),
-      b: (on) => this.session.compare(on),
+      b: (on) => this.session.looks || this.session.compare(on),
       i: (on) => this.view.hold('showsInfluence', on),
     }, (name) => this.session.trial && !IN_TRIALS.has(name));
   }
@@ -78,24 +82,34 @@ class App {
     this.timeline = new Timeline(this.session, (text) => this.say(text));
     this.list = new ControlList(this.session, this.view);
     this.inspector = new Inspector(this.session, this.view, this.timeline, (text) => this.say(text));
+    this.review = new Review(this.session, this.view, this.timeline, (text) => this.say(text), this.roots, () => this.reviewed());
     this.view.say = (text) => this.say(text);
     this.evaluation = new Evaluation(this);
     this.stops = new Stops(this.session, this.view);
     this.help = this.makeHelp();
     this.view.node.append(this.evaluation.panel, this.help, this.offer, this.notice);
     // The view comes first for the keyboard, wherever it is on the screen.
-    const middle = make('div', { class: 'middle' }, this.view.node, this.list.node, this.inspector.node);
+    const middle = make('div', { class: 'middle' }, this.view.node, this.list.node, this.inspector.node, this.review.node);
     this.node.replaceChildren(middle, this.makeBar(), this.timeline.sheet.node, this.timeline.node);
     this.node.className = 'ready';
     this.fold('list', false);
-    this.fold('inspector', window.innerWidth >= ROOMY);
+    this.fold('review', this.session.arrived.length > 0);
+    this.fold('inspector', window.innerWidth >= ROOMY && !this.session.arrived.length);
     this.offerWork(autosave);
   }
 
   begin(character) {
     const session = new Session(character);
+    session.notes = session.arrived = notesOf(this.reviews, session, this.roots);
+    session.received = session.notes.map(({ id }) => id);
     const isElsewhere = () => Boolean(this.live?.holds(session)) && isAllKeys(session);
     return { session, autosave: new Autosave(session, this.storage, isElsewhere) };
+  }
+
+  /** [session, notes] of every character, those not looked at yet among them. */
+  reviewed() {
+    const parts = this.scene.characters.map((character, index) => (this.kept[index] ??= this.begin(character)).session);
+    return parts.map((session) => [session, session.notes]);
   }
 
   /** The link to the layer that this page was opened for; every change is a key there, or stands at all frames. */
@@ -165,7 +179,7 @@ class App {
       option('rearrange', 'Rearrange', 'Drag elements to other points of the face'),
     ];
     const panel = (name, label, title) => toggle(label, title, () => !this[name].node.hidden, () => this.fold(name));
-    parts.push(panel('list', 'List', 'All controls as sliders (C)'), panel('inspector', 'Panel', 'Selection, display, poses, layout (P)'));
+    parts.push(panel('list', 'List', 'All controls as sliders (C)'), panel('inspector', 'Panel', 'Selection, display, poses, layout (P)'), panel('review', 'Review', 'Notes: words and strokes at frames, to send and to open (N)'));
     session.on('options', () => parts.forEach((part) => part.update()));
     const act = (label, title, onclick, name = label) => make('button', { type: 'button', title, 'aria-label': name, onclick }, label);
     /** @type {[string, number, number][]} */
@@ -190,11 +204,14 @@ class App {
     );
   }
 
-  /** Fold a panel away or open it: 'list' or 'inspector'; narrow pages have room for one. */
+  /** Fold a panel away or open it: narrow pages have room for one, others for the list and one. */
   fold(panel, open = this[panel].node.hidden) {
-    const other = panel === 'list' ? 'inspector' : 'list';
-    if (open && window.innerWidth < ROOMY) this[other].node.hidden = true;
+    const others = ['list', 'inspector', 'review'].filter((each) => each !== panel);
+    const giving = window.innerWidth < ROOMY ? others : others.filter((each) => each !== 'list' && panel !== 'list');
+    if (open) giving.forEach((each) => (this[each].node.hidden = true));
     this[panel].node.hidden = !open;
+    this.node.classList.toggle('reviewing', !this.review.node.hidden);
+    if (this.review.node.hidden) this.session.options.draw = false;
     this.session.emit('options');
   }
 
@@ -258,6 +275,7 @@ class App {
       h: flip('handles'),
       c: () => this.fold('list'),
       p: () => this.fold('inspector'),
+      n: () => this.fold('review'),
       l: () => this.session.setOption('labels', this.session.options.labels === 'all' ? 'hover' : 'all'),
       0: () => this.session.zero(this.session.chosenControls),
       r: () => this.session.reset(this.session.chosenControls),
@@ -284,6 +302,7 @@ class App {
   escape() {
     if (this.view.gestures.cancel()) return;
     if (!this.help.hidden) this.help.hidden = true;
+    else if (this.session.options.draw) this.review.setPen(false);
     else this.session.select([]);
   }
 
@@ -315,6 +334,12 @@ class App {
     this.session.emit('options');
     this.view.setColumns(null);
   }
+}
+
+/** Notes that came with the page, as JSON has them. */
+function receivedReviews() {
+  const text = document.getElementById('reviews')?.textContent;
+  return text ? JSON.parse(text).flatMap((layer) => notesIn(layer)) : [];
 }
 
 /** What tests and other pages may use: the pose by control name, and where things are on the screen. */

@@ -192,7 +192,8 @@ export class Overlay {
     });
   }
 
-  draw() {
+  /** `strokes` of a review lie over all. */
+  draw(strokes = []) {
     const { pen, session, ratio } = this;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.width, this.height);
@@ -205,6 +206,7 @@ export class Overlay {
       if (this.dock.rect) this.drawDock();
     }
     this.drawPins();
+    strokes.forEach((stroke) => this.drawStroke(stroke));
     this.drawPlacing();
     if (this.marquee) this.drawMarquee(this.marquee);
   }
@@ -526,6 +528,20 @@ export class Overlay {
     pen.lineWidth = 1;
     pen.fillRect(x0, y0, x1 - x0, y1 - y0);
     pen.strokeRect(x0 + 0.5, y0 + 0.5, x1 - x0, y1 - y0);
+  }
+
+  drawStroke(stroke) {
+    const { pen } = this;
+    pen.lineCap = 'round';
+    pen.lineJoin = 'round';
+    pen.beginPath();
+    stroke.forEach(([x, y]) => pen.lineTo(x, y));
+    if (stroke.length === 1) pen.lineTo(stroke[0][0], stroke[0][1]);
+    for (const [width, colour] of [[5.5, '#14161a'], [3, '#f0a94b']]) {
+      pen.lineWidth = width;
+      pen.strokeStyle = colour;
+      pen.stroke();
+    }
   }
 
   // --- picking ---------------------------------------------------------------------------------------

@@ -22,6 +22,7 @@ export const DEFAULT_OPTIONS = {
   symmetric: false,
   rearrange: false,
   autoKey: false,
+  draw: false, // strokes of a review over the view
   onion: false,
   interpolation: 'linear', // of the first key of a control
   locality: 0.1,
@@ -49,6 +50,10 @@ export class Session {
     this.keys = new Map(); // control index -> [[frame, value, way]], ascending
     this.standing = new Map(); // control index -> value of what neither keys nor the clip animate
     this.shelf = []; // kept poses: {name, values: control index -> value, picture}
+    this.notes = []; // of a review (notes.js)
+    this.arrived = this.notes; // those of them that came with the page
+    this.received = []; // ids of all that came from others
+    this.note = null; // id of the note whose strokes are shown
     this.sound = null; // {name, start: the frame at which it begins, seconds}
     this.given = Float64Array.from(this.rest); // the values before any change at this frame
     this.moved = new Map(); // element index -> where it was put by hand
@@ -61,7 +66,8 @@ export class Session {
     this.quiet = false; // influence stays away after a release, until something else is pointed at
     this.affected = new Map();
     this.dragging = null;
-    this.present = null; // the values, while those before are shown
+    this.present = null; // the values, while others are shown
+    this.looks = false; // at a note's pose, until an edit goes on from it or time moves
     this.listeners = new Map();
     this.show(0);
     this.reshape();
@@ -78,6 +84,7 @@ export class Session {
 
   /** Forget who listens, and what the pointer does: another character comes to be shown. */
   leave() {
+    this.compare(false);
     this.listeners.clear();
     Object.assign(this, { hover: null, dragging: null, affected: new Map() });
   }
@@ -123,10 +130,13 @@ export class Session {
     this.endEdit(label, before, merge);
   }
 
+  /** The values before an edit that begins now; it goes on from the pose shown, a note's too. */
   beginEdit() {
+    const own = this.looks ? this.present : null;
+    if (own) Object.assign(this, { present: null, looks: false });
     this.compare(false);
     this.emit('editing');
-    return Float64Array.from(this.values);
+    return own ?? Float64Array.from(this.values);
   }
 
   endEdit(label, values, merge = null) {
@@ -173,14 +183,14 @@ export class Session {
 
   /** All that undo gives back. */
   snapshot() {
-    this.compare(false);
-    const { frame, neutral, keys, standing, shelf, sound } = this;
-    return { frame, neutral, keys, standing, shelf, sound, values: Float64Array.from(this.values), given: this.given };
+    if (!this.looks) this.compare(false);
+    const { frame, neutral, keys, standing, shelf, notes, sound } = this;
+    return { frame, neutral, keys, standing, shelf, notes, sound, values: Float64Array.from(this.own), given: this.given };
   }
 
   restore({ values, ...state }) {
     this.emit('editing');
-    Object.assign(this, state);
+    Object.assign(this, state, { present: null, looks: false });
     this.values.set(values);
     this.showBase();
     this.reshape();
@@ -205,7 +215,8 @@ export class Session {
 
   /** Controls whose values are not what the keys and the clip give here. */
   changed() {
-    return [...this.values.keys()].filter((index) => this.values[index] !== this.given[index]);
+    const { own, given } = this;
+    return [...own.keys()].filter((index) => own[index] !== given[index]);
   }
 
   /** Changed controls that are lost on leaving the frame, as keys or the clip say what they are at every other. */
@@ -214,16 +225,16 @@ export class Session {
   }
 
   /**
-   * Show a frame.  What is changed here and in time neither by keys nor by the clip stays as it is; other changes
+   * Show a frame, or the neutral pose.  What is changed here and in time neither by keys nor by the clip stays as it is; other changes
    * without keys end with the frame, as one undoable step.  Returns their control indices.
    */
-  go(frame) {
+  go(frame, neutral = false) {
     this.compare(false);
     const lost = this.unkeyed();
     const before = lost.length ? this.snapshot() : null;
     this.standing = this.stood();
-    Object.assign(this, { frame, neutral: false });
-    this.given = this.animation.at(frame, this).values;
+    Object.assign(this, { frame, neutral });
+    this.given = neutral ? Float64Array.from(this.rest) : this.animation.at(frame, this).values;
     this.values.set(this.given);
     this.showBase();
     this.reshape();
@@ -233,7 +244,7 @@ export class Session {
   }
 
   /** The values that stand at all frames, those changed at this one among them; of the present state or another. */
-  stood({ keys, standing, values, given } = this) {
+  stood({ keys, standing, values, given } = { ...this, values: this.own }) {
     const stands = ([index, value]) => value !== given[index] && !this.animation.isAnimated(index, keys);
     return new Map([...standing, ...[...values.entries()].filter(stands)]);
   }
@@ -284,6 +295,13 @@ export class Session {
     const before = this.snapshot();
     this.shelf = shelf;
     this.step(label, before);
+  }
+
+  /** Other notes of the review, as one undoable step. */
+  renote(label, notes, merge = null) {
+    const before = this.snapshot();
+    this.notes = notes;
+    this.step(label, before, merge);
   }
 
   /** First and last frame of the clip, the keys and the sound. */
@@ -358,6 +376,7 @@ export class Session {
 
   /** Show this frame with other keys and standing values; changes that are not keyed stay shown. */
   takeKeys(keys, standing) {
+    this.compare(false);
     const kept = this.changed().map((index) => [index, this.values[index]]);
     Object.assign(this, { keys, standing, neutral: false });
     this.given = this.animation.at(this.frame, this).values;
@@ -372,6 +391,7 @@ export class Session {
    * give back: what others have changed is no step of one's own.
    */
   rebase(change) {
+    this.compare(false);
     for (const state of this.history.states) Object.assign(state, this.rebased(state, change));
     const { values, ...state } = this.rebased(this.snapshot(), change);
     Object.assign(this, state);
@@ -397,7 +417,28 @@ export class Session {
     if (on) this.emit('editing');
     const shown = on ? this.given : this.present;
     this.present = on ? Float64Array.from(this.values) : null;
+    this.looks = false;
     this.values.set(shown);
+    this.reshape();
+  }
+
+  /** The values that are the work, whatever is shown for now. */
+  get own() {
+    return this.present ?? this.values;
+  }
+
+  /** Make the note's pose that is shown one's own. */
+  adopt() {
+    this.edit('Take the pose of a note', () => {});
+  }
+
+  /** Show a pose at this frame that is no work of one's own: time takes it away, an edit goes on from it. */
+  look(values) {
+    this.compare(false);
+    if (values.every((value, index) => value === this.values[index])) return;
+    this.present = Float64Array.from(this.values);
+    this.looks = true;
+    this.values.set(values);
     this.reshape();
   }
 

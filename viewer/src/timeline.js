@@ -83,7 +83,9 @@ export class Timeline {
     this.unkeyed.textContent = loose ? `${loose} not keyed` : '';
     this.autoButton.setAttribute('aria-pressed', String(session.options.autoKey));
     this.showSound(first, last);
-    this.ticks.replaceChildren(...this.keyFrames().map((frame) => make('i', { style: { left: along(frame) } })));
+    const noted = new Set(session.notes.filter(({ neutral }) => !neutral).map(({ frame }) => frame));
+    const tick = (name) => (frame) => make('i', { class: name, style: { left: along(frame) } });
+    this.ticks.replaceChildren(...this.keyFrames().map(tick('')), ...[...noted].map(tick('noted')));
   }
 
   // --- sound -----------------------------------------------------------------------------------------
@@ -139,6 +141,7 @@ export class Timeline {
 
   /** Key the selected controls and all that changed: what is seen is what is keyed, whatever moved it. */
   key() {
+    if (this.session.looks) this.session.adopt();
     const controls = [...new Set([...this.chosen([]), ...this.session.changed()])];
     if (!controls.length) this.say('Nothing to key: select a control or change one');
     else this.session.key(controls);
@@ -163,9 +166,9 @@ export class Timeline {
   }
 
   /** Show a frame, and say what was lost by leaving the one before. */
-  go(frame) {
+  go(frame, neutral = false) {
     const left = this.frame;
-    const lost = this.session.go(frame);
+    const lost = this.session.go(frame, neutral);
     if (lost.length) this.say(`${named(this.session, lost)} of frame ${left} not keyed and left behind · Ctrl+Z goes back`);
   }
 

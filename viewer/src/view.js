@@ -37,6 +37,7 @@ export class View {
     this.showsInfluence = false; // while its key is held
     this.bare = false; // while all elements are hidden by theirs
     this.onInfluences = null;
+    this.review = null;
     this.columns = [];
     this.stale = new Set(['pose', 'camera', 'overlay']);
     this.fineness = 1;
@@ -162,6 +163,13 @@ export class View {
     return skin.filter(near);
   }
 
+  /** Look as a note does (notes.js), at least as much of it as its page showed. */
+  lookAs({ target, towards, distance, aspect }) {
+    const { width, height } = this.controlsColumn ?? this.columns[0];
+    this.camera.lookFrom([...target], towards, distance * Math.max(1, (aspect * height) / width));
+    this.changed('camera');
+  }
+
   /** Look more closely, from the same side: at the selected elements, else at those on the face. */
   frameClosely() {
     const { session } = this;
@@ -228,7 +236,7 @@ export class View {
       this.drawn++;
     }
     this.arrangeOverlay(turned);
-    this.overlay.draw();
+    this.overlay.draw(this.review?.lines() ?? []);
     this.onion.follow();
     this.placeTip();
     this.nameSides();

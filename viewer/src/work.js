@@ -2,6 +2,7 @@
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
 import { WAYS, wayOf } from './interpolation.js';
+import { joined, noteFrom, saidNote } from './notes.js';
 import { poseFrom } from './pose_library.js';
 
 /** Keys and standing values by names of controls, in the controls' order. */
@@ -24,10 +25,10 @@ export const byName = (values, controls) => byControl(values, controls, Number.i
 
 /** All work of a session; null where there is none. */
 export function workOf(session) {
-  const { frame, neutral, values, controls, elements, moved, locks, shelf, sound } = session;
+  const { frame, neutral, own: values, controls, elements, moved, locks, shelf, notes, received, sound } = session;
   const from = neutral ? session.rest : session.given;
   const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
-  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound) return null;
+  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !isReviewed(session)) return null;
   return {
     frame,
     neutral,
@@ -35,6 +36,8 @@ export function workOf(session) {
     changed: Object.fromEntries(changed.map((index) => [controls[index].name, values[index]])),
     locks: [...locks].map((index) => controls[index].name),
     shelf: shelf.map((pose) => ({ ...pose, values: valuesByName(session, pose.values) })),
+    notes: notes.map((note) => saidNote(session, note)),
+    received,
     sound,
     moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
   };
@@ -42,7 +45,10 @@ export function workOf(session) {
 
 /** Whether keys and standing values say all of a session's work. */
 export const isAllKeys = (session) =>
-  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound;
+  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !isReviewed(session);
+
+/** Whether notes are other than those that came with the page. */
+const isReviewed = ({ notes, arrived }) => notes !== arrived;
 
 /** Take up work in a session, as one undoable step; what the character does not have is left out. */
 export function resume(session, work) {
@@ -63,14 +69,17 @@ export function resume(session, work) {
   byControl(work.changed, controls, Number.isFinite).forEach((value, index) => (values[index] = value));
   const shelf = (work.shelf ?? []).map((pose) => poseFrom(pose, session)).filter(Boolean);
   const sound = isSound(work.sound) ? work.sound : null;
-  session.restore({ frame, neutral, keys, standing, given, values, shelf, sound });
+  const since = session.notes.filter(({ id }) => !work.received?.includes(id)); // what came after this work was kept
+  const notes = joined(since, (work.notes ?? []).map((note) => noteFrom(note, session)).filter(Boolean));
+  session.received = [...new Set([...session.received, ...(work.received ?? [])])];
+  session.restore({ frame, neutral, keys, standing, given, values, shelf, notes, sound });
   session.step('Restore work', before);
   session.emit('options');
   session.emit('layout');
 }
 
 /** "12 keys of 3 controls, 2 changes that are not keyed". */
-export function worded({ keys, standing, changed, moved, shelf, sound }) {
+export function worded({ keys, standing, changed, moved, shelf, notes, sound }) {
   const tracks = Object.values(keys ?? {});
   const count = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
   const sum = tracks.reduce((total, track) => total + track.length, 0);
@@ -80,6 +89,7 @@ export function worded({ keys, standing, changed, moved, shelf, sound }) {
     loose ? `${count(loose, 'control')} changed without a key` : '',
     moved?.length ? `${count(moved.length, 'element')} moved` : '',
     shelf?.length ? `${count(shelf.length, 'pose')} on the shelf` : '',
+    notes?.length ? count(notes.length, 'note') : '',
     sound ? `the place of ${sound.name}` : '',
   ].filter(Boolean).join(', ') || 'locks';
 }

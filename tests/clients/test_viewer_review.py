@@ -1,0 +1,245 @@
+"""A review: a pose, strokes and words at a frame go out as a small USD layer and open on another page."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import makers
+import numpy as np
+import pytest
+from browser_pages import Viewer
+from pxr import Gf, Usd, UsdGeom
+from viewer_layouts import peak_layout
+
+from usdrigui.model import Clip
+from usdrigui.view.page import page_html
+from usdrigui.view.review import read_review
+
+ARROW = [[0.0, 0.0], [60.0, -10.0], [45.0, 12.0]]
+SKIN = 0.02
+"""Of the face's height: how far a stroke may be drawn from the place of the skin that it was drawn over."""
+
+
+def animated(rig):
+    """The mask, its pucker rising from 0 to 1 between frames 1 and 11."""
+    weights = np.zeros((2, len(rig.channels)))
+    weights[1, next(i for i, each in enumerate(rig.channels) if each.token == "pucker")] = 1.0
+    return replace(rig, clip=Clip(np.array([1.0, 11.0]), weights, np.zeros((2, 0, 4, 4)), 24.0))
+
+
+@pytest.fixture(scope="module")
+def pages(tmp_path_factory):
+    """Write the page with reviews, and give its path."""
+    folder = tmp_path_factory.mktemp("review")
+    rig = animated(makers.face())
+
+    def written(*reviews):
+        path = folder / f"face{len(reviews)}.html"
+        path.write_text(page_html([(rig, peak_layout(rig))], "face", reviews=[read_review(each) for each in reviews]))
+        return path
+
+    return written
+
+
+@pytest.fixture
+def opened(browser):
+    made = []
+
+    def at(path, size=(1366, 768)):
+        made.append(Viewer(browser, path, size))
+        return made[-1]
+
+    yield at
+    for each in made:
+        assert each.trouble == []
+        each.close()
+
+
+def chin(viewer):
+    """Where a point of the chin is seen."""
+    return viewer.page.evaluate(
+        """() => {
+          const { view, session } = usdrigui.app;
+          const { points } = session.deformer;
+          let best = [Infinity, null];
+          for (let i = 0; i < points.length; i += 3) {
+            const off = Math.hypot(points[i], points[i + 1] + 0.62);
+            if (off < best[0]) best = [off, points.slice(i, i + 3)];
+          }
+          return view.camera.projector(view.controlsColumn)(best[1]).slice(0, 2);
+        }"""
+    )
+
+
+def draw(viewer, start, stroke=ARROW):
+    path = [[a + b for a, b in zip(start, step, strict=True)] for step in stroke]
+    viewer.press(path[0])
+    for a, b in pairwise(path):
+        viewer.glide(a, b)
+    viewer.page.mouse.up()
+    viewer.settle()
+
+
+def lines(viewer):
+    """Strokes drawn over the view, as points of the screen."""
+    viewer.settle()
+    return viewer.page.evaluate("usdrigui.app.review.lines().map((line) => line.map((at) => at.slice(0, 2)))")
+
+
+def amber(viewer, at):
+    """Whether a stroke is to be seen at a place."""
+    return viewer.page.evaluate(
+        """([x, y]) => {
+          const { canvas, ratio } = usdrigui.app.view.overlay;
+          const copy = new OffscreenCanvas(1, 1).getContext('2d');
+          copy.drawImage(canvas, -Math.round(x * ratio), -Math.round(y * ratio));
+          const [red, green, blue] = copy.getImageData(0, 0, 1, 1).data;
+          return Math.abs(red - 240) + Math.abs(green - 169) + Math.abs(blue - 75) < 30;
+        }""",
+        at,
+    )
+
+
+def notes(viewer):
+    return viewer.page.evaluate(
+        """() => usdrigui.app.session.notes.map(({ frame, text, done, strokes }) => (
+          { frame, text, done, strokes: strokes.length }))"""
+    )
+
+
+def reviewed(viewer, folder):
+    """Pose, draw and write at frame 6, from the side; the saved file."""
+    viewer.page.evaluate("usdrigui.app.timeline.go(6)")
+    viewer.page.evaluate("usdrigui.app.view.home(0.7, 0.1)")
+    viewer.set(brow_L=0.75)
+    viewer.page.keyboard.press("n")
+    viewer.page.get_by_role("button", name="Draw").click()
+    draw(viewer, chin(viewer))
+    viewer.page.get_by_role("button", name="Draw").click()
+    viewer.page.get_by_label("Comment of note 1").fill('More of "this" here,\nless < there')
+    with viewer.page.expect_download() as download:
+        viewer.page.get_by_role("button", name="Save review").click()
+    path = folder / "review.usda"
+    download.value.save_as(path)
+    return path
+
+
+def test_a_review_opens_elsewhere_at_its_frame_view_and_pose(opened, pages, tmp_path):
+    sender = opened(pages())
+    path = reviewed(sender, tmp_path)
+    at = chin(sender)
+    (sent,) = lines(sender)
+    assert sent[0] == pytest.approx(at, abs=1.0)
+    assert len(sent) < 12, "points on a line are left out"
+    assert all(amber(sender, corner) for corner in sent)
+    assert path.stat().st_size < 8000
+
+    reader = opened(pages(path), (390, 844))
+    assert reader.page.get_by_label("Comment of note 1").input_value() == 'More of "this" here,\nless < there'
+    assert lines(reader) == []
+    reader.page.get_by_role("button", name="1 · Frame 6, 1 stroke").click()
+    assert reader.page.evaluate("usdrigui.app.session.frame") == 6
+    assert reader.moved() == pytest.approx({"pucker": 0.5, "brow_L": 0.75})
+    (found,) = lines(reader)
+    height = reader.page.evaluate("usdrigui.app.view.controlsColumn.height")
+    assert found[0] == pytest.approx(chin(reader), abs=SKIN * height)
+    assert len(found) == len(sent)
+    assert amber(reader, found[0])
+    column = reader.page.evaluate("usdrigui.app.view.controlsColumn")
+    assert all(0 < x < column["width"] and 0 < y < column["height"] for x, y in found)
+    reader.page.evaluate("usdrigui.app.view.home()")
+    assert lines(reader) == [], "seen from elsewhere, the strokes would lie over something else"
+
+
+def test_the_pose_of_a_note_is_looked_at_until_an_edit_takes_it(opened, pages, tmp_path):
+    path = reviewed(opened(pages()), tmp_path)
+    reader = opened(pages(path))
+    work = "JSON.parse(JSON.stringify(usdrigui.app.kept[0].autosave.isUnsaved))"
+    show = reader.page.get_by_role("button", name="1 · Frame 6, 1 stroke")
+    show.click()
+    assert not reader.page.evaluate(work), "looking is no work"
+    reader.page.evaluate("usdrigui.app.timeline.go(7)")
+    assert reader.moved() == pytest.approx({"pucker": 0.6})
+    show.click()
+    reader.page.get_by_role("checkbox", name="Note 1 is done").click()
+    assert reader.moved() == pytest.approx({"pucker": 0.5, "brow_L": 0.75}), "an answer leaves the pose in sight"
+    element = reader.element("chin")
+    reader.page.mouse.click(*reader.on_page(element["handle"]))
+    assert reader.page.evaluate("usdrigui.app.session.looks"), "a click takes nothing over"
+    reader.drag(
+        element["handle"], [(a + b) / 2 for a, b in zip(element["tracks"][0][0], element["tracks"][0][-1], strict=True)]
+    )
+    assert reader.moved(0.01) == pytest.approx({"pucker": 0.5, "brow_L": 0.75, "chin": 0.5}, abs=0.05)
+    reader.page.keyboard.press("Control+z")
+    assert reader.moved() == pytest.approx({"pucker": 0.5})
+    assert notes(reader)[0]["done"]
+    show.click()
+    reader.page.get_by_role("button", name="Take this pose").click()
+    reader.page.keyboard.press("k")
+    reader.page.evaluate("usdrigui.app.timeline.go(5)")
+    reader.page.evaluate("usdrigui.app.timeline.go(6)")
+    assert reader.moved() == pytest.approx({"pucker": 0.5, "brow_L": 0.75})
+
+
+def test_a_review_is_a_layer_that_usd_opens_over_the_character(opened, pages, tmp_path):
+    sender = opened(pages())
+    path = reviewed(sender, tmp_path)
+    (sent,) = lines(sender)
+    column = sender.page.evaluate("usdrigui.app.view.controlsColumn")
+    stage = Usd.Stage.Open(str(path))
+    note = next(prim for prim in stage.TraverseAll() if prim.GetName() == "note_1")
+    assert note.GetMetadata("documentation") == 'More of "this" here,\nless < there'
+    assert UsdGeom.Imageable(note).ComputePurpose() == "guide"
+    curves = UsdGeom.BasisCurves(note.GetChild("strokes"))
+    camera = UsdGeom.Camera(note.GetChild("view")).GetCamera(6.0)
+    shown = [UsdGeom.Imageable(curves).ComputeVisibility(frame) for frame in (5.0, 6.0, 7.0)]
+    assert shown == ["invisible", "inherited", "invisible"]
+    view = camera.frustum.ComputeViewMatrix() * camera.frustum.ComputeProjectionMatrix()
+    for point, at in zip(curves.GetPointsAttr().Get(), sent, strict=True):
+        x, y, _ = view.Transform(Gf.Vec3d(point))
+        seen = column["left"] + column["width"] * (x + 1) / 2, column["top"] + column["height"] * (1 - y) / 2
+        assert seen == pytest.approx(at, abs=0.6)
+
+
+def test_notes_are_undone_and_offered_back_like_all_work(opened, pages, tmp_path):
+    path = reviewed(opened(pages()), tmp_path)
+    viewer = opened(pages(path))
+    viewer.page.get_by_role("button", name="Add note").click()
+    viewer.page.keyboard.type("Mine")
+    viewer.page.get_by_role("button", name="Take note 1 away").click()
+    assert [each["text"] for each in notes(viewer)] == ["Mine"]
+    viewer.page.reload()
+    viewer.until("window.usdrigui !== undefined", 60.0)
+    assert [each["frame"] for each in notes(viewer)] == [6]
+    offer = viewer.page.locator(".offer")
+    assert "1 note" in offer.inner_text()
+    offer.get_by_role("button", name="Restore").click()
+    assert [each["text"] for each in notes(viewer)] == ["Mine"], "what was taken away does not come back with the page"
+    viewer.page.locator(".surface").focus()
+    viewer.page.keyboard.press("Control+z")
+    assert [each["frame"] for each in notes(viewer)] == [6]
+
+
+def test_a_finger_draws_and_two_hold_the_camera(opened, pages):
+    viewer = opened(pages(), (390, 844))
+    viewer.page.evaluate("usdrigui.app.fold('review', true)")
+    viewer.page.get_by_role("button", name="Draw").click()
+    viewer.settle()
+    start = chin(viewer)
+    viewer.touch("touchStart", start)
+    viewer.touch("touchMove", [start[0] + 30, start[1] - 20])
+    viewer.touch("touchMove", [start[0] + 60, start[1]])
+    viewer.touch("touchEnd")
+    assert [each["strokes"] for each in notes(viewer)] == [1]
+    (line,) = lines(viewer)
+    assert line[0] == pytest.approx(start, abs=0.6)
+    viewer.touch("touchStart", [100, 200])
+    viewer.touch("touchStart", [100, 200], [200, 200])
+    viewer.touch("touchMove", [130, 230], [230, 230])
+    viewer.touch("touchEnd", [130, 230])
+    viewer.touch("touchEnd")
+    assert [each["strokes"] for each in notes(viewer)] == [1], "two fingers draw nothing"
+    (moved,) = lines(viewer)
+    assert moved[0] == pytest.approx([start[0] + 30, start[1] + 30], abs=1.0), "strokes stay on the face"
+    assert viewer.moved() == {}
