@@ -369,6 +369,14 @@ SCENES: tuple[Scene, ...] = (
         joints=True,
     ),
     Scene(
+        "exclude",
+        "4 · Without an element",
+        "A helper shape that no animator should touch gets no element. Its motion still counts for"
+        " what the face is.",
+        (Panel("by default"), Panel("excluded", "[controls.cheekPuff]\nexclude = true")),
+        ("cheekPuff", "cheekSquint", "noseSneer", "mouthShrugLower", "browInnerUp"),
+    ),
+    Scene(
         "locality",
         "5 · Kept near something",
         "A control can be held near a joint, a prim, a GeomSubset or a point.",
@@ -387,6 +395,20 @@ SCENES: tuple[Scene, ...] = (
             ),
         ),
         ("cheekPuff", "noseSneer", "browInnerUp"),
+    ),
+    Scene(
+        "anchor",
+        "5 · Exactly at a point",
+        "An anchor of the configuration is kept to the point; the twin moves to the mirror image."
+        " Everything else is optimal given that.",
+        (
+            Panel("free"),
+            Panel(
+                "mouthSmileLeft at a point of the cheek",
+                '[controls.mouthSmileLeft]\nanchor = "/Char/Geometry/Head#491"',
+            ),
+        ),
+        ("mouthSmile", "mouthFrown", "cheekPuff", "jawOpen"),
     ),
     Scene(
         "pose",
@@ -455,6 +477,37 @@ SCENES: tuple[Scene, ...] = (
             ),
         ),
         ("eyeBlink", "Jaw:rx"),
+        joints=True,
+    ),
+    Scene(
+        "range",
+        "9 · The range of a control",
+        "A track leads from the least value to the greatest, 0 to 1 for most shapes. `minimum` and"
+        " `maximum` shorten it, or let it go further, below zero as well.",
+        (
+            Panel("0 to 1"),
+            Panel(
+                "jawOpen to 0.5, smiles from -0.5 to 1.5",
+                "[controls.jawOpen]\nmaximum = 0.5\n"
+                + "\n".join(
+                    f"[controls.mouthSmile{side}]\nminimum = -0.5\nmaximum = 1.5"
+                    for side in ("Left", "Right")
+                ),
+            ),
+        ),
+        ("jawOpen", "mouthSmile", "browOuterUp"),
+    ),
+    Scene(
+        "joints",
+        "9 · Which joints are controls",
+        "Usually those are that the animation of the asset rotates, about the axes that it uses"
+        ' ([joints.md](joints.md)). With `"all"` every joint turns about all of its axes, with'
+        ' `"none"` none does.',
+        (
+            Panel("those that the animation turns"),
+            Panel("all joints", '[read]\njoints = "all"'),
+        ),
+        ("Jaw:", "Eye", "Head:", "Neck:"),
         joints=True,
     ),
     Scene(
