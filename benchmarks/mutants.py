@@ -243,15 +243,15 @@ def marked(path: str, mutants: Sequence[Mutant]) -> str:
         line = min([first.lineno, *(each.lineno for each in getattr(first, "decorator_list", ()))])
         if line > function.body[0].lineno or line > function.lineno:
             indent = " " * first.col_offset
-            added.append((starts[line - 1], 0, f"{indent}_seen({place!r})\n"))
+            added.append((starts[line - 1], 0, f"{indent}_place_seen({place!r})\n"))
     for start, end in {each.span for each in mutants}:
         place = f"{path}[{start}:{end}]"
-        pair = [(start, -end, f"(_seen({place!r}) or ("), (end, -start, "))")]
+        pair = [(start, -end, f"(_place_seen({place!r}) or ("), (end, -start, "))")]
         if _parses(_with(text, pair)):
             added += pair
     future = re.search(r"^from __future__ import annotations\n", text, re.MULTILINE)
     assert future, path
-    added.append((future.end(), 0, "from usdrigui._seen import seen as _seen\n"))
+    added.append((future.end(), 0, "from usdrigui._seen import seen as _place_seen\n"))
     return _with(text, added)
 
 
