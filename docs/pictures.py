@@ -532,8 +532,8 @@ SCENES: tuple[Scene, ...] = (
         "crowd",
         "11 · Every handle can be grabbed",
         "No two handles are nearer than a handle's width. Where the face is too crowded for that,"
-        " the elements that lose least stand beside it, under their own heading. Handles are four"
-        " and eight times as wide here as usual, and may not shrink as they otherwise do on a"
+        " the elements that lose least stand on the board, under their own heading. Handles are"
+        " four and eight times as wide here as usual, and may not shrink as they otherwise do on a"
         " crowded face.",
         (
             Panel(

@@ -34,7 +34,7 @@ class ControlFacts:
     twin: str
     twin_source: str
     flags: tuple[str, ...]
-    """``global``, ``hidden``, ``composite``, ``beside by request``, ``tiny``,
+    """``global``, ``hidden``, ``composite``, ``on the board by request``, ``tiny``,
     ``duplicate of X``, ``opposite of X``, ``left off: why``."""
     part: str = ""
     """The part of the character in which it is laid out; empty for a control that moves nothing."""

@@ -22,7 +22,8 @@ from functools import cache
 from importlib.resources import files
 from typing import Any, Literal
 
-Side = Literal["left", "right", ""]
+from usdrigui.conventions.sides import SIDES, Side
+
 Category = Literal["atom", "viseme", "emotion", "identity", "interior", "detail"]
 Region = Literal[
     "eye", "gaze", "brow", "forehead", "cheek", "nose", "jaw", "chin",
@@ -30,10 +31,6 @@ Region = Literal[
 ]  # fmt: skip
 
 _WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
-_SIDES: Mapping[str, Side] = {
-    "left": "left", "l": "left", "lf": "left", "lt": "left", "lb": "left",
-    "right": "right", "r": "right", "rt": "right", "rb": "right",
-}  # fmt: skip
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _GAZE = frozenset({"look", "gaze"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
@@ -179,7 +176,7 @@ def _meaning(each: tuple[str, ...], unit: Action | None) -> Meaning | None:
     for phrase in _phrases():
         if phrase.fits(rest, toward):
             # In mouthLeft the only side is the direction; in lookLeft_R there is another one.
-            alone = sum(word in _SIDES for word in each) == 1
+            alone = sum(word in SIDES for word in each) == 1
             spent = phrase.directed and alone and not phrase.fits(rest, "")
             return Meaning(
                 _actions()[phrase.action], "" if spent else side, not _MIDDLES.isdisjoint(each[1:])
@@ -207,8 +204,8 @@ class _Phrase:
 def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
     """The side that the words name, the last such word counting, and the words without it."""
     for i in reversed(range(len(each))):
-        if each[i] in _SIDES and len(each) > 1:
-            return _SIDES[each[i]], each[:i] + each[i + 1 :]
+        if each[i] in SIDES and len(each) > 1:
+            return SIDES[each[i]], each[:i] + each[i + 1 :]
     return "", each
 
 
@@ -216,12 +213,12 @@ def _side_and_direction(each: tuple[str, ...]) -> tuple[Side, Side, tuple[str, .
     """The side on which a name says that a control acts, the one to which it may go, and the words
     without the two: one word says both unless there is another one behind which the eyes look."""
     looks = [i for i, word in enumerate(each) if word in _GAZE]
-    behind = [i for i, word in enumerate(each) if word in _SIDES and looks and i > looks[0]]
+    behind = [i for i, word in enumerate(each) if word in SIDES and looks and i > looks[0]]
     side, rest = _side(each)
-    if not behind or sum(word in _SIDES for word in each) < 2:
+    if not behind or sum(word in SIDES for word in each) < 2:
         return side, side, rest
     side, rest = _side(each[: behind[0]] + each[behind[0] + 1 :])
-    return side, _SIDES[each[behind[0]]], rest
+    return side, SIDES[each[behind[0]]], rest
 
 
 def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
@@ -229,7 +226,7 @@ def _without_shared(names: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     for end in (0, -1):
         while len(names) > 2:
             most = Counter(each[end] for each in names if len(each) > 1).most_common(1)
-            if not most or most[0][1] < _SHARED * len(names) or most[0][0] in _SIDES:
+            if not most or most[0][1] < _SHARED * len(names) or most[0][0] in SIDES:
                 break
             kept = slice(1, None) if end == 0 else slice(None, -1)
             names = [
@@ -260,7 +257,7 @@ def _acts(each: tuple[str, ...]) -> bool:
 def _action_unit(each: tuple[str, ...]) -> Action | None:
     """The action unit of ``AU12``, ``L12`` or ``12``, whatever side it names."""
     numbers = [word for word in each if word.isdigit()]
-    others = {word for word in each if not word.isdigit()} - {"au", "facs", *_SIDES}
+    others = {word for word in each if not word.isdigit()} - {"au", "facs", *SIDES}
     if len(numbers) != 1 or others:
         return None
     return next(
@@ -362,7 +359,7 @@ def _known() -> frozenset[str]:
     said = {
         word for table, key in (*lists, ("identities", "prefixes")) for word in codes[table][key]
     }
-    return _vocabulary() | said | {"au", *codes["emotions"]["parts"], *_SIDES}
+    return _vocabulary() | said | {"au", *codes["emotions"]["parts"], *SIDES}
 
 
 def _phrase(row: Mapping[str, Any]) -> _Phrase:

@@ -9,9 +9,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from typing import Literal
 
+Side = Literal["left", "right", ""]
 _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
-_SWAPPED = {"left": "right", "right": "left", "l": "r", "r": "l", "lf": "rt", "rt": "lf"}
+_NAMES: tuple[Side, Side] = ("left", "right")
+_PAIRS = (("left", "right"), ("l", "r"), ("lf", "rt"), ("lt", "rt"), ("lb", "rb"))
+"""Words for the sides; the last two are quarters of a mouth: left top, right bottom."""
+SIDES: Mapping[str, Side] = {
+    word: side for pair in _PAIRS for word, side in zip(pair, _NAMES, strict=True)
+}
+"""The side that a word names."""
+_SWAPPED = dict(_PAIRS) | {right: left for left, right in reversed(_PAIRS)}
 
 
 def mirrored(name: str) -> str:
@@ -22,8 +31,9 @@ def mirrored(name: str) -> str:
 
 def hints_at_twin(name: str, other: str) -> bool:
     """True when one name is the other with its sides swapped, and has a side at all."""
-    swapped = mirrored(name)
-    return (swapped != name.lower() and swapped == other.lower()) or _differ_by_initial(name, other)
+    one, two = name.lower(), other.lower()
+    swapped = one != two and (mirrored(name) == two or mirrored(other) == one)
+    return swapped or _differ_by_initial(name, other)
 
 
 def _differ_by_initial(name: str, other: str) -> bool:
@@ -41,16 +51,12 @@ def _differ_by_initial(name: str, other: str) -> bool:
 
 def has_side(name: str) -> bool:
     """True when the name has a word for left or right."""
-    return any(word in _SWAPPED for word in _words(name))
+    return any(word in SIDES for word in _words(name))
 
 
-def side_of(name: str) -> str:
+def side_of(name: str) -> Side:
     """``left`` or ``right`` where the name has words for one of them only, else empty."""
-    said = {
-        "left" if word in ("left", "l", "lf") else "right"
-        for word in _words(name)
-        if word in _SWAPPED
-    }
+    said = {SIDES[word] for word in _words(name) if word in SIDES}
     return said.pop() if len(said) == 1 else ""
 
 

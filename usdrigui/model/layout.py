@@ -12,7 +12,7 @@ from usdrigui.model.rig import Glyph, LeftOff
 
 Side = Literal["left", "right", "middle", "none"]
 Decision = Literal["anchor", "place", "grouping"]
-"""What a person may decide about an element: its point; on the character or beside it; which
+"""What a person may decide about an element: its point; on the character or on the board; which
 controls share it."""
 
 
@@ -150,7 +150,7 @@ class Anchor(Record):
     point_count: int
     topology_hash: str
     position: Floats
-    """(3,) at the base pose.  Beside the face: the place of the element itself."""
+    """(3,) at the base pose.  On the board: the place of the element itself."""
     normal: Floats
     """(3,) unit; the direction in which the element faces."""
     on_board: bool

@@ -1,7 +1,7 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's
-own; its handle lies on the deformed anchor, whatever the gain of its tracks.  Beside the face, or
+own; its handle lies on the deformed anchor, whatever the gain of its tracks.  On the board, or
 where `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that
 carries the face) and its handle slides along the tracks.  What stands on the board is one board and
 stays in one piece: no control of any element there moves it.  These are the rules of the written
@@ -291,10 +291,10 @@ def _anchor_point(rig: Rig, element: Element) -> int:
 
 def _board(rig: Rig, layout: Layout, owned: Sequence[Indices]) -> Indices:
     """Controls of the elements on the board that drive joints."""
-    beside = [
+    on_board = [
         own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.on_board
     ]
-    controls = sorted({control for own in beside for control in own.tolist()})
+    controls = sorted({control for own in on_board for control in own.tolist()})
     return np.array(
         [each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64
     )

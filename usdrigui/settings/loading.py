@@ -143,6 +143,6 @@ def load_beside(path: Path) -> Settings:
 
     Raises RigUIError CONFIG_...
     """
-    beside = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
-    sources = [read_toml(beside)] if path.name and beside.is_file() else []
+    own = path.with_suffix(".toml" if path.stem.endswith(".rigui") else ".rigui.toml")
+    sources = [read_toml(own)] if path.name and own.is_file() else []
     return load(*sources, environment=environment_settings())

@@ -210,8 +210,8 @@ def _layer(path: Path) -> LayerResult:
 
     layer = open_layer(path)
     follow(layer, path.parent)
-    standing = dict.fromkeys(map(str, layout_paths(layer)))
-    chosen = {tuple(sorted(asset_selections(each).items())): None for each in standing}
+    scopes = dict.fromkeys(map(str, layout_paths(layer)))
+    chosen = {tuple(sorted(asset_selections(each).items())): None for each in scopes}
     variants = tuple(map(dict, chosen)) if any(chosen) else ()
     return LayerResult(
         tuple(layer.subLayerPaths),

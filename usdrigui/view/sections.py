@@ -84,11 +84,11 @@ def _section(
 def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
     """The elements of either side of a part that has nothing between them; the board goes with the
     left."""
-    standing = [i for i in own if not layout.elements[i].anchor.on_board]
+    placed = [i for i in own if not layout.elements[i].anchor.on_board]
     sides: list[tuple[Side, list[int]]] = []
     boxes = []
     for side in ("left", "right"):
-        chosen = [i for i in standing if layout.elements[i].side == side]
+        chosen = [i for i in placed if layout.elements[i].side == side]
         places = np.array([layout.elements[i].anchor.position for i in chosen])
         if not len(places):
             return []
@@ -96,7 +96,7 @@ def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
         sides.append((side, chosen))
     extent = max(float((high - low).max()) for low, high in boxes)
     gap = max(float(np.maximum(boxes[0][0] - boxes[1][1], boxes[1][0] - boxes[0][1]).max()), 0.0)
-    if len(standing) != len(sides[0][1]) + len(sides[1][1]) or gap < _APART * extent:
+    if len(placed) != len(sides[0][1]) + len(sides[1][1]) or gap < _APART * extent:
         return []
     board = [i for i in own if layout.elements[i].anchor.on_board]
     return [("left", sorted(sides[0][1] + board)), sides[1]]

@@ -65,8 +65,8 @@ def board_elements(
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width
-    beside = _boards(requests, middle @ frame[1], 0.5 * height, frame[1])
-    left = max([left, *(_right_end(each, frame, width) for each in beside)])
+    others = _boards(requests, middle @ frame[1], 0.5 * height, frame[1])
+    left = max([left, *(_right_end(each, frame, width) for each in others)])
     drawing = _Drawing(face, requests, frame, anchor_point(face, middle), adapt)
     elements = []
     for column in columns:

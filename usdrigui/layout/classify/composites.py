@@ -106,7 +106,7 @@ def composites(
         i: _composite(i, basis, similarity.norm) for i in np.flatnonzero(~basis.atoms).tolist()
     }
     off_face = [i for family in families if not family.on_face for i in family.members]
-    standing = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
+    shown = basis.atoms & ~np.isin(np.arange(len(names)), off_face)
     spread = _Spreads(rig, trajectories, similarity)
     for i in np.flatnonzero(basis.atoms & (twins == np.arange(len(names)))).tolist():
         if meaning[i] is None and (pair := spread.distant_pair(i, basis.atoms)):
@@ -115,7 +115,7 @@ def composites(
         for i in family.members:
             found.pop(i, None)
             if not family.on_face:
-                told = _amounts(i, best_sum(i, standing, similarity.cosine), similarity.norm)
+                told = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
                 found[i] = Composite(
                     family.kind, "family", family_reason=family.reason, explained_by=told
                 )

@@ -83,7 +83,7 @@ def loosened(
     for elements whose copies would collide at all of their better places."""
     motion = face.trajectories.motions[found.motion]
     override = requests.overrides[motion.control]
-    seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
+    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings))
     if override.anchor or not seen.any():
         return found
     points = motion.points[seen & (motion.arc_length >= _kept(motion, seen, least))]
@@ -164,8 +164,8 @@ def _moving_places(
     """Points that the control moves and where it may stand, ascending; near what the configuration
     names."""
     everywhere = np.ones(len(motion.points), dtype=bool)
-    some = _standing(face, motion, requests, settings, everywhere)
-    seen = _standing(face, motion, requests, settings, _seen(face, motion.points, settings))
+    some = _allowed(face, motion, requests, settings, everywhere)
+    seen = _allowed(face, motion, requests, settings, _seen(face, motion.points, settings))
     seen = _with_clear_handles(face, motion, requests, settings, seen)
     # What a person says, an earlier place and the skin that a joint owns come before what a name
     # says.
@@ -176,7 +176,7 @@ def _moving_places(
     return points if len(points) else _unseen(motion, some, settings)
 
 
-def _standing(
+def _allowed(
     face: Face, motion: Motion, requests: Requests, settings: CandidateSettings, among: Flags
 ) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
@@ -191,7 +191,7 @@ def _with_clear_handles(
 ) -> Flags:
     """(p,) those `seen` at which the handle itself is seen, if one of them keeps enough of the
     displacement."""
-    clear = _standing(face, motion, requests, settings, seen & face.clear[motion.points])
+    clear = _allowed(face, motion, requests, settings, seen & face.clear[motion.points])
     return (
         clear
         if motion.arc_length[clear].max(initial=0.0) >= _kept(motion, seen, settings.least_kept)

@@ -228,6 +228,9 @@ def test_symmetry_can_be_switched_off():
         ("Look_In_Left", "Look_In_Right"),
         ("face.Lsmile", "face.Rsmile"),
         ("mouthLeft", "mouthRight"),
+        ("brow_lf", "brow_rt"),
+        ("mouth_LT", "mouth_RT"),
+        ("mouth_LB", "mouth_RB"),
     ],
 )
 def test_names_hint_at_twins(one, other):
