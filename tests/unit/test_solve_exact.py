@@ -32,7 +32,7 @@ from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
-from usdrigui.solve.reduced_problem import ReducedProblem, Solution, sparse_tables
+from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums, sparse_tables
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
@@ -97,8 +97,8 @@ def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
-    monkeypatch.setattr(reduce, "_thinned", lambda found, _: found)
-    monkeypatch.setattr(reduce, "_tightened", lambda found, _: found)
+    monkeypatch.setattr(reduce, "_thinned", lambda *_: True)
+    monkeypatch.setattr(reduce, "_tightened", lambda *_: True)
     monkeypatch.setattr(exact, "HIGHS_SHARE", 1.0)
 
 
@@ -228,6 +228,16 @@ def test_a_bound_raised_is_caught(owner: type, name: str, amount: float, monkeyp
     (by_program if owner is milp._Program else by_blocks)(monkeypatch)
     monkeypatch.setattr(owner, name, lambda *arguments: honest(*arguments) + amount)
     assert overstated(random_problems(), monkeypatch) > 0
+
+
+def test_least_sums_are_never_above_those_of_all_labels() -> None:
+    costs = np.random.default_rng(0).exponential(20.0, (16, 7))
+    costs[costs > 60.0] = np.inf
+    one, other = costs[:5], costs[5:]
+    every = (np.minimum(one, DEAREST)[:, None] + np.minimum(other, DEAREST)).min(axis=2)
+    found = least_sums(one, other)
+    assert (found <= every).all()
+    assert (every - found < 3e-13).all()
 
 
 @pytest.mark.parametrize("place", [reduce, branch_and_bound_module], ids=["reduce", "branch and bound"])

@@ -3,7 +3,7 @@ split the rest."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -44,9 +44,12 @@ SLOW = 0.1
 another one."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Partition:
-    """Blocks of candidates, and what is left of the problem that they bound from below."""
+    """Blocks of candidates, and what is left of the problem that they bound from below.
+
+    It shrinks in place: what goes must free its memory at once.
+    """
 
     blocks: Blocks
     label_set: LabelSet
@@ -60,6 +63,12 @@ class Partition:
     def exact(self) -> bool:
         """Whether every block is a single label."""
         return bool(self.blocks.sizes.max(initial=1) == 1)
+
+    def keep(self, left: ReducedProblem) -> None:
+        """Go on with less of its problem."""
+        if len(left.labels) < self.pairs.count:
+            self.pairs = self.pairs.among(np.searchsorted(self.problem.labels, left.labels))
+        self.problem = left
 
     def representatives(self, labels: Labels, chosen: Indices) -> Indices:
         """(variables,) for the block that a solution of the problem chooses its member of least
@@ -80,14 +89,9 @@ def reduce(
     None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds
     the best layout known of these labels; it is improved on the way.
     """
-    found: Partition | None = _bounded(problem, labels, first_blocks(labels, budget), budget)
+    found = _bounded(problem, labels, first_blocks(labels, budget), budget)
     share, searched = NEAR, 0
-    while found is not None:
-        found = _swept(found, budget)
-        if found is not None and found.exact:
-            found = _thinned(found, budget)
-        if found is None:
-            break
+    while _swept(found, budget) and (not found.exact or _thinned(found, budget)):
         chosen, value = _layout(found, budget)
         incumbent.improve_from(found.representatives(labels, chosen))
         bound = found.problem.bound()
@@ -97,20 +101,19 @@ def reduce(
         if not found.exact and in_time and searched < (2 if frustrated else 1):
             incumbent.improve_from(_likely_layout(problem, labels, found, likely, budget))
             searched = 2 if frustrated else 1
-        if frustrated or found.exact:
-            found = _tightened(found, budget)
-        if found is None or found.exact or budget.closed() or budget.stopped():
+        if (frustrated or found.exact) and not _tightened(found, budget):
             break
+        if found.exact or budget.closed() or budget.stopped():
+            return found
         bound = found.problem.bound()
         smaller = _split(problem, labels, found, share, budget)
         if smaller is None:
-            break
+            return found
         found = smaller
         slow = found.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
         share = min(1.0, 2.0 * share) if slow else NEAR
-    if found is None:
-        budget.found(STEP, bound=budget.cutoff)
-    return found
+    budget.found(STEP, bound=budget.cutoff)
+    return None
 
 
 def _bounded(
@@ -181,95 +184,84 @@ def _likely_layout(
     return kept[iterated_local_search(costs, first, budget)]
 
 
-def _swept(partition: Partition, budget: Budget) -> Partition | None:
-    """A partition after dual ascent, without the blocks that its bound excludes; None when nothing
-    is left of it."""
+def _swept(partition: Partition, budget: Budget) -> bool:
+    """Raise the bound of a partition by dual ascent and take the blocks away that it excludes;
+    whether any are left."""
     partition.problem.normalize()
-    left = reduced(partition.problem, budget.cutoff)
-    while left is not None and not budget.stopped():
-        before = len(left.costs)
+    left = _reduced(partition, budget)
+    while left and not budget.stopped():
+        before = len(partition.problem.costs)
         for _ in range(SWEEPS):
-            left.sweep()
-            left.normalize()
-        budget.spend(1000 + SWEEPS * left.tables.entries // 32)
-        left = reduced(left, budget.cutoff)
-        if left is None or len(left.costs) > (1.0 - SLOW) * before:
+            partition.problem.sweep()
+            partition.problem.normalize()
+        budget.spend(1000 + SWEEPS * partition.problem.tables.entries // 32)
+        left = _reduced(partition, budget)
+        if len(partition.problem.costs) > (1.0 - SLOW) * before:
             break
-    return _restricted(partition, left, budget)
+    return left
 
 
-def _thinned(partition: Partition, budget: Budget) -> Partition | None:
-    """A partition of single labels without those that others dominate, which bounds then exclude
-    more of, in turn."""
-    found: Partition | None = partition
-    while found is not None and not budget.stopped():
-        before = len(found.problem.costs)
-        found = _excluded(_swept(_undominated(found, budget), budget), budget)
-        if found is None or len(found.problem.costs) > (1.0 - SLOW) * before:
+def _reduced(partition: Partition, budget: Budget) -> bool:
+    """Take the blocks away that no layout below the cutoff uses; whether any are left."""
+    left = reduced(partition.problem, budget.cutoff)
+    if left is None:
+        return False
+    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
+    partition.keep(left)
+    return True
+
+
+def _thinned(partition: Partition, budget: Budget) -> bool:
+    """Take labels away that others dominate, of which bounds then exclude more, in turn, from a
+    partition of single ones; whether any are left."""
+    while not budget.stopped():
+        before = len(partition.problem.costs)
+        _take_dominated(partition, budget)
+        if not (_swept(partition, budget) and _excluded(partition, budget)):
+            return False
+        if len(partition.problem.costs) > (1.0 - SLOW) * before:
             break
-    return found
+    return True
 
 
-def _undominated(partition: Partition, budget: Budget) -> Partition:
-    """A partition of single labels without those that another one can always replace."""
+def _take_dominated(partition: Partition, budget: Budget) -> None:
+    """Take the labels away that another one can always replace."""
     left = partition.problem
     if len(left.costs) > LARGEST_TESTED:
-        return partition
+        return
     budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
     both = partition.pairs.matrix()
     both += both.T
-    alive = undominated(
-        left.start, partition.label_set.cost[left.labels], both, np.isinf(left.both_ways())
-    )
-    return _of(partition, left.restricted(alive))
+    linear = partition.label_set.cost[left.labels]
+    alive = undominated(left.start, linear, both, np.isinf(left.both_ways()))
+    partition.keep(left.restricted(alive))
 
 
-def _excluded(partition: Partition | None, budget: Budget) -> Partition | None:
-    """A partition without the pairs, and then the labels, that tests of pairs exclude."""
-    if partition is None or len(partition.problem.costs) > LARGEST_TESTED:
-        return partition
+def _excluded(partition: Partition, budget: Budget) -> bool:
+    """Exclude pairs by tests of pairs, and then labels; whether any are left."""
+    if len(partition.problem.costs) > LARGEST_TESTED:
+        return True
     budget.spend(len(partition.problem.costs) ** 3 // 1024)
     partition.problem.exclude_pairs(budget.cutoff)
-    return _restricted(partition, reduced(partition.problem, budget.cutoff), budget)
+    return _reduced(partition, budget)
 
 
-def _tightened(partition: Partition, budget: Budget) -> Partition | None:
-    """The same after triplets have raised the bound, without what it excludes, as long as this
-    gains anything."""
-    found: Partition | None = partition
-    while found is not None:
-        before, bound = len(found.problem.costs), found.problem.bound()
-        raise_bound(found.problem, budget)
-        found = _excluded(_restricted(found, reduced(found.problem, budget.cutoff), budget), budget)
-        if found is not None and found.exact:
-            found = _undominated(found, budget)
-        if found is None or budget.stopped():
-            break
-        rise, left = found.problem.bound() - bound, budget.cutoff - found.problem.bound()
-        few_gone = len(found.problem.costs) > (1.0 - SLOW) * before
-        if found.exact and len(found.problem.costs) > LARGEST_TESTED and rise > 0:
+def _tightened(partition: Partition, budget: Budget) -> bool:
+    """Raise the bound by triplets and take away what it excludes, as long as this gains anything;
+    whether any are left."""
+    while True:
+        before, bound = len(partition.problem.costs), partition.problem.bound()
+        raise_bound(partition.problem, budget)
+        if not (_reduced(partition, budget) and _excluded(partition, budget)):
+            return False
+        if partition.exact:
+            _take_dominated(partition, budget)
+        now, labels = partition.problem.bound(), len(partition.problem.costs)
+        if partition.exact and labels > LARGEST_TESTED and now > bound and not budget.stopped():
             continue  # The solvers of what is left could do nothing with so many.
-        if left <= 0 or (few_gone and rise < STALLED * left):
-            break
-    return found
-
-
-def _restricted(
-    partition: Partition, left: ReducedProblem | None, budget: Budget
-) -> Partition | None:
-    """A partition with what is left of its problem."""
-    if left is None:
-        return None
-    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
-    return _of(partition, left)
-
-
-def _of(partition: Partition, left: ReducedProblem) -> Partition:
-    """A partition with less of its problem."""
-    if len(left.labels) == partition.pairs.count:
-        return replace(partition, problem=left)
-    kept = np.searchsorted(partition.problem.labels, left.labels)
-    return replace(partition, problem=left, pairs=partition.pairs.among(kept))
+        few_gone = labels > (1.0 - SLOW) * before
+        if budget.stopped() or (few_gone and now - bound < STALLED * (budget.cutoff - now)):
+            return True
 
 
 def _split(

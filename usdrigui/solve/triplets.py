@@ -11,16 +11,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from usdrigui.model import Floats
+from usdrigui.model import Floats, Singles
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import EPSILON, LARGEST_TESTED, NEVER, ReducedProblem, Triplet
+from usdrigui.solve.reduced_problem import (
+    EPSILON,
+    LARGEST_TESTED,
+    NEVER,
+    ReducedProblem,
+    Triplet,
+    least_sums,
+)
 
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 100
 """Triplets taken at a time."""
-CUBE = 65536
-"""Costs of three labels that are worked out at a time: they stay in the processor's cache."""
+SINGLE = 2.0**-23
+"""Share taken off messages: in single precision, which halves their memory, none is larger."""
 PASSES = 6
 """Passes over the triplets before others are looked for; a third where labels are many, for all
 that is done on the whole matrix in each."""
@@ -47,12 +54,13 @@ def work_of(problem: ReducedProblem) -> int:
     """Work that a pass over the triplets counts as."""
     sizes = np.diff(problem.start)
     cubes = sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages)
-    return cubes // 80 + problem.tables.entries // 8
+    return cubes // 300 + problem.tables.entries // 24
 
 
-def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Floats, Floats, Floats]:
-    a, b, c = (int(problem.start[each + 1] - problem.start[each]) for each in triplet)
-    return np.zeros((a, b)), np.zeros((a, c)), np.zeros((b, c))
+def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Singles, Singles, Singles]:
+    a, b, c = np.diff(problem.start)[list(triplet)].tolist()
+    ab, ac, bc = (np.zeros(shape, dtype=np.float32) for shape in ((a, b), (a, c), (b, c)))
+    return ab, ac, bc
 
 
 def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
@@ -66,24 +74,16 @@ def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
     left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
     for side, share in ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1)):
         ab, ac, bc = left
-        one, other = ((ac.T, bc.T), (ab.T, bc), (ab, ac))[side]
-        least = (_least_together(one, other) + left[side]) / share
+        one, other = ((ac, bc), (ab, bc.T), (ab.T, ac.T))[side]
+        least = (least_sums(one, other) + left[side]) / share
         given[side] += least
         left[side] -= np.where(least < np.inf, least, 0.0)  # what is excluded stays so
-    for table, old, new in zip(tables, before, given, strict=True):
-        table[...] = new
-        new[...] = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
-    problem.messages[triplet] = (given[0], given[1], given[2])
-
-
-def _least_together(one: Floats, other: Floats) -> Floats:
-    """(x, y) of (t, x) and (t, y) costs: the least of both for any t, a few t at a time."""
-    found = np.full((one.shape[1], other.shape[1]), np.inf)
-    rows = max(1, CUBE // max(found.size, 1))
-    for at in range(0, len(one), rows):
-        part = slice(at, at + rows)
-        np.minimum(found, (one[part, :, None] + other[part, None, :]).min(axis=0), out=found)
-    return found
+    for table, message, old, new in zip(
+        tables, problem.messages[triplet], before, given, strict=True
+    ):
+        moved = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
+        message[...] = moved - SINGLE * np.abs(moved)
+        table[...] = np.where(new < np.inf, old + message, np.inf)
 
 
 def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
