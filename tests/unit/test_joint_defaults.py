@@ -88,3 +88,15 @@ def test_an_elbow_is_one_axis_that_lies_across_the_bend_and_a_joint_without_skin
         assert abs(axis @ tree.direction([turn.home])) < 1e-6
     assert {turn.home for turn in turns} <= tree.owners
     assert len(tree.owners) < len(body.joints)
+
+
+@pytest.mark.parametrize("turned", [0, 1, 2])
+def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
+    """Whichever of its own axes looks ahead."""
+    frame = np.roll(np.eye(3), turned, axis=0)
+    at = {"h": (0, 0, 0), "h/n": (0, 0.5, 0), "h/n/l": (0.2, 0.6, 0.4), "h/n/r": (-0.2, 0.6, 0.4)}
+    at |= {f"h/n/{name}": (x, 0.1, 0.1) for name, x in (("a", 0.9), ("b", -0.9))}
+    rig = limbs.skeleton_rig(list(at), np.array(list(at.values()), float), range(len(at)), frame)
+    found = default_turns(Tree(rig.joints, rig.meshes))
+    axes = [turn.axes[0] @ frame for turn in found if rig.joints[turn.home].path in ("h/n/l", "h/n/r")]
+    assert np.abs(np.sum(np.square(axes), axis=0) - [2.0, 2.0, 0.0]).max() < 1e-9

@@ -32,6 +32,9 @@ length."""
 _MATTERS = 0.5
 """Least lever of an axis against the best axis of a joint at the end of a chain."""
 
+_ROUND = 0.9
+"""Least lever of an axis against the best one where the skin of a joint is a ball."""
+
 BALL = (-30.0, 30.0)
 HINGE = (-10.0, 120.0)
 CURL = (-10.0, 80.0)
@@ -233,8 +236,27 @@ def _levers(tree: Tree, joint: int) -> list[int]:
         float((weights * np.linalg.norm(np.cross(arms, axis), axis=1)).max(initial=0.0))
         for axis in bind
     ]
-    ranked = sorted(range(3), key=lambda axis: (-round(levers[axis], 9), axis))[:2]
+    axes = [axis for axis in range(3) if axis != _roll(tree, joint, bind, levers)]
+    ranked = sorted(axes, key=lambda axis: (-round(levers[axis], 9), axis))[:2]
     return sorted(axis for axis in ranked if levers[axis] >= _MATTERS * max(levers))
+
+
+def _roll(tree: Tree, joint: int, bind: Floats, levers: list[float]) -> int:
+    """The axis along which an eye looks, about which nobody turns it; -1 for another joint.
+
+    A ball that lies wholly to one side of the mirror plane is an eye; it looks out of the head,
+    which holds it.
+    """
+    head = tree.parents[joint]
+    if tree.mirror is None or min(levers) < _ROUND * max(levers) or head not in tree.owners:
+        return -1
+    across, middle = tree.mirror
+    if abs(float(tree.places[joint, across]) - middle) <= max(levers):
+        return -1
+    points, weights = tree.skin[head]
+    out = tree.places[joint] - weights @ points / weights.sum()
+    out[across] = 0.0
+    return int(np.argmax(np.round(np.abs(bind @ out), 9)))
 
 
 def posed_locals(tree: Tree, turn: Turn, degrees: Floats) -> Floats:
