@@ -3,7 +3,9 @@ anchor.
 
 A track follows the skin under every control but those of its own element; a handle lies on the
 deformed anchor, or slides along its track where the element hangs rigidly or its track is enlarged.
-numpy only, positions in world space, 4x4 matrices for column vectors.
+How tracks go with the anchor and where a handle slides is usdrigui's own file, put into `maths`
+when the extension is packed.  numpy only, positions in world space, 4x4 matrices for column
+vectors.
 """
 
 from __future__ import annotations
@@ -11,6 +13,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+
+from .maths.tracks import carried, facing, slid
 
 
 @dataclass(frozen=True)
@@ -87,34 +91,19 @@ def drawing_of(element, controls):
 
 def place(drawing, site, values):
     """`Placed` element at member ``values`` (m,)."""
-    carried = site.still @ site.rest
-    linear = carried[:3, :3]
+    whole = site.still @ site.rest
+    linear = whole[:3, :3]
     if site.point is None:
-        anchor = linear @ drawing.position + carried[:3, 3]
+        anchor = linear @ drawing.position + whole[:3, 3]
     else:
         before = np.linalg.pinv(site.now[:3, :3]) @ (site.point - site.now[:3, 3]) - site.own
         anchor = site.still[:3, :3] @ before + site.still[:3, 3]
-    tracks = tuple(anchor + (track - drawing.position) @ linear.T for track in drawing.tracks)
-    areas = tuple(anchor + (area - drawing.position) @ linear.T for area in drawing.areas)
+    tracks, areas = (
+        tuple(carried(each, drawing.position, anchor, linear.T) for each in lines)
+        for lines in (drawing.tracks, drawing.areas)
+    )
     handle = site.point
     if handle is None or drawing.enlarged:
-        handle = along(drawing, tracks, values)
-    normal = np.linalg.pinv(linear).T @ drawing.normal
+        handle = slid(drawing.values, tracks, drawing.base, values)[1]
     scale = float(np.cbrt(abs(np.linalg.det(linear))))
-    return Placed(tracks, areas, handle, normal / max(float(np.linalg.norm(normal)), 1e-30), scale)
-
-
-def along(drawing, tracks, values):
-    """(3,) the place on the tracks (k, 3) that stands for the ``values`` (m,)."""
-    moved = homes = 0.0
-    for i, (at, track) in enumerate(zip(drawing.values, tracks, strict=True)):
-        home = _at(at, track, drawing.base[i])
-        homes = home if i == 0 else homes
-        moved = moved + _at(at, track, values[i]) - home
-    return homes + moved
-
-
-def _at(values, track, value):
-    piece = int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))
-    share = (value - values[piece]) / (values[piece + 1] - values[piece])
-    return (1.0 - share) * track[piece] + share * track[piece + 1]
+    return Placed(tracks, areas, handle, facing(drawing.normal, linear.T), scale)

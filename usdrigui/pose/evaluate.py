@@ -22,6 +22,7 @@ from usdrigui.errors import refuse
 from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, Singles
 from usdrigui.pose.rigid import on_one_joint
 from usdrigui.pose.subset import subset
+from usdrigui.pose.tracks import carried, facing, slid
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,14 +172,16 @@ def _element(
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
     if not _detached(element):
         anchor = others.points[row]
-    tracks = tuple(anchor + (member.track - base) @ carry for member in element.members)
-    rests: list[Floats] = []
-    moves = np.zeros(3)
-    for member, track, control in zip(element.members, tracks, poser.owned[index], strict=True):
-        rests.append(_along(member.values, track, float(poser.layout.base_values[control])))
-        moves += _along(member.values, track, float(values[control])) - rests[-1]
-    handle = rests[0] + moves if _detached(element) else whole.points[row]
-    normal = element.anchor.normal @ np.linalg.pinv(carry).T
+    tracks = tuple(carried(member.track, base, anchor, carry) for member in element.members)
+    owned = poser.owned[index]
+    rest, handle = slid(
+        [member.values for member in element.members],
+        tracks,
+        poser.layout.base_values[owned].tolist(),
+        values[owned].tolist(),
+    )
+    if not _detached(element):
+        handle = whole.points[row]
     glyph = np.zeros((0, 3))
     if element.glyph is not None:
         held = (
@@ -187,9 +190,7 @@ def _element(
             else _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
         )
         glyph = handle + element.glyph.points @ held
-    return PosedElement(
-        tracks, handle, rests[0], normal / max(float(np.linalg.norm(normal)), 1e-30), glyph
-    )
+    return PosedElement(tracks, handle, rest, facing(element.anchor.normal, carry), glyph)
 
 
 def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -> Posed:
@@ -256,15 +257,6 @@ def _map(anchors: Rig, at: Posed, row: int) -> Floats:
     mesh, local = anchors.mesh_of(row)
     maps = at.maps[mesh]
     return np.asarray(maps[local if len(maps) > 1 else 0])
-
-
-def _along(values: Floats, track: Floats, value: float) -> Floats:
-    """Point of a polyline at a value: linear between the vertices and beyond the ends."""
-    if len(values) == 1:
-        return np.asarray(track[0])
-    piece = int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))
-    share = (value - values[piece]) / (values[piece + 1] - values[piece])
-    return np.asarray((1.0 - share) * track[piece] + share * track[piece + 1])
 
 
 # --- matching -------------------------------------------------------------------------------------
