@@ -247,7 +247,7 @@ class SymmetrySettings:
         True, "Optimise one of each pair of twins only (paper section 3.3).", level="expert"
     )
     plane_weight: float = setting(
-        0.1,
+        0.2,
         "Cost of the distance from the plane of self-symmetric elements, counted from their"
         " candidate nearest to it.",
         unit="cost per handle width",
@@ -465,7 +465,7 @@ class ObjectiveSettings:
         bounds=(0.0, 1.0),
     )
     off_face_penalty: float = setting(
-        0.3,
+        1.0,
         "Cost of sending a control to the board, per copy; 0 or less than 0 is allowed.",
         unit="cost",
         bounds=(-1000000.0, 1000000.0),

@@ -48,6 +48,8 @@ class _Evidence:
 
     coverage_of_smaller: float
     moves_everything: bool
+    named_local: bool
+    """Whether its name is that of an action of a part of the face."""
     vanishes: bool
     visible_share: float
     kept: float
@@ -94,6 +96,7 @@ def classify(
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
             moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
+            named_local=_named_local(requests.names.meanings[motion.control]),
             vanishes=bool(vanish[index]),
             visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
             kept=float(kept[index]),
@@ -126,7 +129,9 @@ def _category(
     if settings.board_global:
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
-        if evidence.coverage_of_smaller > settings.global_coverage or evidence.moves_everything:
+        # Where the mouth alone is animated, a jaw moves all that smaller controls move.
+        wide = evidence.coverage_of_smaller > settings.global_coverage and not evidence.named_local
+        if wide or evidence.moves_everything:
             return "global", "moves the face as a whole"
     if settings.board_hidden and evidence.visible_share < settings.hidden_share:
         return "hidden", "only affects geometry hidden in all views"
@@ -167,6 +172,13 @@ def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories)
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
     return meaning.action.is_needed or seen >= _FELT * trajectories.typical_length
+
+
+def _named_local(meaning: Meaning | None) -> bool:
+    """Whether the name is that of an atom of a part of the face."""
+    if meaning is None:
+        return False
+    return meaning.action.category == "atom" and meaning.action.region not in ("head", "neck")
 
 
 def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:

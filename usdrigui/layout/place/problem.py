@@ -216,7 +216,9 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
         return float(np.inf)
     meanings = [requests.meaning(control) for control in group.controls]
     needed = any(meaning is not None and meaning.action.is_needed for meaning in meanings)
-    return (settings.off_face_penalty + _NEEDED * needed) * len(group.copies)
+    # Where the earlier layout had it on the board, nothing leaves the face.
+    leaves = not requests.prior.stood_on_board(group.controls)
+    return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
 
 
 # --- fixed anchors --------------------------------------------------------------------------------

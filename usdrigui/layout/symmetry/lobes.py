@@ -13,9 +13,9 @@ import numpy as np
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Flags, Motion, Symmetry, Trajectories
 
-_MIDDLE = 0.02
+_MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
-_KEPT = 0.7
+_KEPT = 0.75
 """A control of which no name tells where it acts has two lobes if it keeps less of its peak in the
 middle."""
 _KEPT_IN_PAIRS = 0.8

@@ -70,6 +70,14 @@ def test_coverage_is_the_share_of_the_face_for_small_controls_too():
     assert found("sneer_L").coverage == pytest.approx(found("sneer_R").coverage, rel=0.05)
 
 
+@pytest.mark.parametrize(("name", "category"), [("half", "global"), ("head", "global"), ("jawOpen", "")])
+def test_a_jaw_may_move_all_that_smaller_controls_move(name, category):
+    """So it does where the mouth alone is animated; a control that moves every point is global by any name."""
+    half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)
+    assert chain.chosen(makers.face_with(**{name: half}))(name).category == category
+    assert chain.chosen(makers.face_with(**{name: np.full_like(POINTS, 0.2)}))(name).category == "global"
+
+
 def test_excluding_a_control_calls_no_other_one_global():
     """A control that moves the lower half is large beside small ones, unless the other half has its own."""
     half = np.where(POINTS[:, 1:2] < 0.35, [[0.0, 0.0, 0.1]], 0.0)

@@ -17,7 +17,7 @@ def elements_of(control, x, **settings):
     return [each for each in layout.values() if any(member.control == control for member in each.members)]
 
 
-@pytest.mark.parametrize(("x", "count"), [(0.45, 2), (0.3, 2), (0.05, 1)])
+@pytest.mark.parametrize(("x", "count"), [(0.45, 2), (0.3, 2), (0.1275, 2), (0.12, 1), (0.05, 1)])
 def test_two_lobes_off_the_plane_have_a_handle_each_and_one_lobe_stands_in_the_middle(x, count):
     found = elements_of("puff", x)
     assert len(found) == count
