@@ -63,9 +63,7 @@ class PriorLayout(Record):
 
     def stood_on_board(self, controls: Sequence[int]) -> bool:
         """Whether all of these controls had their place on the board."""
-        return all(
-            control in self.places and self.places[control].on_board for control in controls
-        )
+        return all(control in self.places and self.places[control].on_board for control in controls)
 
 
 NO_PRIOR = PriorLayout()
