@@ -757,12 +757,14 @@ _CODES: dict[str, Code] = {
     "LAYOUT_ANCHOR_MOVED": Code(
         "warning",
         "The point under an element is no longer where it was.",
-        "Run `usdrigui process` again if the shape of the face has changed.",
+        "If the shape of the face has changed, run `usdrigui process` again, with --previous to"
+        " keep what can be kept.",
     ),
     "LAYOUT_CONTROL_GONE": Code(
         "error",
         "An element drives a control that the rig does not have.",
-        "Run `usdrigui process` again.",
+        "Run `usdrigui process` on the character again, with --previous: a control that was"
+        " renamed keeps its element.",
     ),
     "LAYOUT_CONTROL_NEW": Code(
         "warning",

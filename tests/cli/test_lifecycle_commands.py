@@ -287,6 +287,16 @@ def test_renamed_controls_keep_their_elements_and_corrections(folder, capsys):
     assert {each["path"] for each in told["issues"] if each["code"] == "CONTROL_RENAMED"} == NEW_NAMES.keys()
 
 
+def test_a_base_whose_controls_were_renamed_names_all_of_them(folder, capsys):
+    rename_controls(folder / "char.usda")
+    arguments = ("--base", folder / "old.rigui.usda", "-o", folder / "shot.rigui.usda")
+    told = run(capsys, "process", folder / "char.usda", *arguments, expected=1)
+    assert {each["code"] for each in told["issues"]} == {"LAYOUT_CONTROL_GONE"}
+    for before, after in NEW_NAMES.items():
+        assert any(f"{before!r}; {after!r} does what it did" in each["message"] for each in told["issues"])
+    assert "--previous" in told["issues"][0]["repair"]
+
+
 def test_a_fixed_layout_of_renamed_controls_stands_to_the_point(folder, capsys):
     rename_controls(folder / "char.usda")
     old, new = folder / "old.rigui.usda", folder / "char.rigui.usda"

@@ -306,6 +306,20 @@ def test_limits_of_another_length_are_reported(tmp_path):
     assert span(controls(rig)["smile"]) == (0.0, 0.0, 1.0, "default")
 
 
+def test_limits_stay_those_of_their_shapes_where_a_shot_adds_others(tmp_path):
+    _with_limits(tmp_path, "soft", [-0.25, 0], [0.5, 3])
+    stage = Usd.Stage.CreateNew(str(tmp_path / "shot.usda"))
+    stage.GetRootLayer().subLayerPaths = ["./char.usda"]
+    (animation,) = (UsdSkel.Animation(each) for each in stage.Traverse() if each.IsA(UsdSkel.Animation))
+    animation.GetBlendShapesAttr().Set(["crease", *animation.GetBlendShapesAttr().Get()])
+    animation.GetBlendShapeWeightsAttr().Set([0.0, 0.0, 0.0])
+    stage.GetRootLayer().Save()
+    rig = read(tmp_path / "shot.usda")
+    assert "RANGE_INVALID" not in {each.code for each in rig.issues}
+    assert span(controls(rig)["smile"]) == (-0.25, 0.0, 0.5, "limits")
+    assert span(controls(rig)["frown"]) == (0.0, 0.0, 3.0, "limits")
+
+
 def test_the_configuration_wins(tmp_path):
     config = {"controls": {"smile": {"minimum": -2.0, "maximum": 0.75, "default": -1.0}}}
     rig = read(_with_limits(tmp_path, "soft", [-0.25, 0], [0.5, 3]), config)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -165,8 +165,33 @@ def _limit_table(armature: Armature, issues: list[Issue]) -> Floats | None:
     for kind in ("soft", "hard"):
         entry = limits.get(kind)
         if isinstance(entry, Mapping) and "minimum" in entry and "maximum" in entry:
-            return _checked(entry, len(armature.tokens), str(attribute.GetPath()), issues)
+            named = _tokens_of(entry, armature)
+            found = _checked(entry, len(named), str(attribute.GetPath()), issues)
+            if found is None or named is armature.tokens:
+                return found
+            return _by_token(found, named, armature.tokens)
     return None
+
+
+def _tokens_of(entry: Mapping[str, Any], armature: Armature) -> Sequence[str]:
+    """The blend shapes of which limits speak.
+
+    A shot that adds shapes makes the list longer than the limits of the asset below it, which are
+    then those of the strongest list of their length.
+    """
+    assert armature.animation is not None
+    count = np.size(entry["minimum"])
+    if count in (1, len(armature.tokens)):
+        return armature.tokens
+    attribute = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapesAttr()
+    lists = [spec.default for spec in attribute.GetPropertyStack() if spec.default]
+    return next((list(each) for each in lists if len(each) == count), armature.tokens)
+
+
+def _by_token(table: Floats, named: Sequence[str], tokens: Sequence[str]) -> Floats:
+    """(tokens, 2) the rows of `table` by their names; NaN for the others."""
+    rows = dict(zip(named, table, strict=True))
+    return np.array([rows.get(token, (np.nan, np.nan)) for token in tokens]).reshape(-1, 2)
 
 
 def _checked(entry: Mapping[str, Any], count: int, path: str, issues: list[Issue]) -> Floats | None:

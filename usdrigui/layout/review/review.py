@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Faults, Issue, by_cause, issue, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
@@ -113,10 +113,13 @@ def joined(parts: Sequence[Review]) -> Review:
 def refuse_stale(
     rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings
 ) -> None:
-    """Raise the first error for which a layout does not fit the rig any more (LAYOUT_...)."""
-    for found in _stale(rig, trajectories, layout, settings):
-        if found.severity == "error":
-            raise refuse(found.code, found.path, found.message)
+    """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
+    faults = Faults()
+    for found in by_cause(_stale(rig, trajectories, layout, settings)):
+        with faults.collected():
+            if found.severity == "error":
+                raise refuse(found.code, found.path, found.message)
+    faults.raise_all()
 
 
 # --- does it fit the rig --------------------------------------------------------------------------
