@@ -625,6 +625,11 @@ _CODES: dict[str, Code] = {
         "The layout brings sublayers of its own into the asset.",
         "Write it with `usdrigui process --bare`.",
     ),
+    "ATTACH_MISMATCH": Code(
+        "error",
+        "The layout to attach is of another character.",
+        "Name the layer that `usdrigui process --bare` wrote for this asset.",
+    ),
     "ATTACH_CYCLE": Code(
         "error",
         "The layout already stands over the asset, so that each would contain the other.",

@@ -312,6 +312,12 @@ def _of_another_owner(folder: Path, patch: Any) -> Found:
     return _attached(_bare)(folder, patch)
 
 
+def _of_another(folder: Path) -> Path:
+    found = _bare(folder)
+    found.write_text(found.read_text().replace('over "Char"', 'over "Other"'))
+    return found
+
+
 def _over_another(folder: Path) -> Path:
     found = _bare(folder)
     (folder / "other.usda").write_text("#usda 1.0\n")
@@ -654,6 +660,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "ATTACH_BUSY": _busy,
     "ATTACH_HARD_LINK": _attached(_shared),
     "ATTACH_ATTRIBUTES": _of_another_owner,
+    "ATTACH_MISMATCH": _attached(_of_another),
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),

@@ -125,6 +125,20 @@ def test_a_bare_layer_is_attached_and_detached(folder):
     assert (folder / "char.usda").read_bytes() == before
 
 
+def test_the_layout_of_a_variant_is_attached_whichever_the_asset_selects(folder):
+    """Of one level after the other, the second selected by hand; each brings its own."""
+    before = (folder / "char.usda").read_bytes()
+    for level, options in (("low", ()), ("mid", ("--variant", "LOD=mid"))):
+        assert main(["process", "char.usda", "--bare", "--variant", f"LOD={level}", "-o", f"{level}.usda", "-q"]) == 0
+        assert main(["attach", "char.usda", f"{level}.usda", *options]) == 0
+        assert main(["check", "char.usda", "--variant", f"LOD={level}", "--strict", "-q"]) == 0
+        (layout,) = read_layout(selected(folder / "char.usda", LOD=level))
+        assert layout.variant_path == f"/Char{{LOD={level}}}"
+    for level in ("low", "mid"):
+        assert main(["detach", "char.usda", f"{level}.usda"]) == 0
+    assert (folder / "char.usda").read_bytes() == before
+
+
 def test_what_is_converted_or_processed_again_keeps_every_level(folder):
     assert main(["convert", LAYER, "-o", "converted.usda"]) == 0
     own, converted = (layout_paths(Sdf.Layer.FindOrOpen(str(folder / each))) for each in (LAYER, "converted.usda"))

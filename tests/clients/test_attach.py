@@ -212,7 +212,22 @@ def test_refuses_layers_without_layout_or_of_another_character(folder):
     layer = Sdf.Layer.FindOrOpen(str(folder / "ui" / "bare.usda"))
     layer.GetPrimAtPath("/World/Char").name = "Other"
     layer.Save()
-    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "LAYOUT_STALE"
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "ATTACH_MISMATCH"
+
+
+def test_refuses_a_layout_of_other_controls_at_the_same_path(folder):
+    stage = Usd.Stage.Open(str(folder / "char.usda"))
+    for name in ("blendShapes", "skel:blendShapes"):
+        for attribute in (prim.GetAttribute(name) for prim in stage.Traverse()):
+            if attribute and attribute.HasAuthoredValue():
+                attribute.Set([f"other_{token}" for token in attribute.Get()])
+    stage.Save()
+    assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "ATTACH_MISMATCH"
+
+
+def test_exchanged_arguments_are_told(folder):
+    with pytest.raises(RigUIError, match="the asset is named first"):
+        attach(folder / "ui" / "bare.usda", folder / "char.usda", Settings())
 
 
 def test_an_asset_with_its_layout_inside_gets_no_second_one(folder, capsys):

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from usdrigui.cli.options import command, settings_of
+from usdrigui.cli.options import add_variant, command, settings_of
 from usdrigui.cli.outcomes import say
 from usdrigui.errors import Exit
 
@@ -26,6 +26,7 @@ def add_attach(commands: Any) -> None:
     parser.add_argument(
         "layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`"
     )
+    add_variant(parser)
 
 
 def add_detach(commands: Any) -> None:
@@ -39,6 +40,7 @@ def add_detach(commands: Any) -> None:
     parser.add_argument(
         "layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone"
     )
+    add_variant(parser)
 
 
 def _attach(arguments: argparse.Namespace) -> Exit:

@@ -14,12 +14,14 @@ import functools
 import os
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 from pxr import Sdf, Tf
 
 from usdrigui.errors import RigUIError, refuse
+from usdrigui.model import Layout, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
@@ -31,6 +33,7 @@ from usdrigui.usd.replacing import check_content, editing, replace_source
 from usdrigui.usd.safe_write import commit, same_file
 from usdrigui.usd.source import SourceFile, check_source
 from usdrigui.usd.stage import open_layer
+from usdrigui.usd.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
 
@@ -53,8 +56,9 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, LAYOUT_MISSING, LAYOUT_STALE (the asset has no such character), SOURCE_HAS_LAYOUT,
-    and all that reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.
+    ATTACH_CYCLE, ATTACH_MISMATCH (of another character), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all
+    that reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.  A layout
+    that stands in a variant is attached whichever the asset selects.
     """
     _check_editable(asset, settings.read.size_limit)
     with editing(asset, settings.read.time_limit):
@@ -90,11 +94,10 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
-    layouts = read_layouts_isolated(layer, settings.read).layouts
+    layouts = _layouts(asset, layer, settings.read)
+    settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
-    missing = sorted({layout.root for layout in layouts} - {rig.root for rig in read.rigs})
-    if missing:
-        raise refuse("LAYOUT_STALE", missing[0], f"{asset} has no such character")
+    _check_of(asset, layouts, read.rigs)
     _check_bare(asset, layer, settings.read)
     source = open_layer(asset)
     if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
@@ -111,6 +114,44 @@ def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     return _replaced(
         asset, source, before, functools.partial(_holds_layouts, roots, settings.read), added=entry
     )
+
+
+def _layouts(asset: Path, layer: Path, settings: ReadSettings) -> tuple[Layout, ...]:
+    """The layouts of the layer; where it has none and the asset has, the two were exchanged."""
+    try:
+        return read_layouts_isolated(layer, settings).layouts
+    except RigUIError as error:
+        if error.issue.code == "LAYOUT_MISSING" and _has_layout(asset, settings):
+            told = f"{error.issue.message}, but {asset} has a layout: the asset is named first"
+            raise refuse("LAYOUT_MISSING", str(layer), told) from error
+        raise
+
+
+def _has_layout(path: Path, settings: ReadSettings) -> bool:
+    try:
+        return bool(read_layouts_isolated(path, settings).layouts)
+    except RigUIError:
+        return False
+
+
+def _in_its_variant(layouts: Sequence[Layout], settings: Settings) -> Settings:
+    """The settings with the variants selected in which a layout stands: the asset may select
+    others."""
+    chosen = {**asset_selections(layouts[0].variant_path), **settings.read.variants}
+    return replace(settings, read=replace(settings.read, variants=chosen))
+
+
+def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> None:
+    """Refuse the layout of another character: one at a path that the asset does not have, or
+    without any control that it has."""
+    by_root = {rig.root: rig for rig in rigs}
+    for layout in layouts:
+        if layout.root not in by_root:
+            raise refuse("ATTACH_MISMATCH", layout.root, f"{asset} has no character at this path")
+        if layout.controls and layout.controls.isdisjoint(by_root[layout.root].control_names):
+            raise refuse(
+                "ATTACH_MISMATCH", layout.root, f"shares no control with the character of {asset}"
+            )
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
