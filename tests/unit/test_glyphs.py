@@ -374,3 +374,19 @@ def test_the_page_has_the_glyph():
     assert second["glyph"]["parts"] == [[0, 1, 2], [3, 4]]
     assert not second["glyph"]["closed"]
     assert np.allclose(second["glyph"]["points"], layout.elements[1].glyph.points)
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (0, 1, 0), (0, -1, 0), (0, 0.6, 0.8), (0.6, 0, 0.8), (0.48, 0.6, 0.64)])
+@pytest.mark.parametrize("toward", [(0, 0, 1), (0, 1, 0)])
+def test_a_glyph_keeps_its_size_and_stands_upright_however_its_element_faces(normal, toward):
+    """Across, up and out are a right-handed frame; up is as near to the character's as it can be."""
+    right, up, out = fitting._frame(
+        np.array(normal, dtype=float), np.array([0.0, 1.0, 0.0]), np.array(toward, dtype=float)
+    )
+    assert np.stack([right, up, out]) @ np.stack([right, up, out]).T == pytest.approx(np.eye(3))
+    assert out == pytest.approx(normal)
+    assert np.cross(right, up) == pytest.approx(out)
+    if normal[1] < 1.0:
+        assert up[1] == pytest.approx(np.sqrt(1.0 - normal[1] ** 2), abs=1e-9)
+    if abs(normal[1]) == 1.0 and toward[2]:
+        assert up == pytest.approx((0, 0, -normal[1])), "as on a table"

@@ -100,3 +100,17 @@ def test_an_eye_turns_about_the_axes_that_lie_across_its_gaze(turned):
     found = default_turns(Tree(rig.joints, rig.meshes))
     axes = [turn.axes[0] @ frame for turn in found if rig.joints[turn.home].path in ("h/n/l", "h/n/r")]
     assert np.abs(np.sum(np.square(axes), axis=0) - [2.0, 2.0, 0.0]).max() < 1e-9
+
+
+def test_keys_of_a_flat_skeleton_are_no_more_than_ten_degrees_apart_and_no_more_than_needed():
+    made = limbs.flattened(HAND)
+    for draft in default_joint_drafts(made.joints, made.meshes, 0):
+        low, high, values = draft.range.minimum, draft.range.maximum, draft.drive.values
+        assert np.diff(values).max() <= 10.0 + 1e-9
+        assert set(values) == {0.0, *np.linspace(low, high, int(np.ceil((high - low) / 10.0)) + 1)}
+
+
+def test_a_wrist_turns_by_thirty_degrees_each_way():
+    ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.joints, HAND.meshes, 0)}
+    balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
+    assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3

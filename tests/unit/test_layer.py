@@ -323,6 +323,22 @@ def test_few_prims_draw_all_elements(char, tmp_path):
     ]  # fmt: skip
 
 
+def test_the_default_prim_is_the_top_of_the_first_character_where_the_source_names_none(char):
+    _, rig, layout = char
+    other = replace(layout, root="/Crowd/Second", elements=())
+    layer = layer_for([(rig, layout), (replace(rig, root=other.root), other)], "", PLAIN, {})
+    assert layer.defaultPrim == "World"
+
+
+@pytest.mark.parametrize(("parts", "told"), [(("face",) * 5, False), (("face", "body", "face", "body", "face"), True)])
+def test_the_order_of_elements_is_written_where_their_prims_do_not_tell_it(char, parts, told):
+    _, rig, layout = char
+    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, parts, strict=True))
+    layer = layer_for([(rig, replace(layout, elements=elements))], "", PLAIN, {})
+    assert ("rigUI:layout:elements" in layer.ExportToString()) == told
+    assert [each.name for each in read_layout(layer)[0].elements] == [each.name for each in elements]
+
+
 def test_meshes_are_named_after_their_part_and_what_no_joint_moves(tmp_path):
     """Some outliners show no subsets, and some lists of meshes no parents."""
     source = skinned_stages.character(tmp_path / "char.usda", animated_joints=("Hips",))

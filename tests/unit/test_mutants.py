@@ -43,8 +43,23 @@ def test_the_same_seed_draws_the_same_mutants_of_all_kinds_alike(job):
     assert sorted(each.kind for each in first[:4]) == ["arithmetic", "choice", "comparison", "number"]
 
 
-def test_a_file_answers_to_the_tests_of_its_name_first_then_to_the_laws(job):
-    found = job.tests_of("usdrigui/layout/group/grouping.py")
-    assert found[0] == "tests/unit/layout/group/test_grouping.py"
-    assert found[-2:] == job.LAWS["layout"]
-    assert all((ROOT / each).exists() for each in found)
+def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job, tmp_path, monkeypatch):
+    monkeypatch.setattr(job, "ROOT", tmp_path)
+    path = tmp_path / "code.py"
+    path.write_text("from __future__ import annotations\n\nLEAST = 3\n\n\ndef f(a):\n    return a[0] > LEAST\n")
+    constant, compared, *_ = sorted(job.mutants(path), key=lambda each: (each.line, each.kind))
+    marked = job.marked("code.py", [constant, compared])
+    assert "LEAST = (_place_seen('code.py[" in marked
+    assert "    _place_seen('code.py:6')\n    return (_place_seen(" in marked
+    ast.parse(marked)
+    places = [f"code.py[{each.span[0]}:{each.span[1]}]" for each in (constant, compared)]
+    told = tmp_path / "told"
+    told.write_text(
+        f"S {places[0]}\nT a/test_law.py::one\nS code.py:6\nS {places[1]}\nE 0.5\n"
+        f"T a/test_law.py::failed\nS {places[1]}\n"
+        f"T a/test_code.py::two\nS code.py:6\nS {places[1]}\nE 3\nT a/test_law.py::three\nE 1\n"
+    )
+    reached = job.Reached.read([told])
+    for mutant in (constant, compared):
+        assert reached.by(mutant, 60.0) == ["a/test_code.py::two", "a/test_law.py::one"]
+        assert reached.by(mutant, 3.2) == ["a/test_code.py::two"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 import time
 from dataclasses import fields, replace
@@ -19,6 +20,8 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, partition, save_problem, solve
 from usdrigui.solve.budget import Budget
+from usdrigui.solve.iterated_local_search import label_costs
+from usdrigui.solve.pair_costs import PairCosts
 from usdrigui.solve.reduced_problem import ReducedProblem
 from usdrigui.solve.toulbar2 import solve_by_toulbar2
 
@@ -194,3 +197,19 @@ def test_explicit_costs_of_no_candidates_are_refused(tmp_path: Path, wrong: dict
     save_problem(tmp_path / "a.npz", replace(problem, extra=(replace(good, **wrong),)))
     with pytest.raises(RigUIError, match="PROBLEM_FILE"):
         load_problem(tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_excluded_pair_costs_local_search_more_than_any_layout_without_one(seed):
+    random = np.random.default_rng(seed)
+    first, second = np.array([(i, j) for i in range(6) for j in range(6) if i // 2 < j // 2]).T
+    costs = np.where(np.arange(len(first)) % 4 == 0, np.inf, random.uniform(0.0, 5.0, len(first)))
+    start, linear = np.array([0, 2, 4, 6]), random.uniform(-1.0, 1.0, 6)
+    found = label_costs(start, linear, PairCosts(6, first, second, costs))
+    layouts = [np.array(each) for each in itertools.product((0, 1), (2, 3), (4, 5))]
+    excluded = [
+        any({a, b} <= set(each.tolist()) for a, b in zip(first[np.isinf(costs)], second[np.isinf(costs)], strict=True))
+        for each in layouts
+    ]
+    values = np.array([found.value(each) for each in layouts])
+    assert values[excluded].min() > values[~np.array(excluded)].max()

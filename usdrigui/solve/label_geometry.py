@@ -306,8 +306,8 @@ def cheapest(labels: Labels, blocks: Blocks) -> Indices:
     cost = labels.label_set.cost[blocks.members]
     least = np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)
     hit = np.flatnonzero(cost == least)
-    owner = np.searchsorted(blocks.start, hit, side="right") - 1
-    return blocks.members[hit[np.diff(owner, prepend=-1) > 0]]
+    owner = np.searchsorted(blocks.start, hit, side="right")
+    return blocks.members[hit[np.diff(owner, prepend=0) > 0]]
 
 
 def thinned(labels: Labels, blocks: Blocks, slack: Floats) -> Blocks:

@@ -1,5 +1,7 @@
 """Views, and what they see."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
@@ -86,3 +88,12 @@ def test_a_handle_is_clear_where_its_rim_is_seen_and_not_edge_on():
     assert not clear_handles(views, points, normals, 0.4)[4]
     aside = np.tile([0.99, 0.0, 0.1], (len(points), 1))
     assert not clear_handles(views, points, aside, 0.05)[4]
+
+
+def test_only_a_single_view_from_the_side_sees_one_side_only():
+    face = chain.face_of(makers.face())
+    normal = face.symmetry.normal
+    assert not face.views.one_sided(normal)
+    for toward, one_sided in ((normal, True), (face.views.directions[0], False)):
+        assert replace(face.views, directions=toward[None]).one_sided(normal) == one_sided
+    assert not replace(face.views, directions=np.stack([normal, -normal])).one_sided(normal)

@@ -175,7 +175,7 @@ def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:
 
 def _above(tree: Tree, joint: int) -> Iterator[int]:
     """The joints from the parent up to the root."""
-    while (joint := tree.parents[joint] if joint >= 0 else -1) >= 0:
+    while joint >= 0 and (joint := tree.parents[joint]) >= 0:
         yield joint
 
 

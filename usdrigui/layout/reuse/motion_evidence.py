@@ -152,7 +152,7 @@ def between_anchors(
                 float(np.linalg.norm(a.element.anchor.position - b.element.anchor.position)) / width
             )
             exact = apart < _HANDLE
-            value = float(_at_one_point(a.vector, b.vector[None], exact=exact)[0])
+            value = _at_one_point(a.vector, b.vector[None], exact=exact).item()
             found[row, column] = max(_LEAST, value - (0.0 if exact else apart))
     return found
 

@@ -1,11 +1,14 @@
 """Which controls do not stand on the face."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import makers
 import numpy as np
 import pytest
+
+from usdrigui.layout.classify import classification
 
 POINTS, QUADS = makers.mask()
 
@@ -109,3 +112,13 @@ def test_a_renamed_control_is_known_by_both_names():
         chain.chosen(makers.face(), controls={"old": {"rename": "chin", "place": "board"}})("chin").category
         == "requested"
     )
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0])
+def test_what_moves_further_counts_more_for_the_share_that_is_seen_whatever_the_unit(size):
+    at = np.arange(2)
+    found = SimpleNamespace(areas=np.full(2, 0.1 * size**2))
+    motion = SimpleNamespace(points=at, arc_length=size * np.array([3.0, 1.0]))
+    assert classification._visible_share(found, np.array([True, False]), motion) == pytest.approx(0.75)
+    still = SimpleNamespace(areas=np.zeros(2))
+    assert classification._visible_share(still, np.array([True, False]), motion) == pytest.approx(0.5)

@@ -1,6 +1,7 @@
 """Parts of made-up characters: told by geometry and skin, each laid out at its own scale."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import laid_out
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
 from usdrigui.model import LayoutPart
 from usdrigui.pipeline.stages import divided, joined, joined_assignment, part_problem
@@ -121,3 +123,13 @@ def test_the_layer_draws_the_handles_of_each_part_at_its_own_width(monkeypatch):
     monkeypatch.setattr(layer, "drawn_parts", seen)
     layer.layer_for([(rig, layout)], "", OutputSettings(), {})
     assert drawn == widths
+
+
+@pytest.mark.parametrize(("height", "part"), [(0.2, "feet"), (0.3, "hands")])
+def test_without_a_head_toes_lie_in_the_lowest_quarter(height, part):
+    places = np.array([[0, 0, 0], [0, 1, 0], [0, height, 0], [0.1, height, 0], [0, 0.5, 0]])
+    tree = SimpleNamespace(
+        places=places, parents=[-1, 0, 0, 2, 0], children=[[1, 2, 4], [], [3], [], []], owners={0, 1, 4}
+    )
+    fan = SimpleNamespace(joint=2, chains=[[3]])
+    assert joint_regions._end(SimpleNamespace(up=np.array([0, 1, 0])), tree, fan, []) == part

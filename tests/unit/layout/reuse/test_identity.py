@@ -1,6 +1,7 @@
 """Which control is which: names, motions, and how sure a match is."""
 
 import tomllib
+from collections import Counter
 from dataclasses import replace
 
 import chain
@@ -9,7 +10,9 @@ import numpy as np
 import pytest
 from rig_copies import numbers, renamed, spelt_otherwise
 
+from usdrigui.conventions import meanings
 from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.reuse import name_evidence
 from usdrigui.layout.reuse.identity import SURE, match_layout, match_layouts, match_rigs, matching_issues, names_draft
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.difference import difference
@@ -125,3 +128,12 @@ def test_a_doubled_element_is_the_same_whichever_side_comes_first(line):
     both = [replace(each, name=f"both{n}", members=left.members) for n, each in enumerate((left, right))]
     layouts = [replace(line.layout, elements=(*others, *pair)) for pair in (both, both[::-1])]
     assert not difference(*layouts).changes
+
+
+@pytest.mark.parametrize(("here", "there"), [(1, 1), (1, 4), (4, 1), (4, 4)])
+def test_a_meaning_says_less_the_more_controls_of_either_rig_have_it(here, there):
+    (meaning,) = meanings(["jawOpen"])
+    sense = (meaning.action.name, meaning.side)
+    found = name_evidence._by_meaning(meaning, meaning, Counter({sense: here}), Counter({sense: there}))
+    alone = name_evidence._by_meaning(meaning, meaning, Counter({sense: 1}), Counter({sense: 1}))
+    assert found == pytest.approx(alone - np.log(max(here, there)))

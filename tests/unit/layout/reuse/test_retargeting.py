@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
+from usdrigui.layout.reuse import retargeting
 from usdrigui.layout.reuse.retargeting import _face_middle, corresponding, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
@@ -147,3 +148,14 @@ def test_the_middle_of_a_face_lies_halfway_between_the_ends_of_what_moves():
     base = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [4.0, 2.0, 0.0], [9.0, 9.0, 9.0]])
     motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([0.5, 1.0, 0.5]))
     assert _face_middle(SimpleNamespace(base=base, motions=[motion])).tolist() == [2.0, 1.0, 0.0]
+
+
+def test_most_landmarks_count_where_few_are_wrong():
+    """Those of two heads agree roughly; one that is elsewhere is left out, the others are not."""
+    random = np.random.default_rng(4)
+    source = random.normal(size=(12, 3))
+    target = 2.0 * source + 0.05 * random.normal(size=source.shape) + (1.0, 0.0, 0.0)
+    target[5] += (3.0, 0.0, 0.0)
+    similarity, weights = retargeting._robust(source, target)
+    assert np.flatnonzero(weights == 0.0).tolist() == [5]
+    assert np.delete(similarity(source) - target, 5, axis=0) == pytest.approx(np.zeros((11, 3)), abs=0.2)

@@ -12,6 +12,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.layout.motion.similarity import displacement_fields
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.names import common_label
+from usdrigui.layout.symmetry import mirror_plane
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.settings import Settings
@@ -256,3 +257,15 @@ def test_names_without_sides_hint_at_nothing():
 )
 def test_labels_of_shared_elements_say_what_is_common(labels, expected):
     assert common_label(labels) == expected
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_a_huge_face_weighs_no_more_than_a_few_usual_ones_whatever_the_unit(size):
+    rig = makers.face()
+    found = trajectories(rig, Settings().trajectories)
+    card = int(found.motions[0].points[0])
+    areas = size**2 * np.where(np.arange(len(found.areas)) == card, 1e6, found.areas)
+    points, weights = mirror_plane._moving_region(replace(found, base=size * found.base, areas=areas))
+    (at,) = np.flatnonzero((points == size * found.base[card]).all(axis=1))
+    assert 0.0 < weights[at] < 0.05 * weights.sum()
+    assert len(points) == len(set().union(*(motion.points.tolist() for motion in found.motions)))

@@ -1,0 +1,27 @@
+"""What is sampled of the animations of a file."""
+
+import numpy as np
+import pytest
+import skel_stages
+from pxr import Usd, UsdSkel
+
+from usdrigui.usd.clips import read_performances
+
+
+@pytest.mark.parametrize(
+    ("times", "frames"),
+    [((1, 3, 24), np.arange(1, 25)), ((0, 0.5), (0, 0.5)), ((0, 10.5), np.linspace(0, 10.5, 11))],
+    ids=["uneven", "short", "not whole"],
+)
+def test_an_animation_is_sampled_about_each_frame_from_its_first_to_its_last(tmp_path, times, frames):
+    path = tmp_path / "clip.usda"
+    stage, _ = skel_stages.new_stage(path)
+    animation = UsdSkel.Animation.Define(stage, "/Char/Anim")
+    animation.CreateBlendShapesAttr(["smile"])
+    weights = animation.CreateBlendShapeWeightsAttr()
+    for time in times:
+        weights.Set([float(time)], Usd.TimeCode(time))
+    stage.GetRootLayer().Save()
+    (found,) = read_performances(path)
+    assert found.times == pytest.approx(frames)
+    assert found.weights[:, 0] == pytest.approx(frames), "linear in between"
