@@ -3,30 +3,34 @@
 
 One row per layer: prims and bytes as text, seconds to open the stage and to play it, that is to
 bake the skinning of made frames (``--frames 120``, five seconds), alone and for a shot of several
-characters; without the layout (the variant ``rigUI = none``) and with it, and what each costs more
-than the same shot of the source.  ``--against`` names a folder with layers of the same names, for
-example of the first format, that get a row of their own.
+characters; without the layout (the variant ``rigUI = none``) and with it, and what both together
+cost more than the same shot of the source, for one character and for several.  ``--against`` names
+a folder with layers of the same names, for example of the first format, that get a row of their
+own.
 
-Processor seconds.  All stages of a row take turns (``--rounds 7``), so that whatever else the
-machine does meets all of them; the least of each counts, because other programs only ever add.  The
-last column is by how much the two best rounds of the plain shot differ: what is below says nothing.
-With PXR_WORK_THREAD_LIMIT=1 in the environment USD's threads do not wait for one another, which
-counts as work too.
+Layers are opened as crates, as shots have them (as text they take 1 to 17 ms more to open).
+Processor seconds of one thread; medians.  All stages of a row take turns, in another order each
+time, so that whatever else the machine does meets all of them, and each is compared with the source
+of its own round.  The source plays along once more under another name: what the row ``again`` shows
+is noise.  A row takes ``--rounds 15`` rounds at least, and ``--seconds 30``.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import tempfile
 import time
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+os.environ["PXR_WORK_THREAD_LIMIT"] = "1"  # threads that wait for one another count as work
+
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdSkel, Vt
 
-_ROW = "{:<28} {:<5} {:>6} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}"
+_ROW = "{:<28} {:<6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}"
 
 
 def main() -> None:
@@ -35,55 +39,43 @@ def main() -> None:
     parser.add_argument("--against", type=Path, metavar="FOLDER")
     parser.add_argument("--characters", type=int, default=10)
     parser.add_argument("--frames", type=int, default=120)
-    parser.add_argument("--rounds", type=int, default=7)
+    parser.add_argument("--rounds", type=int, default=15)
+    parser.add_argument("--seconds", type=float, default=30.0)
     options = parser.parse_args()
     many = f"x{options.characters}"
-    print(
-        _ROW.format(
-            "layer",
-            "",
-            "prims",
-            "MB",
-            "open",
-            "play",
-            f"open {many}",
-            "play",
-            "to play",
-            "in all",
-            "noise",
-        )
-    )
+    titles = ("open", "play", f"open {many}", "play", "more", f"more {many}", "rounds")
+    print(_ROW.format("layer", "", "prims", "MB", *titles))
     for layer in options.layers:
         compare(layer, options)
 
 
 def compare(layer: Path, options: argparse.Namespace) -> None:
     """Print the rows of one layer."""
-    specs = Sdf.Layer.FindOrOpen(str(layer))
-    source = Path(specs.ComputeAbsolutePath(specs.subLayerPaths[0]))
-    stages = {"bare": (source, "")}
+    source = source_of(layer)
+    stages = {"source": (source, ""), "again": (source, "")}
     if options.against and (options.against / layer.name).is_file():
         stages["old"] = (options.against / layer.name, "")
     stages |= {"none": (layer, "none"), "ui": (layer, "ui")}
     found = measured(stages, options)
-    single, many = found[1], found[options.characters]
-    seconds = {name: [min(each) for each in (*single[name].T, *many[name].T)] for name in stages}
-    bare = seconds.pop("bare")
-    best = np.sort(many["bare"].sum(axis=1))[:2]
-    for name, each in seconds.items():
-        path = stages[name][0]
-        more = (
-            each[3] / bare[3] - 1.0,
-            (each[2] + each[3]) / (bare[2] + bare[3]) - 1.0,
-            best[1] / best[0] - 1.0,
-        )
+    for name, (path, _) in stages.items():
         size = len(Sdf.Layer.FindOrOpen(str(path)).ExportToString())
-        figures = (f"{value:.3f}" for value in each)
-        shares = (f"{100.0 * value:+.1f} %" for value in more)
-        print(
-            _ROW.format(layer.name, name, prim_count(path), f"{size / 1e6:.2f}", *figures, *shares),
-            flush=True,
-        )
+        counts = ("", "") if path == source else (prim_count(path), f"{size / 1e6:.2f}")
+        seconds = [each for taken in found for each in np.median(taken[name], axis=0)]
+        figures = (f"{value:.3f}" for value in seconds)
+        shares = (f"{100.0 * more(taken[name], taken['source']):+.1f} %" for taken in found)
+        rounds = len(found[0][name])
+        print(_ROW.format(layer.name, name, *counts, *figures, *shares, rounds), flush=True)
+
+
+def more(taken: np.ndarray, source: np.ndarray) -> float:
+    """What a stage costs more than the source, both in seconds (rounds, 2)."""
+    return float(np.median(taken.sum(axis=1) / source.sum(axis=1))) - 1.0
+
+
+def source_of(layer: Path) -> Path:
+    """The file that a layout layer sublayers."""
+    specs = Sdf.Layer.FindOrOpen(str(layer))
+    return Path(specs.ComputeAbsolutePath(specs.subLayerPaths[0]))
 
 
 def prim_count(layer: Path) -> int:
@@ -96,23 +88,47 @@ def prim_count(layer: Path) -> int:
 
 def measured(
     stages: Mapping[str, tuple[Path, str]], options: argparse.Namespace
-) -> dict[int, dict[str, np.ndarray]]:
-    """By number of characters and stage, (rounds, 2) seconds to open and to play."""
-    found = {}
+) -> list[dict[str, np.ndarray]]:
+    """For one character and for several, by stage, (rounds, 2) seconds to open and to play."""
     with tempfile.TemporaryDirectory() as folder:
-        for count in (1, options.characters):
-            shots = {
+        crates = {
+            name: path
+            if not variant and name != "old"
+            else crate(path, Path(folder) / f"{name}.usdc")
+            for name, (path, variant) in stages.items()
+        }
+        shots = [
+            {
                 name: shot(
-                    Path(folder) / f"{name}{count}.usda", path, variant, count, options.frames
+                    Path(folder) / f"{name}{count}.usda",
+                    crates[name],
+                    variant,
+                    count,
+                    options.frames,
                 )
-                for name, (path, variant) in stages.items()
+                for name, (_, variant) in stages.items()
             }
-            rounds = [
-                {name: opened_and_played(path) for name, path in shots.items()}
-                for _ in range(options.rounds)
-            ]
-            found[count] = {name: np.array([each[name] for each in rounds]) for name in shots}
-    return found
+            for count in (1, options.characters)
+        ]
+        found = [{name: [opened_and_played(each[name])] for name in stages} for each in shots]
+        until = time.process_time() + options.seconds
+        turn = 0
+        while turn < options.rounds or time.process_time() < until:
+            names = np.random.default_rng(turn).permutation(list(stages)).tolist()
+            for paths, taken in zip(shots, found, strict=True):
+                for name in names:
+                    taken[name].append(opened_and_played(paths[name]))
+            turn += 1
+    # The first round fills the caches.
+    return [{name: np.array(each[1:]) for name, each in taken.items()} for taken in found]
+
+
+def crate(layer: Path, path: Path) -> Path:
+    """A layout layer as a binary one, over the same source."""
+    specs = Sdf.Layer.OpenAsAnonymous(str(layer))
+    specs.subLayerPaths[0] = str(source_of(layer))
+    specs.Export(str(path))
+    return path
 
 
 def shot(path: Path, layer: Path, variant: str, count: int, frames: int) -> Path:
@@ -172,10 +188,20 @@ def opened_and_played(path: Path) -> tuple[float, float]:
     start = time.process_time()
     stage = Usd.Stage.Open(Sdf.Layer.OpenAsAnonymous(str(path)))
     opened = time.process_time()
-    for prim in list(stage.Traverse()):
-        if prim.IsA(UsdSkel.Root):
-            UsdSkel.BakeSkinning(UsdSkel.Root(prim))
+    for root in skel_roots(stage):
+        UsdSkel.BakeSkinning(root)
     return opened - start, time.process_time() - opened
+
+
+def skel_roots(stage: Usd.Stage) -> list[UsdSkel.Root]:
+    """The SkelRoots of a shot, found without a look at what is below them."""
+    found = []
+    prims = iter(Usd.PrimRange(stage.GetPseudoRoot()))
+    for prim in prims:
+        if prim.IsA(UsdSkel.Root):
+            found.append(UsdSkel.Root(prim))
+            prims.PruneChildren()
+    return found
 
 
 if __name__ == "__main__":

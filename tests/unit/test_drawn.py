@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import importlib
 from dataclasses import replace
+from pathlib import Path
 
 import makers
 import numpy as np
 import pytest
+from pxr import Usd
 
 from usdrigui.model import Anchor, Element, Layout, Member
+from usdrigui.settings import OutputSettings
 from usdrigui.usd import drawn
 from usdrigui.usd.drawn import drawn_parts
+from usdrigui.usd.layer import layer_for
 from usdrigui.usd.skin_binding import PointShape, SkinBinding
 
 NAMES = ["brow_L", "chin", "smile_L", "pucker", "jawLeft"]
@@ -93,18 +98,51 @@ def test_two_tracks_through_the_handle_span_an_area_between_their_four_ends():
     assert tracks.faces.counts[-1] == 4
 
 
+def arc(name, turn, count=33):
+    """A member whose track goes round a circle of radius 1, for `turn` degrees."""
+    turns = np.radians(np.linspace(0.0, turn, count))
+    way = np.stack([np.sin(turns), 1.0 - np.cos(turns), np.zeros(count)], axis=1)
+    return replace(member(name, (1, 0, 0)), values=np.linspace(0.0, 1.0, count), track=ORIGIN + way)
+
+
 def test_a_track_is_a_ribbon_that_ends_in_a_point():
     rig = makers.face(9, 11)
-    slider = element([member("chin", (1, 0, 0), np.linspace(0.0, 1.0, 5))], "slider")
+    slider = element([arc("chin", 90.0)], "slider")
     _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)
     assert tracks.areas == 0
-    assert tracks.faces.counts.tolist() == [4, 4, 4, 3]
+    assert tracks.faces.counts.tolist() == [4, 3]
     middle = 0.5 * (tracks.points[:-1:2] + tracks.points[1::2])
-    assert np.allclose(middle, slider.members[0].track[:-1])
+    assert np.allclose(middle, slider.members[0].track[[0, 16]])
     assert np.allclose(tracks.points[-1], slider.members[0].track[-1])
     assert np.allclose(np.linalg.norm(tracks.points[:-1:2] - tracks.points[1::2], axis=1), 0.15 * 0.1)
     corners = tracks.points[tracks.faces.indices.reshape(-1)[:4]]
     assert np.cross(corners[1] - corners[0], corners[2] - corners[0])[2] > 0.0
+
+
+@pytest.mark.parametrize(("turn", "width", "pieces"), [(0.1, 0.1, 1), (90, 2.0, 1), (90, 0.1, 2), (360, 0.1, 4)])
+def test_a_drawn_track_has_as_many_points_as_its_bends_need(turn, width, pieces):
+    """For a handle of that width, or for the length of the track: a wide handle covers a short arc."""
+    rig = makers.face(9, 11)
+    slider = element([arc("chin", turn)], "slider")
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, width)
+    assert len(tracks.faces.counts) == pieces
+
+
+@pytest.mark.parametrize("ways", [(arc("chin", 170.0), arc("brow_L", -170.0)), tuple(around(0, 90, 180, 270))])
+def test_blender_finds_areas_by_the_drawn_tracks(ways, monkeypatch):
+    """However few points these have: corners are ends of tracks, or the anchor."""
+    monkeypatch.syspath_prepend(Path(__file__).parents[2] / "blender")
+    areas = importlib.import_module("usdrigui_controls.drawn").areas
+    rig = makers.face(9, 11)
+    fan = element(ways)
+    layer = layer_for([(rig, layout(rig, fan))], "", OutputSettings(), {})
+    stage = Usd.Stage.Open(layer)
+    (prim,) = (each for each in stage.TraverseAll() if each.GetName() == "e")
+    found = areas(prim, [tuple(map(tuple, each.track.tolist())) for each in ways])
+    expected = [[drawn._end(fan, end) for end in ends] for ends, _ in drawn._areas(fan)]
+    assert [len(points) for points, _ in found] == [len(each) for each in expected]
+    for (points, _), ends in zip(found, expected, strict=True):
+        assert np.allclose(points, ends, atol=1e-4)
 
 
 def test_a_track_that_turns_back_has_no_faces_that_cross_themselves():

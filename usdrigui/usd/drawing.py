@@ -89,6 +89,15 @@ def drawing_name(drawing: Drawing, others: Iterable[Drawing]) -> str:
     )
 
 
+def drawing_about(drawing: Drawing) -> str:
+    """What a person who meets the mesh in a layer has to know."""
+    shown = ", shown when a coarse element is opened" if drawing.inner else ""
+    return (
+        f"Handles, tracks and areas of the elements of the {drawing.part or 'character'}{shown}."
+        " Each element is a GeomSubset, each BlendShape does to all of them what its source does."
+    )
+
+
 def author_drawing(
     mesh: Sdf.PrimSpec,
     rig: Rig,
@@ -192,7 +201,8 @@ def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
     if not len(bound.joints):
         return
     parts = [part for _, part in drawing.parts]
-    listed = np.unique(np.concatenate([part.joint_binding.joints for part in parts]))
+    # All of the skeleton in its own order: any other has to be mapped at every frame.
+    listed = np.flatnonzero([joint.skeleton == bound.skeleton for joint in rig.joints])
     author.put(
         mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True
     )

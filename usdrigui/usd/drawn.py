@@ -17,6 +17,7 @@ import numpy as np
 
 from usdrigui.model import Control, Element, Floats, Indices, Member, Record
 from usdrigui.ties import axis_across
+from usdrigui.usd.polyline import fewest_points
 from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
 
 _FLAT = np.radians(2.0)
@@ -30,6 +31,9 @@ _TRACK_WIDTH = 0.15
 _HAIR = 0.15
 """Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out
 move it by less, taken together."""
+_BEND, _LONG_BEND = 0.35, 0.05
+"""Of a handle's width, so that a handle covers the line on which it lies, or of the track's length,
+if that is more: by so much a drawn track may pass points of the track that it leaves out."""
 _EXACT = 2e-6
 """Of the character's size: the same for handles, which must be on the skin."""
 _HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
@@ -111,11 +115,12 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     """A spike for each member, and polygons between those that are neighbours (paper section
     4.1)."""
     base = np.array([skin.value(member.control) for member in element.members])
+    members = [_bent(member, width) for member in element.members]
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same
         # points.
         _spike(member.track, element.anchor.normal, _TRACK_WIDTH * width / (1.0 + 0.1 * i))
-        for i, member in enumerate(element.members)
+        for i, member in enumerate(members)
     ]
     areas = _areas(element)
     pieces = [
@@ -129,10 +134,19 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
             [faces.indices + start for (_, faces), start in zip(pieces, starts, strict=False)]
         ),
     )
-    rows = [_values_along(base, i, member) for i, member in enumerate(element.members)]
+    rows = [_values_along(base, i, member) for i, member in enumerate(members)]
     values = np.concatenate([*rows, *(_values_at(base, element, ends) for ends, _ in areas)])
     positions = np.concatenate([points for points, _ in pieces])
     return _still(skin, binding, element, values, positions, faces, len(areas), width)
+
+
+def _bent(member: Member, width: float) -> Member:
+    """The member with as many points of its track as its bends need: UsdSkel moves every one at
+    every frame."""
+    steps = np.diff(member.track, axis=0)
+    length = float(np.sqrt((steps * steps).sum(axis=1)).sum())
+    kept = fewest_points(member.track, max(_BEND * width, _LONG_BEND * length))
+    return replace(member, track=member.track[kept], values=member.values[kept])
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:

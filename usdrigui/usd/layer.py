@@ -23,7 +23,7 @@ from usdrigui.model import Control, Element, Layout, Member, Rig
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
-from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_name, drawings
+from usdrigui.usd.drawing import DrawnElement, author_drawing, drawing_about, drawing_name, drawings
 from usdrigui.usd.drawn import drawn_parts
 from usdrigui.usd.safe_write import State, commit, file_error
 from usdrigui.usd.skin_binding import SkinBinding
@@ -46,6 +46,8 @@ _METADATA = (
 )
 """What USD reads from the root layer of a stage only, and a layer over the source must therefore
 repeat."""
+
+_ABOUT = "Rig controls on the character; the variant rigUI = none of its SkelRoot leaves them away."
 
 Laid = Sequence[tuple[Rig, Layout]]
 
@@ -222,6 +224,7 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     """The Scope of one character with all its elements."""
     root = author_variant(layer, layout.variant_path or layout.root)
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
+    scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
     author.declare(scope, schema.LAYOUT, _frame(rig, layout) | account(rig, layout))
     author.note(scope, books(layout))
@@ -307,6 +310,7 @@ def author_elements(
     for drawing in needed:
         name = author.identifier(drawing_name(drawing, needed), used)
         mesh = author.prim(scope, name, "Mesh", (schema.DRAWING, "SkelBindingAPI"))
+        mesh.SetInfo("documentation", drawing_about(drawing))
         author.declare(mesh, schema.DRAWING, {"part": drawing.part})
         if drawing.inner:
             # Applications that know nothing of levels show the first one.
