@@ -13,6 +13,7 @@ from usdrigui.settings import OutputSettings, Settings, load
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs
 
+pytestmark = pytest.mark.usefixtures("every_point_drawn")
 CLOSE = 1e-5
 """Of the diagonal of the character's box."""
 HAIR = 0.3

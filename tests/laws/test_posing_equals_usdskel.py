@@ -15,6 +15,7 @@ from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import layer_for, stage_metadata
 from usdrigui.usd.rig import read_rigs
 
+pytestmark = pytest.mark.usefixtures("every_point_drawn")
 KINDS = {
     "linear": {},
     "dual quaternion": {"method": "dualQuaternion"},

@@ -28,6 +28,8 @@ def test_no_other_choice_has_fewer_points_or_departs_less(seed):
 def test_a_line_that_turns_back_or_stands_still_keeps_where_it_turns():
     there_and_back = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [1, 0, 0], [0, 0, 0]])
     assert fewest_points(there_and_back, 0.1).tolist() == [0, 2, 4]
+    assert fewest_points(there_and_back, 0.0).tolist() == [0, 2, 4]
+    assert fewest_points(there_and_back, -1.0).tolist() == [0, 1, 2, 3, 4]
     assert fewest_points(np.zeros((5, 3)), 0.0).tolist() == [0, 4]
 
 

@@ -15,16 +15,17 @@ def fewest_points(line: Floats, tolerance: float) -> Indices:
     """Ascending indices of the fewest points of a line (k, 3), its ends among them, between which
     straight pieces pass every point left out by `tolerance` at most (Imai and Iri 1988).
 
-    Of several such choices, the one whose largest departure is least.
+    Of several such choices, the one whose largest departure is least.  All points with a tolerance
+    below zero.
     """
-    count = len(line)
+    count, unit = len(line), tolerance if tolerance > 0.0 else 1.0
     before = np.zeros(count, dtype=np.int64)
     best: list[tuple[int, float]] = [(0, 0.0)]
     for last in range(1, count):
         ways: list[tuple[int, float, int]] = []
         for first in range(last):
-            departure = round(_departure(line[first : last + 1]) / (tolerance or 1.0), _DIGITS)
-            if departure <= 1.0 or last - first == 1:
+            departure = round(_departure(line[first : last + 1]) / unit, _DIGITS)
+            if departure <= tolerance / unit or last - first == 1:
                 pieces, worst = best[first]
                 ways.append((pieces + 1, max(worst, departure), first))
         pieces, worst, before[last] = min(ways)
