@@ -78,6 +78,8 @@ class Group:
     pair, n - 1 tuples for an n-fold orbit."""
     image_names: tuple[str, ...] = ()
     """Names that the configuration gives to those copies; empty strings where it gives none."""
+    image_reason: str = ""
+    """The reason of a mirror copy, which has controls of its own; empty for any other."""
     inner: tuple[str, ...] = ()
     """Names of the groups that are shown in place of this one when it is opened; none unless it is
     coarse."""
@@ -86,6 +88,10 @@ class Group:
     states: frozenset[int] = frozenset({0})
     """States of the layout in which it is visible: 0 with nothing opened, k with the k-th coarse
     group opened."""
+
+    def reason_of(self, controls: tuple[int, ...]) -> str:
+        """The reason of the copy of these controls."""
+        return self.image_reason if self.image_reason and controls == self.mirror else self.reason
 
     @property
     def all_controls(self) -> frozenset[int]:

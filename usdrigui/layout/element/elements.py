@@ -57,10 +57,10 @@ def layout(
     """
     elements: list[Element] = []
     board = [
-        BoardEntry(group, copy, group.category, group.reason)
+        BoardEntry(group, controls, group.category, group.reason_of(controls))
         for group in placement.groups
         if group.category
-        for copy in _once(group)
+        for controls in _once(group)
     ]
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
@@ -169,7 +169,7 @@ def _on_face(
                 side=side,
                 mirror=mirror,
                 category="",
-                reason=group.reason,
+                reason=group.reason_of(controls),
                 adapt=overrides[0].adapt or settings.adapt,
                 glyph=fitted_glyph(
                     face, overrides, anchor, members, bool(mirror) and side == "right"

@@ -533,7 +533,7 @@ class _Grouping:
             if paired and self._leftness(image) > self._leftness(members):
                 each, image = by_members[image], members
             done |= {frozenset(each.motions), image} if paired else {members}
-            groups.append(self._group(each, by_members[image].name if paired else "", paired))
+            groups.append(self._group(each, by_members[image] if paired else None))
         return tuple(sorted(groups, key=lambda group: group.name))
 
     def _leftness(self, motions: frozenset[int]) -> tuple[float, list[str]]:
@@ -547,7 +547,7 @@ class _Grouping:
         inverse = ["".join(chr(0x10FFFF - ord(letter)) for letter in name) for name in names]
         return round(float(apart.mean() / self.face.trajectories.face_size), 3), inverse
 
-    def _group(self, merged: _Merged, image_name: str, paired: bool) -> Group:
+    def _group(self, merged: _Merged, image: _Merged | None) -> Group:
         motions = self.face.trajectories.motions
         controls = tuple(motions[i].control for i in merged.motions)
         own_image = (
@@ -555,10 +555,8 @@ class _Grouping:
             and self.twin[merged.motions[0]] >= 0
         )
         # A double element is its own twin; it repeats its controls on the other side.
-        paired |= own_image and self._is_double(merged)
+        paired = image is not None or (own_image and self._is_double(merged))
         mirror = tuple(motions[i].control for i in self._image(merged.motions)) if paired else ()
-        first = self.sets[merged.motions[0]]
-        reasons = [reason for reason in (first.off_face_reason, merged.reason) if reason]
         return Group(
             name=merged.name
             or element_name([self.names[i] for i in merged.motions], self.face.rig.control_names),
@@ -566,11 +564,17 @@ class _Grouping:
             controls=controls,
             opposed=tuple((axis[0], axis[1]) for axis in merged.axes if len(axis) == 2),
             mirror=mirror,
-            reason="; ".join(reasons),
-            category=first.category,
+            reason=self._reason(merged),
+            category=self.category[merged.motions[0]],
             images=(mirror,) if mirror else (),
-            image_names=(image_name,) if mirror else (),
+            image_names=(image.name if image is not None else "",) if mirror else (),
+            image_reason=self._reason(image) if image is not None else "",
         )
+
+    def _reason(self, merged: _Merged) -> str:
+        """Why its controls stand off the face and share an element, or do not."""
+        off_face = self.sets[merged.motions[0]].off_face_reason
+        return "; ".join(each for each in (off_face, merged.reason) if each)
 
     def _is_double(self, merged: _Merged) -> bool:
         """Whether an element that is its own mirror image has a copy on either side instead of one
@@ -592,7 +596,7 @@ class _Grouping:
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:
         motions = self.face.trajectories.motions
-        single = self._group(_Merged(orbit[:1], ((0,),), "one of an orbit"), "", False)
+        single = self._group(_Merged(orbit[:1], ((0,),), "one of an orbit"), None)
         images = tuple((motions[i].control,) for i in orbit[1:])
         return replace(single, images=images, image_names=("",) * len(images))
 

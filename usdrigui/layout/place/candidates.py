@@ -242,11 +242,12 @@ def _pruned(
     large = arc >= max(settings.peak_share * peak, _kept(motion, seen, settings.least_kept))
     moving = large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))
     for kept in (seen & moving, seen & large):
-        points = motion.points[kept]
         if settings.occlusion:
-            points = points[~_occluded(face, motion, points, samples)]
-        if len(points):
-            return np.asarray(points)
+            kept = _without_occluded(face, motion, kept, samples)
+        # A corner of the mouth that is drawn back runs into the cheek: its handle stands there
+        # nevertheless.
+        if arc[kept].max(initial=0.0) >= _MOST * peak:
+            return np.asarray(motion.points[kept])
     return np.asarray(motion.points[seen & moving])
 
 
@@ -264,8 +265,13 @@ def _seen(face: Face, points: Indices, settings: CandidateSettings) -> Flags:
     return np.asarray(face.views.visible[0, points] if flat else face.views.anywhere[points])
 
 
-def _occluded(face: Face, motion: Motion, points: Indices, samples: int) -> Flags:
+def _without_occluded(face: Face, motion: Motion, kept: Flags, samples: int) -> Flags:
+    """(p,) those `kept` whose trajectory does not run largely inside or behind the model."""
+    points = motion.points[kept]
     tracks = polylines(motion, face.trajectories.base, points, points, samples)
-    return mostly_hidden(
+    hidden = mostly_hidden(
         face.views, tracks, face.trajectories.normals[points], 0.5 * face.handle_width
     )
+    clear = kept.copy()
+    clear[kept] = ~hidden
+    return clear

@@ -41,3 +41,11 @@ def test_the_base_pose_moves_anchors_and_is_recorded():
     assert np.allclose(pucker.anchor.position, moved, atol=1e-6)
     assert line.layout.base_values[8] == 1.0
     assert np.allclose(pucker.members[0].track[-1], moved, atol=1e-6)
+
+
+def test_the_reason_of_a_mirror_copy_names_the_controls_of_its_own_side():
+    shapes = makers.face_shapes(makers.mask()[0])
+    more = {f"again_{side}": 0.5 * shapes[f"smile_{side}"] for side in "LR"}
+    layout = chain.by_name(chain.lay_out(makers.face_with(**more)))
+    for side in "LR":
+        assert layout[f"again_{side}"].reason == f"does the same as smile_{side}, 50% as far"

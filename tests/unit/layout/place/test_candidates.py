@@ -3,6 +3,7 @@
 import chain
 import makers
 import numpy as np
+import pytest
 
 POINTS, QUADS = makers.mask()
 
@@ -45,3 +46,12 @@ def test_only_what_can_be_seen_from_the_view_is_a_candidate():
     front_only = chain.chosen(makers.face(), candidates={"view": "90,0"})("smile_R")
     assert front_only.category == "hidden"
     assert chain.chosen(makers.face(), candidates={"view": "-90,0"})("smile_R").category != "hidden"
+
+
+@pytest.mark.parametrize(("outward", "inside"), [(0.07, True), (0.095, False)])
+def test_a_trajectory_into_the_skin_is_drawn_where_others_keep_much_less(outward, inside):
+    """A corner of the mouth that is drawn back runs into the cheek."""
+    draws = makers.bump(POINTS, (0.35, -0.3), (0, 0, -1), 0.2, 0.1)
+    lifts = makers.bump(POINTS, (0.35, 0.3), (0, 0, 1), 0.2, outward)
+    found = chain.chosen(makers.face_with(both=draws + lifts))("both")
+    assert (POINTS[found.points, 1] < 0.0).any() == inside
