@@ -55,7 +55,8 @@ _CODES: dict[str, Code] = {
     "FILE_NOT_USD": Code(
         "error",
         "USD cannot read the file as a layer.",
-        "Re-export the asset as .usd, .usda, .usdc or .usdz.",
+        "Mend the line that the message names in a layer written by hand; export any other file"
+        " again as .usd, .usda, .usdc or .usdz.",
     ),
     # --- the process that reads the asset --------------------------------------------------------
     "SOURCE_NOT_A_FILE": Code(
@@ -70,8 +71,9 @@ _CODES: dict[str, Code] = {
         "error",
         "The asset brings a layout of the character in already; a second one over it would mix"
         " with it.",
-        "Keep it and place what it lacks: --base with the file named; replace an attached one:"
-        " --bare -o with that file; or take it out of the asset first (`usdrigui detach`).",
+        "To make that layout again, run `usdrigui process CHAR --bare -o` with the file named; to"
+        " keep it and add what it lacks, give that file as --base; to be rid of it, run `usdrigui"
+        " detach` first.",
     ),
     "SOURCE_LFS_POINTER": Code(
         "error",
@@ -439,7 +441,8 @@ _CODES: dict[str, Code] = {
     "WORKER_LOST": Code(
         "error",
         "The process that does the work could not be started, or was killed from outside.",
-        "Look for a memory limit of the machine or the farm, and run again.",
+        "Where the message tells of a permission, let this user read and execute it; else look for"
+        " a memory limit of the machine or the farm. Then run again.",
         Exit.LIMIT,
     ),
     "WORKER_CRASHED": Code(

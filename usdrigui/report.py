@@ -265,7 +265,7 @@ def _difference(found: Any) -> dict[str, Any]:
     changes = [asdict(change) for change in found.changes]
     counts = {
         "shared": found.shared,
-        "displaced": len(found.displaced),
+        "displaced": found.changed,
         "renamed": len(found.renamed),
     }
     return {"root": found.root, **counts, "changes": changes}

@@ -98,7 +98,7 @@ class Screen:
         if not self._quiet:
             self._issues(found.issues)
         count = sum(len(character.controls) for character in found.characters)
-        self._say(f"usdrigui: inspected {found.asset}: {count} controls; nothing was written")
+        self._say(f"usdrigui: inspected {found.asset}: {count} controls")
 
     def _animation(self, found: AnimationFacts) -> None:
         self._say(f"animation: {len(found.clips)} clips, {found.frames} frames")
@@ -160,7 +160,7 @@ class Screen:
         fits = (
             ("fits its rig", "does not fit its rig")
             if found.characters
-            else ("is sound", "has faults")
+            else ("has no layout; the asset is sound", "has no layout; the asset has faults")
         )
         state = fits[bool(counts["error"])]
         told = ", ".join(
@@ -177,7 +177,7 @@ class Screen:
                 self._changes(character)
             for root in only_in_one:
                 self._say(f"{root}: only one of the two layers has a layout of it")
-        changed = sum(len(character.displaced) for character in found)
+        changed = sum(character.changed for character in found)
         shared = sum(character.shared for character in found)
         told = (
             f"{changed} of {shared} common controls changed"
@@ -191,7 +191,7 @@ class Screen:
         self._say(f"usdrigui: compared {before} and {after}: {told}")
 
     def _changes(self, found: Difference) -> None:
-        count = f"{len(found.displaced)} of {found.shared} common controls changed"
+        count = f"{found.changed} of {found.shared} common controls changed"
         went = sum(change.kind in ("added", "removed") for change in found.changes)
         renamed = f", {len(found.renamed)} were renamed" if found.renamed else ""
         self._say(f"{found.root}: {count}, {went} came or went{renamed}")

@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from pxr import Sdf, Usd, UsdGeom
+from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.cli import main
 from usdrigui.usd.properties import instances_applied
@@ -69,6 +69,24 @@ def test_a_moved_point_is_told(layer, capsys):
     attribute.Set(attribute.Get() + type(attribute.Get())(0.1, 0, 0))
     stage.GetRootLayer().Save()
     assert "LAYOUT_ANCHOR_MOVED" in codes(layer, capsys)
+
+
+@pytest.mark.parametrize("variant", ["none", "slip"])
+def test_a_character_whose_layout_is_not_composed_is_no_layout_that_fits(layer, variant, capsys):
+    shot = Usd.Stage.CreateNew(str(layer.with_name("shot.usda")))
+    prim = shot.DefinePrim("/Char")
+    prim.GetReferences().AddReference(layer.name)
+    (root,) = (each for each in shot.Traverse() if each.IsA(UsdSkel.Root))
+    root.GetVariantSet("rigUI").SetVariantSelection(variant)
+    shot.Save()
+    assert main(["check", str(layer.with_name("shot.usda"))]) == 0
+    assert "has no layout; the asset is sound" in " ".join(capsys.readouterr().out.split())
+
+
+def test_what_only_reads_does_not_say_that_it_wrote_nothing(capsys):
+    for command in (["check", "no.usda"], ["diff", "no.usda", "no.usda"], ["inspect", "no.usda"]):
+        assert main(command) != 0
+        assert "written" not in capsys.readouterr().err
 
 
 def test_a_layer_without_layout_or_character_is_refused(tmp_path, capsys):

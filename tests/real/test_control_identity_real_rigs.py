@@ -1,4 +1,9 @@
-"""Controls of given rigs and of made copies are recognised, whatever they are called and however they are sculpted."""
+"""Controls of given rigs and of made copies are recognised, whatever they are called and however they are sculpted.
+
+With ``-s`` each comparison prints a row: how many of the shared controls are matched for sure, and how many wrongly.
+"""
+
+import tomllib
 
 import pytest
 from laid_out_again import SETTINGS, lay_out, read
@@ -6,7 +11,7 @@ from names_of_two_makers import NAMES
 from rig_copies import box_of, numbers, other_head, renamed, reordered, resculpted, spelt_otherwise
 
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.reuse.identity import match_layout, match_rigs
+from usdrigui.layout.reuse.identity import match_layout, match_rigs, names_draft
 
 pytestmark = pytest.mark.real
 
@@ -26,10 +31,13 @@ def known(names, rig):
     return {rig.controls[each.control].name: names[rig.controls[each.control].name] for each in motions}
 
 
-def judged(matching, truth):
-    """The share of `truth` that is matched for sure, and the sure matches that are wrong."""
+def judged(matching, truth, pair):
+    """The share of `truth` that is matched for sure, and what is sure and wrong; the draft says the same as written."""
+    drafted = tomllib.loads(names_draft(matching))["like"]["names"]
+    assert drafted == matching.renamed
     right = [name for name, after in truth.items() if matching.names.get(name) == after]
     wrong = {name: after for name, after in matching.names.items() if truth.get(name, after) != after}
+    print(f"\n{pair:<60} {len(right):>4} of {len(truth):<4} {len(right) / len(truth):>4.0%} sure, {len(wrong)} wrong")
     return len(right) / len(truth), wrong
 
 
@@ -40,8 +48,8 @@ def judged(matching, truth):
 def test_heads_that_share_names_share_controls(one, other):
     first, second = read(one), read(other)
     shared = {each.name for each in first.controls} & {each.name for each in second.controls}
-    for rigs in ((first, second), (second, first)):
-        share, wrong = judged(match_rigs(*map(with_motions, rigs)), {name: name for name in shared})
+    for rigs, pair in (((first, second), f"{one} {other}"), ((second, first), f"{other} {one}")):
+        share, wrong = judged(match_rigs(*map(with_motions, rigs)), {name: name for name in shared}, pair)
         assert share >= 0.98
         assert not wrong
 
@@ -53,9 +61,14 @@ def test_copies_with_other_names_are_recognised(name):
     spelt, names = renamed(rig, spelt_otherwise)
     coarse = other_head(spelt, 110, box_of(rig))
     silent, silent_names = renamed(rig, numbers())
-    copies = ((coarse, names), (resculpted(reordered(coarse, 1), 2), names), (reordered(silent, 3), silent_names))
-    for copy, truth in copies:
-        share, wrong = judged(match_rigs(with_motions(rig), with_motions(copy)), known(truth, rig))
+    copies = {
+        "respelt, coarser, reshaped": (coarse, names),
+        "the same, reordered, sculpted again": (resculpted(reordered(coarse, 1), 2), names),
+        "names without meaning, reordered": (reordered(silent, 3), silent_names),
+    }
+    for kind, (copy, truth) in copies.items():
+        found = match_rigs(with_motions(rig), with_motions(copy))
+        share, wrong = judged(found, known(truth, rig), f"{name} {kind}")
         assert share >= 0.98
         assert not wrong
 
@@ -66,7 +79,8 @@ def test_what_is_not_sure_is_said_to_be(name):
     rig = read(name)
     silent, names = renamed(rig, numbers())
     copy = resculpted(reordered(other_head(silent, 110, box_of(rig)), 1), 2)
-    _, wrong = judged(match_rigs(with_motions(rig), with_motions(copy)), names)
+    found = match_rigs(with_motions(rig), with_motions(copy))
+    _, wrong = judged(found, names, f"{name} names without meaning on another head")
     assert not wrong
 
 
@@ -75,7 +89,7 @@ def test_two_makers_with_words_of_their_own():
     """Two thirds are sure, sides that the one names by the viewer among them, and none of those is wrong."""
     one, other = with_motions(read("ict_face57.usdc")), with_motions(read("vitruvian.usdc"))
     for rigs, truth in (((one, other), NAMES), ((other, one), {ours: theirs for theirs, ours in NAMES.items()})):
-        share, wrong = judged(match_rigs(*rigs), truth)
+        share, wrong = judged(match_rigs(*rigs), truth, "two makers with words of their own")
         assert share >= 0.6
         assert not wrong
 
@@ -87,6 +101,6 @@ def test_a_layout_knows_its_controls_by_their_motion(name):
     on_face = {m.control for e in layout.elements if not e.anchor.on_board for m in e.members}
     copy, names = renamed(rig, numbers())
     found = match_layout(layout, *with_motions(reordered(copy, 4)))
-    share, wrong = judged(found, {name: names[name] for name in on_face})
+    share, wrong = judged(found, {each: names[each] for each in on_face}, f"{name} its layout, names without meaning")
     assert share >= 0.98
     assert not wrong

@@ -50,7 +50,12 @@ class Difference:
     root: str
     changes: tuple[Change, ...]
     shared: int
-    """Controls that both layouts have."""
+    """Controls that both layouts have, however many handles each has."""
+
+    @property
+    def changed(self) -> int:
+        """How many of these are not what or where they were."""
+        return len({change.control for change in self.displaced})
 
     @property
     def displaced(self) -> tuple[Change, ...]:
@@ -114,7 +119,7 @@ def difference(
         "moved",
     )
     found.sort(key=lambda change: kinds.index(change.kind))
-    return Difference(after.root, tuple(found), len(old.keys() & new.keys()))
+    return Difference(after.root, tuple(found), len(then.controls & after.controls))
 
 
 def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
@@ -238,6 +243,8 @@ def _reasons(
         yield new.element.reason
     if "anchor" in set(new.element.pinned) - set(old.element.pinned):
         yield "its anchor, or its twin's, was decided by a person"
+    if "anchor" in set(old.element.pinned) - set(new.element.pinned):
+        yield "its anchor is no longer the one that a person had decided"
     handles = [_handles(layout, new.control) for layout in (before, after)]
     if handles[0] != handles[1]:
         yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"

@@ -105,6 +105,18 @@ def test_a_renamed_control_is_no_loss_and_no_gain(line):
     assert len(found.renamed) == 2
 
 
+def test_a_control_with_two_handles_counts_once(line):
+    """And why it moved is told where a decision of a person no longer holds."""
+    first, second, *_ = (each for each in line.layout.elements if not each.anchor.on_board)
+    copy = replace(second, name="copy", members=first.members)
+    pair = [replace(each, pinned=("anchor",)) for each in (first, copy)]
+    before = replace(line.layout, elements=(*pair, *line.layout.elements[1:]))
+    moved = [replace(each, anchor=replace(each.anchor, point=each.anchor.point + 1), pinned=()) for each in pair]
+    found = difference(before, replace(before, elements=(*moved, *line.layout.elements[1:])))
+    assert (found.changed, len(found.displaced), found.shared) == (1, 2, len(before.controls))
+    assert all("no longer the one that a person had decided" in each.why[-1] for each in found.displaced)
+
+
 def test_a_control_that_was_renamed_and_moved_is_told_so_once(line):
     element = chain.by_name(line)["chin"]
     anchor = replace(element.anchor, point=element.anchor.point + 1, position=element.anchor.position + 0.01)
