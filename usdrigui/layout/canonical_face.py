@@ -11,7 +11,7 @@ expected, and a name on the wrong side is overruled by the motion.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -27,6 +27,10 @@ _SPAN = 0.5
 nothing of the brows."""
 _ACROSS = 0.2
 """Distance from the middle, in the same units, from which a place says something of the width."""
+_PAIRS = 4
+"""Actions on both sides that it takes to tell the middle of a face without a mirror plane."""
+_ALIGNED = 0.8
+"""Length of the mean of the directions from their right to their left, at least."""
 _NEAR = 0.7
 """Share of that radius within which a place is near."""
 _SIDED = 0.1
@@ -79,6 +83,8 @@ def expectations(
         for m, each in placed
         if each is not None and each.action.place
     ]
+    if not symmetry.normal.any():
+        symmetry = _middle_of_names(trajectories, symmetry, views, placed)
     middles = np.array(
         [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
     ).reshape(-1, 2)
@@ -125,16 +131,50 @@ def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
     return slope, float(np.median(y) - slope * np.median(x))
 
 
+def _middle_of_names(
+    trajectories: Trajectories,
+    symmetry: Symmetry,
+    views: Views,
+    placed: Sequence[tuple[Motion, Meaning | None]],
+) -> Symmetry:
+    """The symmetry with a plane halfway between the sides that names tell, for a face that is not
+    its own mirror image (a scan); as it is where they tell too little."""
+    sides: dict[tuple[str, str], Floats] = {}
+    for motion, each in placed:
+        if each is not None and each.side:
+            weight = _weights(trajectories, views, motion)
+            sides[each.action.name, each.side] = weight @ trajectories.base[motion.points]
+    pairs = [
+        (left, sides[action, "right"])
+        for (action, side), left in sorted(sides.items())
+        if side == "left" and (action, "right") in sides
+    ]
+    if len(pairs) < _PAIRS:
+        return symmetry
+    apart = np.array([left - right for left, right in pairs])
+    across = apart / np.maximum(np.linalg.norm(apart, axis=1, keepdims=True), 1e-300)
+    mean = np.asarray(across.mean(axis=0))
+    if np.linalg.norm(mean) < _ALIGNED:
+        return symmetry
+    origin = np.median([0.5 * (left + right) for left, right in pairs], axis=0)
+    return replace(symmetry, normal=mean / np.linalg.norm(mean), origin=origin)
+
+
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
     two lobes of a symmetric motion that of one) and height, scene units."""
-    seen = views.anywhere[motion.points]
-    weight = (
-        trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
-    )
-    weight = weight / max(float(weight.sum()), 1e-300)
+    weight = _weights(trajectories, views, motion)
     points = trajectories.base[motion.points]
     apart = plane_distance(points, symmetry)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])
+
+
+def _weights(trajectories: Trajectories, views: Views, motion: Motion) -> Floats:
+    """(p,) of the points of a motion for its middle; their sum is 1."""
+    seen = views.anywhere[motion.points]
+    weight = (
+        trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
+    )
+    return np.asarray(weight / max(float(weight.sum()), 1e-300))

@@ -26,9 +26,9 @@ def shapes(swapped=False):
     return found | {"jawOpen": at(0.0, -1.5)}
 
 
-def expected(shapes):
+def expected(shapes, **settings):
     rig = makers.rig(POINTS, QUADS, shapes)
-    face = chain.face_of(rig)
+    face = chain.face_of(rig, chain.settings(**settings))
     names = [control.name for control in rig.controls]
     return face, dict(
         zip(names, expectations(face.trajectories, face.symmetry, face.views, meanings(names)), strict=True)
@@ -41,6 +41,17 @@ def test_controls_are_expected_where_they_act_on_whichever_side_their_names_put_
     for motion in face.trajectories.motions:
         peak = face.trajectories.base[[motion.points[np.argmax(motion.arc_length)]]]
         assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
+
+
+def test_names_tell_the_middle_of_a_face_that_is_not_its_own_mirror_image():
+    face, found = expected(shapes(), symmetry={"enabled": False})
+    assert not face.symmetry.normal.any()
+    for motion in face.trajectories.motions:
+        peak = face.trajectories.base[[motion.points[np.argmax(motion.arc_length)]]]
+        assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
+    sides_at_random = {name.replace("_L", "_X").replace("_R", "_L").replace("_X", "_R") if "y" in name else name: each
+                       for name, each in shapes().items()}  # fmt: skip
+    assert not any(expected(sides_at_random, symmetry={"enabled": False})[1].values())
 
 
 def test_one_control_in_the_wrong_place_does_not_move_the_others():
