@@ -390,3 +390,11 @@ def test_a_glyph_keeps_its_size_and_stands_upright_however_its_element_faces(nor
         assert up[1] == pytest.approx(np.sqrt(1.0 - normal[1] ** 2), abs=1e-9)
     if abs(normal[1]) == 1.0 and toward[2]:
         assert up == pytest.approx((0, 0, -normal[1])), "as on a table"
+
+
+@pytest.mark.parametrize("basis", ["bezier", "bspline", "catmullRom"])
+def test_a_cubic_goes_with_its_points_and_is_the_same_read_backwards(basis):
+    at = np.linspace(0.0, 1.0, 5)
+    shares = (at[:, None] ** np.arange(4)) @ np.array(glyphs._CUBIC[basis])
+    assert shares.sum(axis=1) == pytest.approx(np.ones(5))
+    assert shares == pytest.approx(shares[::-1, ::-1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -24,8 +25,8 @@ from skel_stages import (
 from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
 from usdrigui.model import Channel
-from usdrigui.settings import Settings, load
-from usdrigui.usd.controls import blend_shape_drafts
+from usdrigui.settings import JointSettings, Settings, load
+from usdrigui.usd.controls import blend_shape_drafts, joint_settings
 from usdrigui.usd.ranges import Authored
 from usdrigui.usd.rig import read_rigs
 
@@ -705,3 +706,11 @@ def test_a_range_of_one_side_holds_for_the_other_unless_said_otherwise(said, max
     authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
     drafts = blend_shape_drafts(channels, {0, 1}, authored, np.zeros(2), load({"controls": said}).controls)
     assert [draft.range.maximum for draft in drafts] == maxima
+
+
+def test_a_joint_is_configured_by_its_path_or_by_a_last_name_that_no_other_joint_has():
+    joints = tuple(SimpleNamespace(path=path) for path in ("A", "A/Jaw", "A/Eye", "A/Head/Eye"))
+    said = {name: JointSettings(label=name) for name in ("A/Jaw", "Jaw", "Eye", "A")}
+    found = [joint_settings(joint, joints, said) for joint in joints]
+    assert [each and each.label for each in found] == ["A", "A/Jaw", None, None]
+    assert joint_settings(joints[1], joints, {"Jaw": said["Jaw"]}) is said["Jaw"]

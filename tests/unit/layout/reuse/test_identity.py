@@ -9,10 +9,11 @@ import makers
 import numpy as np
 import pytest
 from rig_copies import numbers, renamed, spelt_otherwise
+from scipy.optimize import linear_sum_assignment
 
 from usdrigui.conventions import meanings
 from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.layout.reuse import name_evidence
+from usdrigui.layout.reuse import identity, name_evidence
 from usdrigui.layout.reuse.identity import SURE, match_layout, match_layouts, match_rigs, matching_issues, names_draft
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.review.difference import difference
@@ -149,3 +150,13 @@ def test_a_meaning_says_less_the_more_controls_of_either_rig_have_it(here, there
     found = name_evidence._by_meaning(meaning, meaning, Counter({sense: here}), Counter({sense: there}))
     alone = name_evidence._by_meaning(meaning, meaning, Counter({sense: 1}), Counter({sense: 1}))
     assert found == pytest.approx(alone - np.log(max(here, there)))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_assignment_of_the_parts_is_that_of_the_whole(seed):
+    random = np.random.default_rng(seed)
+    gain = np.where(random.random((7, 5)) < 0.3, random.uniform(1.0, 9.0, (7, 5)), 0.0)
+    found = identity._assigned(gain)
+    rows, columns = linear_sum_assignment(gain, maximize=True)
+    assert sum(gain[row, column] for row, column, _ in found) == pytest.approx(gain[rows, columns].sum())
+    assert len({row for row, *_ in found}) == len({column for _, column, _ in found}) == len(found)

@@ -252,6 +252,7 @@ def test_names_without_sides_hint_at_nothing():
         (["eyeLookIn_L", "eyeLookOut_L"], "eyeLook In/Out L"),
         (["jawLeft", "jawRight"], "jaw Left/Right"),
         (["mouthOpen", "browUp"], "mouthOpen / browUp"),
+        (["smile_x_c_d", "frown_y_c_d"], "smile_x/frown_y c_d"),
         (["one"], "one"),
     ],
 )
@@ -268,4 +269,9 @@ def test_a_huge_face_weighs_no_more_than_a_few_usual_ones_whatever_the_unit(size
     points, weights = mirror_plane._moving_region(replace(found, base=size * found.base, areas=areas))
     (at,) = np.flatnonzero((points == size * found.base[card]).all(axis=1))
     assert 0.0 < weights[at] < 0.05 * weights.sum()
+    usual = size**2 * np.median(np.delete(found.areas[np.unique(np.concatenate([m.points for m in found.motions]))], 0))
+    bounded = replace(found, base=size * found.base, areas=np.minimum(areas, 4.0 * usual))
+    assert mirror_plane._moving_region(bounded)[1][at] == pytest.approx(weights[at], rel=1e-3)
+    smaller = replace(found, base=size * found.base, areas=np.minimum(areas, 3.9 * usual))
+    assert mirror_plane._moving_region(smaller)[1][at] < 0.99 * weights[at]
     assert len(points) == len(set().union(*(motion.points.tolist() for motion in found.motions)))

@@ -51,3 +51,15 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
 def test_wrong_orbits_are_refused(orbit):
     with pytest.raises(RigUIError):
         chain.problem_of(star(3), chain.settings(controls={"arm0": {"orbit": orbit}}))
+
+
+def test_an_orbit_of_two_does_not_depend_on_where_the_character_is():
+    rig = replace(star(2), up=np.array([0.0, 0.0, 1.0]))
+    moved = replace(
+        rig, meshes=tuple(replace(mesh, points=mesh.points + np.array([3.0, 5.0, -2.0])) for mesh in rig.meshes)
+    )
+    said = chain.settings(controls={"arm0": {"orbit": ("arm0", "arm1")}}, candidates={"occlusion": False})
+    here, there = (chain.by_name(chain.lay_out(each, said)) for each in (rig, moved))
+    assert {name: each.anchor.point for name, each in here.items()} == {
+        name: each.anchor.point for name, each in there.items()
+    }
