@@ -82,6 +82,20 @@ def body_rig():
     return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
 
 
+def twisted_body(twists):
+    """The body with skin on the ends of arms and legs too; their other skin, of `twists`, on two twist joints of each
+    bone: ``beside`` or ``below`` each other."""
+    at = {joint.path: joint.bind[3, :3] for joint in body_rig().joints}
+    limbs = [path for path in at if twists and path[-2:] in {x + y for x in "abcd" for y in "01"}]
+    for path in limbs:
+        bone = at[f"{path}/{path[-2]}{int(path[-1]) + 1}"] - at[path]
+        at[f"{path}/t"] = at[path] + 0.05 * bone
+        at[f"{path}/t/u" if twists == "below" else f"{path}/u"] = at[path] + 0.5 * bone
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    owners = [i for i, name in enumerate(names) if name[-1] != "e" and name not in limbs]
+    return skeleton_rig(names, np.array([at[name] for name in names], float), owners)
+
+
 def posed_body():
     """A body in a pose: hips, a spine of three, a head with a jaw of three and an eye beside it, straight arms a and b,
     straight legs c and d, none of them alike."""

@@ -28,6 +28,8 @@ _AIM = 0.95
 """Least cosine of the axis along which a joint of a flat skeleton looks to the next joint."""
 _AHEAD = 0.5
 """The same for a joint that no other looks at so closely."""
+_ALONG = 0.1
+"""Share of a bone's length from it within which a joint lies on the bone."""
 _STRAIGHT = 8
 """Power of that cosine by which a distance is divided: the next joint lies straight ahead rather
 than near."""
@@ -117,6 +119,47 @@ class Tree:
             found[joint] = below + (joint in self.owners)
         return tuple(found)
 
+    @cached_property
+    def twists(self) -> dict[int, int]:
+        """The joints of chains that lie on the bone to another joint below the same one, and the
+        joint at the start of that bone."""
+        found = {}
+        for joint, children in enumerate(self.children):
+            lines = {child: self._line(child) for child in children}
+            for end in children:
+                on_it = {c for c in children if c != end and self._on_bone(lines[c], joint, end)}
+                # Small joints of a face lie in one line by chance.
+                alone = self.depth[end] == 1 and len(on_it) == len(children) - 1
+                if self.depth[end] > 1 or alone:
+                    found.update({each: joint for child in on_it for each in lines[child]})
+        return found
+
+    @cached_property
+    def bearers(self) -> frozenset[int]:
+        """The joints that skin follows: those on which it hangs, and those whose skin hangs on
+        their twist joints."""
+        return self.owners | {self.twists[joint] for joint in self.owners & self.twists.keys()}
+
+    def branches(self, joint: int) -> list[int]:
+        """The joints below on which chains hang, twist joints left out."""
+        return [
+            child
+            for child in self.children[joint]
+            if self.depth[child] > 1 and child not in self.twists
+        ]
+
+    def _line(self, joint: int) -> list[int]:
+        """A joint and all below it."""
+        return [joint, *(k for child in self.children[joint] for k in self._line(child))]
+
+    def _on_bone(self, joints: Sequence[int], start: int, end: int) -> bool:
+        """Whether joints lie on the bone between two others, before its end."""
+        bone = self.places[end] - self.places[start]
+        ways = self.places[list(joints)] - self.places[start]
+        length = float(np.linalg.norm(bone))
+        along, beside = ways @ bone, np.linalg.norm(np.cross(ways, bone), axis=1)
+        return bool(np.all((along >= 0.0) & (along < length**2) & (beside <= _ALONG * length**2)))
+
     def from_the_ends(self) -> list[int]:
         """Every joint after its children."""
         order = [joint for joint, parent in enumerate(self.parents) if parent < 0]
@@ -126,8 +169,8 @@ class Tree:
 
     def next(self, joint: int) -> int:
         """The child that carries the chain on, or -1 at its end; a child without skin ends the last
-        bone."""
-        children = self.children[joint]
+        bone, a twist joint lies on it."""
+        children = [c for c in self.children[joint] if c not in self.twists]
         length = {
             child: float(np.linalg.norm(self.places[child] - self.places[joint]))
             for child in children

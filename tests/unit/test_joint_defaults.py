@@ -114,3 +114,16 @@ def test_a_wrist_turns_by_thirty_degrees_each_way():
     ranges = {draft.name: draft.range for draft in default_joint_drafts(HAND.joints, HAND.meshes, 0)}
     balls = [span for name, span in ranges.items() if name[-3:] in (":rx", ":ry", ":rz")]
     assert [(span.minimum, span.maximum) for span in balls] == [(-30.0, 30.0)] * 3
+
+
+@pytest.mark.parametrize("twists", ["beside", "below"])
+def test_a_limb_whose_skin_hangs_on_twist_joints_turns_as_one_with_skin_of_its_own(twists):
+    found, plain = kinds_of(limbs.twisted_body(twists)), kinds_of(limbs.twisted_body(""))
+    assert ("h/s/a0/a1", "bend") in plain
+    assert found >= plain
+    assert [kind for _, kind in found - plain] == ["twist"] * 16
+
+
+def kinds_of(rig):
+    """Path of the first joint and kind of every turn."""
+    return {(rig.joints[turn.joints[0]].path, turn.name) for turn in default_turns(Tree(rig.joints, rig.meshes))}

@@ -21,8 +21,6 @@ _THUMB = 0.85
 """A finger whose cosine to the others is less is a thumb."""
 _BENT = 0.05
 """Sine of the bend from which a chain tells its own hinge axis."""
-_ALONG = 0.1
-"""Share of a bone's length from it within which a joint lies on the bone."""
 _LONG = 0.05
 """Least length of the bones on either side of an elbow or a knee, as a share of the skeleton's
 extent."""
@@ -58,14 +56,14 @@ class Turn:
 
 
 def default_turns(tree: Tree) -> tuple[Turn, ...]:
-    """The degrees of freedom of every joint on which skin hangs, in the order of the joints."""
+    """The degrees of freedom of every joint that skin follows, in the order of the joints."""
     if len(tree.owners) < 2:
         return ()
     fingers = [finger for hand in _hands(tree) for finger in hand]
     taken = {joint for finger in fingers for joint in finger.chain}
     hinges = _hinges(tree)
     turns = [turn for finger in fingers for turn in finger.turns(tree)]
-    for joint in sorted(tree.owners - taken):
+    for joint in sorted(tree.bearers - taken):
         turns.extend(_turns(tree, joint, hinges))
     return tuple(sorted(turns, key=lambda turn: (turn.joints[0], turn.name)))
 
@@ -147,7 +145,7 @@ def _hinges(tree: Tree) -> dict[int, Floats]:
         least = np.minimum(bones[:-1], bones[1:])
         at = int(np.argmax(least))
         joint, others = limb[at + 1], np.delete(bones, [at, at + 1])
-        if joint in tree.owners and least[at] >= _LONG * size and (least[at] > 1.2 * others).all():
+        if joint in tree.bearers and least[at] >= _LONG * size and (least[at] > 1.2 * others).all():
             found[joint] = _hinge_axis(tree, limb[at : at + 3])
     return found
 
@@ -158,21 +156,15 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
     not lie on a mirror plane.
     """
     parent = tree.parents[start]
-    if (
-        parent < 0
-        or on_plane(tree, start)
-        or sum(tree.depth[c] > 1 for c in tree.children[parent]) < 2
-    ):
+    if parent < 0 or on_plane(tree, start) or len(tree.branches(parent)) < 2:
         return []
     limb = [start]
-    while sum(tree.depth[child] > 1 for child in tree.children[limb[-1]]) <= 1:
+    while len(tree.branches(limb[-1])) <= 1:
         ahead = tree.next(limb[-1])
         if ahead < 0:
             return limb
         limb.append(ahead)
-    carried = sorted(
-        tree.reach(child, limb[-1]) for child in tree.children[limb[-1]] if tree.depth[child] > 1
-    )
+    carried = sorted(tree.reach(child, limb[-1]) for child in tree.branches(limb[-1]))
     length = float(np.linalg.norm(tree.places[limb[-1]] - tree.places[start]))
     return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 
@@ -197,8 +189,9 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
     """The degrees of freedom of a joint that belongs to no finger."""
     if joint in hinges:
         return [_single("bend", tree, joint, hinges[joint], HINGE)]
-    bone = _bone_below(tree, joint)
-    if bone is not None:
+    if joint in tree.twists:
+        start = tree.twists[joint]
+        bone = unit(tree.places[tree.next(start)] - tree.places[start])
         return [_single("twist", tree, joint, bone, BALL)]
     axes = (
         range(3)
@@ -210,20 +203,6 @@ def _turns(tree: Tree, joint: int, hinges: dict[int, Floats]) -> list[Turn]:
 
 def _single(name: str, tree: Tree, joint: int, axis: Floats, span: tuple[float, float]) -> Turn:
     return Turn(name, joint, (joint,), tree.own(joint, axis)[None], span)
-
-
-def _bone_below(tree: Tree, joint: int) -> Floats | None:
-    """(3,) direction of the parent's bone on which a joint without joints below lies, as twist
-    joints do."""
-    parent = tree.parents[joint]
-    ahead = tree.next(parent) if parent >= 0 else -1
-    if ahead in (-1, joint) or tree.depth[joint] > 1 or tree.depth[ahead] < 2:
-        return None
-    bone, way = tree.places[ahead] - tree.places[parent], tree.places[joint] - tree.places[parent]
-    length = float(np.linalg.norm(bone))
-    if length <= 0.0 or not 0.0 <= way @ bone <= length**2:
-        return None
-    return bone / length if np.linalg.norm(np.cross(way, bone)) <= _ALONG * length**2 else None
 
 
 def _levers(tree: Tree, joint: int) -> list[int]:

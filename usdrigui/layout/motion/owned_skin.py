@@ -8,6 +8,7 @@ and the next one.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,20 +35,34 @@ def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
     """(n,) how much of each point the joints of a joint control own, in [0, 1]; None for other
     controls and where no skin hangs on them.
 
-    `points` (n, 3) are all points in root space.  A joint without skin has that of the joints next
-    below it.
+    `points` (n, 3) are all points in root space.  A joint without skin has what lies by its bone of
+    the skin below it; without a bone, the skin of the joints next below it.
     """
     driven = set(control.drive.joints.tolist())
     joints = {i for i in driven if rig.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    while joints:
-        weights = _weights(rig, joints)
+    below = _below(rig, joints)
+    has_bone = any(bone.joint in joints and bone.next in below for bone in _bones(rig))
+    for holders in (joints, *((joints | below,) if has_bone else _levels(rig, joints))):
+        weights = _weights(rig, holders)
         if weights.max(initial=0.0) > _NOTHING:
             firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
-            return np.asarray(firm * _by_own_bone(rig, joints, points, weights > _NOTHING))
-        joints = {i for i, joint in enumerate(rig.joints) if joint.parent in joints}
+            of = joints if has_bone else holders
+            return np.asarray(firm * _by_own_bone(rig, of, points, weights > _NOTHING))
     return None
+
+
+def _levels(rig: Rig, joints: set[int]) -> Iterator[set[int]]:
+    """The joints next below, those next below these, and so on."""
+    while joints := {i for i, joint in enumerate(rig.joints) if joint.parent in joints}:
+        yield joints
+
+
+def _below(rig: Rig, joints: set[int]) -> set[int]:
+    """All joints below `joints`."""
+    found: set[int] = set()
+    return found.union(*_levels(rig, joints)) - joints
 
 
 def _weights(rig: Rig, joints: set[int]) -> Floats:
@@ -71,10 +86,7 @@ def _by_own_bone(rig: Rig, joints: set[int], points: Floats, owned: Flags) -> Fl
     own = [bone for bone in bones if bone.joint in joints and bone.next not in joints]
     if not own:
         return factor
-    above, below = (
-        _above(rig, joints),
-        {k for k in range(len(rig.joints)) if joints & _above(rig, {k})},
-    )
+    above, below = _above(rig, joints), _below(rig, joints)
     starts = {bone.start.tobytes() for bone in own}
     chain = (above | below) - joints
     rivals = [b for b in bones if b.joint in chain and b.start.tobytes() not in starts]

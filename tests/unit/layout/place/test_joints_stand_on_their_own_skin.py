@@ -1,9 +1,13 @@
 """Laws: the control of a joint stands on the skin that the joint owns, between it and the next joint."""
 
+from dataclasses import replace
+
 import chain
 import limbs
 import numpy as np
 import pytest
+
+from usdrigui.model import Joint
 
 
 def candidates(rig, **parts):
@@ -29,6 +33,20 @@ def test_skin_by_another_bone_counts_less_than_how_firmly_it_is_held(late):
         for axis in "xyz":
             points = found[f"j{joint}:r{axis}"]
             assert np.ptp([joint, joint + 1, *points[:, 1]]) <= 1.05, (joint, axis)
+
+
+def test_a_joint_whose_skin_hangs_on_a_twist_joint_stands_along_its_own_bone():
+    """The next joint has skin of its own, which moves further."""
+    rig = limbs.chain_rig(3)
+    world, local = rig.joints[1].bind.copy(), np.eye(4)
+    world[3, 1] += 0.4
+    local[3, 1] = 0.4
+    twist, (mesh,) = Joint("j0/j1/t", 0, 1, world, local, local), rig.meshes
+    skin = replace(mesh.skin, joints=np.where(mesh.skin.joints == 1, 3, mesh.skin.joints))
+    rig = replace(rig, joints=(*rig.joints, twist), meshes=(replace(mesh, skin=skin),))
+    found = candidates(rig)
+    for axis in "xyz":
+        assert np.ptp([1, 2, *found[f"j1:r{axis}"][:, 1]]) == 1.0, axis
 
 
 def test_near_asks_before_pruning_does():
