@@ -5,9 +5,11 @@ card.
     1280x800]
                                                        [--draw webgl|canvas]
 
-Also prints where the time of a frame goes: what the page measures, and the processor time per frame
-of the page's own process (script, style, canvases) and of the graphics process (software WebGL and
-putting the picture together), which other work on the machine changes little (Linux only).
+The picture is drawn as fine as on a machine with nothing else to do: other work on this one, which
+makes frames slow, does not make it coarser.  Also prints where the time of a frame goes: what the
+page measures, and the processor time per frame of the page's own process (script, style, canvases)
+and of the graphics process (software WebGL and putting the picture together), which other work on
+the machine changes less (Linux only), and the page's heap after a collection of garbage.
 """
 
 from __future__ import annotations
@@ -26,6 +28,8 @@ from browser_pages import Viewer, chromium, started
 
 TIMED = """() => {
   const { view, session } = usdrigui.app;
+  view.setFineness(view.brisk);
+  view.setFineness = () => undefined;
   window.parts = {};
   const time = (owner, name, label) => {
     const plain = owner[name].bind(owner);
@@ -94,6 +98,9 @@ def measure(page, control, seconds):
     spent = page.evaluate(SPENT)
     by, fineness = page.evaluate("[usdrigui.app.view.stage.drawnBy, usdrigui.app.view.fineness]")
     page.mouse.up()
+    heap = page.context.new_cdp_session(page)
+    heap.send("HeapProfiler.collectGarbage")
+    used = heap.send("Runtime.getHeapUsage")
     print(
         f"{frames / now:.1f} frames per second, drawn by the {by} at {fineness:.2f} of the"
         " resolution"
@@ -107,6 +114,10 @@ def measure(page, control, seconds):
     print(
         f"page {each['page']:.0f}, graphics {each['graphics']:.0f}; load {os.getloadavg()[0]:.1f}"
     )
+    whole = (
+        used["usedSize"] + used.get("embedderHeapUsedSize", 0) + used.get("backingStorageSize", 0)
+    )
+    print(f"{whole / 1e6:.0f} MB of heap, arrays among it")
     for name, count, mean in spent:
         print(f"  {name:20} {mean:7.2f} ms  x {count}")
 

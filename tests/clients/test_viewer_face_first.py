@@ -167,3 +167,46 @@ def test_one_finger_poses_and_two_hold_the_camera(opened):
     viewer.touch("touchEnd")
     assert viewer.page.evaluate("usdrigui.app.view.camera.distance") == pytest.approx(far / 2, rel=0.02)
     assert viewer.moved(0.01) == moved
+
+
+def test_a_finger_that_rests_on_the_skin_pins_it_and_a_tap_takes_the_pin_out(opened):
+    viewer = opened("phone")
+    viewer.option("handles", False)
+    at = viewer.page.evaluate("[usdrigui.app.view.columns[0].width / 2, usdrigui.app.view.columns[0].height * 0.45]")
+    pins = "usdrigui.app.session.pins.length"
+    viewer.touch("touchStart", at)
+    viewer.until(f"{pins} === 1")
+    viewer.touch("touchMove", [at[0] + 40, at[1] - 30])
+    viewer.touch("touchEnd")
+    assert (viewer.page.evaluate(pins), viewer.moved()) == (1, {})
+    head = viewer.page.evaluate("usdrigui.app.view.overlay.pinned[0].slice(0, 2)")
+    viewer.touch("touchStart", [head[0] + 5 - 15, head[1] - 15])
+    viewer.touch("touchEnd")
+    assert viewer.page.evaluate(pins) == 0
+
+
+def test_a_question_mark_shows_the_keys(opened):
+    viewer = opened("desk")
+    shown = viewer.page.locator(".help")
+    for visible in (True, False):
+        viewer.page.keyboard.press("?")
+        assert shown.is_visible() == visible
+
+
+def test_the_frames_of_a_page_without_a_clip_are_set_undone_and_kept(opened):
+    viewer = opened("desk")
+    ends = "usdrigui.app.session.range"
+    viewer.page.get_by_label("First frame", exact=True).fill("101")
+    viewer.page.keyboard.press("Enter")
+    assert viewer.page.evaluate(ends) == [101, 148], "the last frame goes along"
+    viewer.page.get_by_label("Last frame", exact=True).fill("150")
+    viewer.page.keyboard.press("Enter")
+    assert viewer.page.evaluate(ends) == [101, 150]
+    viewer.page.locator(".surface").focus()
+    viewer.page.keyboard.press("Control+z")
+    assert viewer.page.evaluate(ends) == [101, 148]
+    viewer.page.reload()
+    viewer.until("window.usdrigui !== undefined", 60.0)
+    assert viewer.page.evaluate(ends) == [1, 48]
+    viewer.page.get_by_role("button", name="Restore").click()
+    assert viewer.page.evaluate(ends) == [101, 148]

@@ -21,6 +21,7 @@ export class Animation {
     const times = this.clip && this.clip.times.length > 1 ? this.clip.times : DEFAULT_RANGE;
     this.first = Math.floor(times[0]);
     this.last = Math.max(this.first + 1, Math.ceil(times.at(-1)));
+    this.span = null; // first and last frame as set by hand, where no clip says them
     this.readings = this.controls.map((control) => this.clip && (channelReading(control) ?? jointReading(control)));
     this.moving = this.readings.map((reading) => reading !== null && this.isMoved(reading));
     this.known = new Map();
@@ -55,10 +56,15 @@ export class Animation {
     return { values: out, weights, locals };
   }
 
-  /** First and last whole frame of the clip and of keys. */
+  get isFree() {
+    return !(this.clip?.times.length > 1);
+  }
+
+  /** First and last whole frame of the clip, or as set by hand, and of keys. */
   range(keys) {
     const times = [...keys.values()].flatMap((track) => [track[0][0], track.at(-1)[0]]);
-    return [Math.min(this.first, ...times.map(Math.floor)), Math.max(this.last, ...times.map(Math.ceil))];
+    const [first, last] = this.span ?? [this.first, this.last];
+    return [Math.min(first, ...times.map(Math.floor)), Math.max(last, ...times.map(Math.ceil))];
   }
 
   /**

@@ -8,6 +8,7 @@ import { Pull } from './pull.js';
 
 const SLOP = 3; // pixels that a click may wander
 const FINE = 0.1;
+const HOLD = 500; // milliseconds that a finger rests on the skin to pin it
 
 export class Gestures {
   constructor(view) {
@@ -45,8 +46,19 @@ export class Gestures {
     const { pointerId: pointer, pointerType } = event;
     this.active = { pointer, isOfPen: pointerType === 'pen', start: at, last: at, hand: at, moved: false, ...this.chooseGesture(event, at) };
     this.active.begin?.();
+    clearTimeout(this.holding);
+    if (pointerType !== 'mouse' && this.active.hold) this.holding = setTimeout(() => this.hold(pointer), HOLD);
     event.preventDefault();
     return undefined;
+  }
+
+  /** A finger or a pen has rested where it pressed: what its gesture does then, and nothing when it goes. */
+  hold(pointer) {
+    this.flush();
+    const { active } = this;
+    if (active?.pointer !== pointer || active.moved) return;
+    active.hold();
+    Object.assign(active, { grab: null, drag: null, drop: null, click: null, undo: null });
   }
 
   move(event) {
@@ -207,7 +219,7 @@ export class Gestures {
     if (event.altKey || !(element || at.column) || at.column?.kind === 'target') return this.orbiting();
     if (element && session.options.rearrange) return view.rearranging.gesture(element);
     if (element) return event.shiftKey ? this.adding(element) : this.handling(element);
-    const pin = view.controlsAt(at) ? view.overlay.pinAt(at.x, at.y) : null;
+    const pin = view.controlsAt(at) ? view.overlay.pinAt(at.x, at.y, reach) : null;
     if (pin) return { click: () => session.removePin(pin) };
     const hit = session.options.skinDrag ? view.pick(at) : null;
     if (event.shiftKey) return this.marquee(hit, at);
@@ -311,6 +323,10 @@ export class Gestures {
         session.endEdit('Pull the skin', before);
       },
       click: () => view.showInfluences(hit),
+      hold: () => {
+        session.addPin(hit);
+        view.say?.('Pinned: pulls leave this point. A tap on the pin takes it out');
+      },
       undo: () => before && session.set([...before.entries()]),
     };
   }

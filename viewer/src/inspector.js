@@ -342,7 +342,6 @@ export class Inspector {
     const facts = [
       `${layout.elements.length} elements, ${session.controls.length} controls`,
       layout.leftOff.length ? `${layout.leftOff.length} left off` : null,
-      layout.method ? `${layout.method}: ${layout.status}` : null,
     ].filter(Boolean);
     const left = layout.leftOff.map(([control, , reason]) => make('li', {}, make('b', {}, control), ` ${reason}`));
     return make(

@@ -25,7 +25,7 @@ const SHORTCUTS = [
   ['Drag the skin', 'best fit of the controls that act there'],
   ['Drag empty space, Alt-drag', 'orbit; right or middle button pans, wheel zooms'],
   ['Click the skin', 'list what acts there'],
-  ['Shift-click', 'add to the selection; on skin: pin'],
+  ['Shift-click', 'add to the selection; on skin: pin (or rest a finger there)'],
   ['Shift-drag', 'select handles in a box'],
   ['Double-click a handle', 'reset it'],
   ['Tab, arrow keys', 'go through the handles, and move them (Shift: more, Ctrl: less)'],
@@ -41,7 +41,7 @@ const SHORTCUTS = [
   ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies), a drag from an empty place picks, Delete takes away'],
   ['O', 'onion skin: the keys before and after as outlines'],
   ['Ctrl+C, Ctrl+V', 'copy and paste the pose of the selection, or of all'],
-  ['/', 'search'],
+  ['/  ?', 'search, these gestures and keys'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],
   ['Esc', 'cancel the drag, clear the selection'],
 ];
@@ -200,7 +200,7 @@ class App {
       'study' in document.body.dataset
         ? make('div', { class: 'group' }, act('Evaluate', 'Match target faces with three interfaces', () => this.evaluation.open()))
         : null,
-      act('?', 'Shortcuts', () => (this.help.hidden = !this.help.hidden), 'Shortcuts'),
+      act('?', 'Gestures and keys (?)', () => this.showHelp(), 'Shortcuts'),
     );
   }
 
@@ -237,6 +237,10 @@ class App {
   makeHelp() {
     const rows = SHORTCUTS.flatMap(([keys, what]) => [make('dt', {}, keys), make('dd', {}, what)]);
     return make('div', { class: 'help', hidden: true }, make('h2', {}, 'Gestures and keys'), make('dl', {}, ...rows));
+  }
+
+  showHelp() {
+    this.help.hidden = !this.help.hidden;
   }
 
   setArrangement(value) {
@@ -295,6 +299,8 @@ class App {
         this.fold('list', true);
         this.list.search.focus();
       },
+      '?': () => this.showHelp(),
+      'Shift+?': () => this.showHelp(),
       Escape: () => this.escape(),
     };
   }

@@ -570,8 +570,8 @@ export class Overlay {
     return covered.length > 1;
   }
 
-  pinAt(x, y) {
-    const index = (this.pinned ?? []).findIndex((pin) => Math.hypot(pin[0] + 5 - x, pin[1] - 15 - y) < 9);
+  pinAt(x, y, reach = 0) {
+    const index = (this.pinned ?? []).findIndex((pin) => Math.hypot(pin[0] + 5 - x, pin[1] - 15 - y) < Math.max(9, reach));
     return index < 0 ? null : this.session.pins[index];
   }
 

@@ -184,8 +184,8 @@ export class Session {
   /** All that undo gives back. */
   snapshot() {
     if (!this.looks) this.compare(false);
-    const { frame, neutral, keys, standing, shelf, notes, sound } = this;
-    return { frame, neutral, keys, standing, shelf, notes, sound, values: Float64Array.from(this.own), given: this.given };
+    const { frame, neutral, keys, standing, shelf, notes, sound, span } = this;
+    return { frame, neutral, keys, standing, shelf, notes, sound, span, values: Float64Array.from(this.own), given: this.given };
   }
 
   restore({ values, ...state }) {
@@ -309,6 +309,24 @@ export class Session {
     const [first, last] = this.animation.range(this.keys);
     const { start, seconds } = this.sound ?? { start: first, seconds: 0 };
     return [Math.min(first, start), Math.max(last, Math.ceil(start + seconds * this.animation.rate))];
+  }
+
+  /** First and last frame as set by hand, null where none were. */
+  get span() {
+    return this.animation.span;
+  }
+
+  set span(span) {
+    this.animation.span = span;
+  }
+
+  /** Another first and last frame, as one undoable step; false where they are none or a clip says them. */
+  respan(first, last) {
+    if (!this.animation.isFree || !(Number.isInteger(first) && Number.isInteger(last) && first < last)) return false;
+    const before = this.snapshot();
+    this.span = [first, last];
+    this.step('Set the frames', before);
+    return true;
   }
 
   /** Another sound, or its beginning at another frame, as one undoable step. */

@@ -48,6 +48,8 @@ export class Timeline {
       type: 'number', class: 'sound-start', title: 'The frame at which the sound begins', 'aria-label': 'The frame at which the sound begins',
       onchange: () => this.session.resound('Move the sound', { ...this.session.sound, start: Math.round(Number(this.soundStart.value)) }),
     });
+    const end = (words, which) => make('input', { type: 'number', class: 'span-end', title: words, 'aria-label': words, onchange: () => this.setSpan(which) });
+    this.ends = ['First frame', 'Last frame'].map(end);
     this.number = make('output', { class: 'frame' });
     this.unkeyed = make('output', { class: 'unkeyed', title: 'Changed here and not keyed: they end with this frame. K keys them.' });
     return make(
@@ -58,7 +60,9 @@ export class Timeline {
       button('›', 'Next key', () => this.step(1)),
       this.number,
       this.unkeyed,
+      this.ends[0],
       make('div', { class: 'scrub' }, this.waves, this.ticks, this.slider),
+      this.ends[1],
       button('Key', 'Key the selected controls and all that changed, at this frame (K)', () => this.key()),
       button('Delete key', 'Take away the keys of the selected controls, or all keys, at this frame', () => this.unkey()),
       this.autoButton,
@@ -77,6 +81,10 @@ export class Timeline {
     this.number.textContent = session.neutral && session.animation.clip?.times.length > 1 ? 'neutral' : `${this.frame}`;
     this.number.title = session.neutral ? 'The pose of the layout; the time line shows the animation' : 'Frame';
     Object.assign(this.slider, { min: first, max: last, value: this.frame });
+    this.ends.forEach((input, i) => {
+      input.hidden = !session.animation.isFree || 'live' in document.body.dataset;
+      if (document.activeElement !== input) input.value = String([first, last][i]);
+    });
     this.slider.style.setProperty('--at', along(this.frame));
     this.playButton.textContent = this.playing ? '■' : '▶';
     const loose = session.unkeyed().length;
@@ -86,6 +94,16 @@ export class Timeline {
     const noted = new Set(session.notes.filter(({ neutral }) => !neutral).map(({ frame }) => frame));
     const tick = (name) => (frame) => make('i', { class: name, style: { left: along(frame) } });
     this.ticks.replaceChildren(...this.keyFrames().map(tick('')), ...[...noted].map(tick('noted')));
+  }
+
+  /** The frames of a page without a clip; keys and a sound reach beyond them. */
+  setSpan(changed) {
+    const before = this.session.range;
+    const span = this.ends.map((input) => Math.round(Number(input.value)));
+    const length = before[1] - before[0];
+    if (span[0] >= span[1]) span[1 - changed] = span[changed] + (changed ? -length : length); // the other end goes along
+    if (!this.session.respan(span[0], span[1])) this.say('A frame is a whole number');
+    this.ends.forEach((input, i) => (input.value = String(this.session.range[i])));
   }
 
   // --- sound -----------------------------------------------------------------------------------------

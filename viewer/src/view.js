@@ -11,7 +11,7 @@ import { make, shownValue } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
-const MOST_PIXELS = 1.1e6; // that the processor draws while the picture changes
+const MOST_PIXELS = 0.7e6; // that the processor draws while the picture changes
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
 

@@ -25,10 +25,10 @@ export const byName = (values, controls) => byControl(values, controls, Number.i
 
 /** All work of a session; null where there is none. */
 export function workOf(session) {
-  const { frame, neutral, own: values, controls, elements, moved, locks, shelf, notes, received, sound } = session;
+  const { frame, neutral, own: values, controls, elements, moved, locks, shelf, notes, received, sound, span } = session;
   const from = neutral ? session.rest : session.given;
   const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
-  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !isReviewed(session)) return null;
+  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !span && !isReviewed(session)) return null;
   return {
     frame,
     neutral,
@@ -39,13 +39,14 @@ export function workOf(session) {
     notes: notes.map((note) => saidNote(session, note)),
     received,
     sound,
+    span,
     moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
   };
 }
 
 /** Whether keys and standing values say all of a session's work. */
 export const isAllKeys = (session) =>
-  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !isReviewed(session);
+  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !session.span && !isReviewed(session);
 
 /** Whether notes are other than those that came with the page. */
 const isReviewed = ({ notes, arrived }) => notes !== arrived;
@@ -72,14 +73,15 @@ export function resume(session, work) {
   const since = session.notes.filter(({ id }) => !work.received?.includes(id)); // what came after this work was kept
   const notes = joined(since, (work.notes ?? []).map((note) => noteFrom(note, session)).filter(Boolean));
   session.received = [...new Set([...session.received, ...(work.received ?? [])])];
-  session.restore({ frame, neutral, keys, standing, given, values, shelf, notes, sound });
+  const span = session.animation.isFree && isSpan(work.span) ? work.span : null;
+  session.restore({ frame, neutral, keys, standing, given, values, shelf, notes, sound, span });
   session.step('Restore work', before);
   session.emit('options');
   session.emit('layout');
 }
 
 /** "12 keys of 3 controls, 2 changes that are not keyed". */
-export function worded({ keys, standing, changed, moved, shelf, notes, sound }) {
+export function worded({ keys, standing, changed, moved, shelf, notes, sound, span }) {
   const tracks = Object.values(keys ?? {});
   const count = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
   const sum = tracks.reduce((total, track) => total + track.length, 0);
@@ -91,6 +93,7 @@ export function worded({ keys, standing, changed, moved, shelf, notes, sound }) 
     shelf?.length ? `${count(shelf.length, 'pose')} on the shelf` : '',
     notes?.length ? count(notes.length, 'note') : '',
     sound ? `the place of ${sound.name}` : '',
+    span ? `frames ${span[0]} to ${span[1]}` : '',
   ].filter(Boolean).join(', ') || 'locks';
 }
 
@@ -100,6 +103,7 @@ function byControl(entries, controls, isValid) {
   return new Map(known.map(([name, value]) => [index.get(name), value]));
 }
 
+const isSpan = (span) => Array.isArray(span) && span.length === 2 && span.every(Number.isInteger) && span[0] < span[1];
 const isSound = (sound) => typeof sound?.name === 'string' && Number.isFinite(sound.start) && sound.seconds >= 0;
 const isKey = (key) =>
   Array.isArray(key) && [2, 3].includes(key.length) && key.slice(0, 2).every(Number.isFinite) && WAYS.includes(wayOf(key));
