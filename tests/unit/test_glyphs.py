@@ -354,7 +354,7 @@ def test_pictures_show_the_glyph_where_it_is():
         own = replace(layout, elements=(element,))
         (at,) = elements_at(prepare(rig, own), own.base_values)
         mark = overlay.mark(element, at, camera, np.full((300, 300), -np.inf), 0.06)
-        drawn = np.asarray(overlay.draw(ground, [mark], own, camera)).min(axis=2) < 200
+        drawn = np.asarray(overlay.draw(ground, [mark])).min(axis=2) < 200
         enlarged = max(1.0, 3.2 / (50.0 * layout.handle_width))
         centre = camera.project(at.handle)[:2]
         tip = centre + enlarged * (camera.project(at.glyph[2])[:2] - centre)

@@ -179,9 +179,21 @@ def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     assert not hidden.handle_seen
     assert not hidden.seen[0].any()
     ground = Image.new("RGB", (300, 300), (255, 255, 255))
-    faint = np.asarray(overlay.draw(ground, [hidden], layout, camera))
-    strong = np.asarray(overlay.draw(ground, [seen], layout, camera))
+    faint = np.asarray(overlay.draw(ground, [hidden]))
+    strong = np.asarray(overlay.draw(ground, [seen]))
     assert strong.min() < 60 < faint.min() < 220
+
+
+def test_each_handle_is_as_wide_as_those_of_its_part(rig, layout):
+    """Also in a picture of parts of several widths."""
+    camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
+    element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
+    ground, nothing = Image.new("RGB", (300, 300), (255, 255, 255)), np.full((300, 300), -np.inf)
+    inked = [
+        (np.asarray(overlay.draw(ground, [overlay.mark(element, at, camera, nothing, width)])) < 255).any(axis=2).sum()
+        for width in (0.1, 0.3)
+    ]
+    assert inked[1] > 3 * inked[0]
 
 
 def test_a_pose_moves_face_and_elements(rig, layout, front):

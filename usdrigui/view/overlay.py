@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from PIL import Image, ImageDraw
 
-from usdrigui.model import Element, Flags, Floats, Layout, Record
+from usdrigui.model import Element, Flags, Floats, Record
 from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
@@ -56,6 +56,8 @@ class Mark(Record):
     """True when the outlines are faces."""
     coarse: bool = False
     """Whether it opens into other elements, and so has a ring."""
+    radius: float = 3.2
+    """Of its handle, which is that of its part."""
 
 
 def colour_of(element: Element) -> Colour:
@@ -91,6 +93,7 @@ def mark(
         _outlines(element, posed, camera, handle_width),
         element.glyph is not None and element.glyph.form == "mesh",
         bool(element.inner),
+        _radius(camera, handle_width),
     )
 
 
@@ -113,17 +116,14 @@ def _outlines(
     return tuple(sorted(parts, key=lambda part: float(part[:, 2].mean())))
 
 
-def draw(picture: Image.Image, marks: list[Mark], layout: Layout, camera: Camera) -> Image.Image:
+def draw(picture: Image.Image, marks: list[Mark]) -> Image.Image:
     """The picture with all marks over it: hidden parts, fields, tracks, then handles from far to
     near."""
-    radius = _radius(camera, layout.handle_width)
     ordered = sorted(marks, key=lambda each: float(each.handle[2]))
-    picture = _over(picture, _hidden(picture.size, ordered, radius), _FAINT)
+    picture = _over(picture, _hidden(picture.size, ordered), _FAINT)
     picture = _over(picture, _spans(picture.size, ordered), _FIELD)
-    picture = _over(picture, _lines(picture.size, ordered, radius), 1.0)
-    return _over(
-        picture, _knobs(picture.size, [each for each in ordered if each.handle_seen], radius), 1.0
-    )
+    picture = _over(picture, _lines(picture.size, ordered), 1.0)
+    return _over(picture, _knobs(picture.size, [each for each in ordered if each.handle_seen]), 1.0)
 
 
 def leaders(picture: Image.Image, lines: list[Floats]) -> Image.Image:
@@ -296,23 +296,23 @@ def _spans(size: tuple[int, int], marks: list[Mark]) -> Image.Image:
     return layer
 
 
-def _lines(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+def _lines(size: tuple[int, int], marks: list[Mark]) -> Image.Image:
     """Tracks with a light casing, all casings below all cores; a dot at the end of each."""
     layer = _layer(size)
     pen = ImageDraw.Draw(layer)
-    core = float(np.clip(0.34 * radius, 1.5, 4.0))
-    for width, plain in ((core + 2.2, True), (core, False)):
+    for plain in (True, False):
         for each in marks:
+            width = float(np.clip(0.34 * each.radius, 1.5, 4.0)) + 2.2 * plain
             ink = (255, 255, 255, 215) if plain else (*_deep(each.colour), 255)
             for track, seen in zip(each.tracks, each.seen, strict=True):
                 for run in _runs(track, seen):
                     _stroke(pen, run, width, ink)
                 if seen[-1]:
-                    _dot(pen, track[-1], 0.5 * width + 0.12 * radius, ink)
+                    _dot(pen, track[-1], 0.5 * width + 0.12 * each.radius, ink)
     return layer
 
 
-def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+def _hidden(size: tuple[int, int], marks: list[Mark]) -> Image.Image:
     """What the character hides, without casings."""
     layer = _layer(size)
     pen = ImageDraw.Draw(layer)
@@ -320,21 +320,24 @@ def _hidden(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Im
         for track, seen in zip(each.tracks, each.seen, strict=True):
             for run in _runs(track, ~seen):
                 _stroke(
-                    pen, run, float(np.clip(0.3 * radius, 1.2, 3.0)), (*_deep(each.colour), 255)
+                    pen,
+                    run,
+                    float(np.clip(0.3 * each.radius, 1.2, 3.0)),
+                    (*_deep(each.colour), 255),
                 )
         if not each.handle_seen:
-            _dot(pen, each.handle, radius, (*each.colour, 255))
-            _dot(pen, each.handle, 0.7 * radius, (*_WHITE, 140))
+            _dot(pen, each.handle, each.radius, (*each.colour, 255))
+            _dot(pen, each.handle, 0.7 * each.radius, (*_WHITE, 140))
     return layer
 
 
-def _knobs(size: tuple[int, int], marks: list[Mark], radius: float) -> Image.Image:
+def _knobs(size: tuple[int, int], marks: list[Mark]) -> Image.Image:
     layer = _layer(size)
     for each in marks:
         if each.outlines:
             _glyph(ImageDraw.Draw(layer), each)
             continue
-        ball = knob(each.form, each.colour, round(radius, 2), each.coarse)
+        ball = knob(each.form, each.colour, round(each.radius, 2), each.coarse)
         x, y = (round(float(value) * _FINE - ball.width / 2) for value in each.handle[:2])
         if -ball.width < x < layer.width and -ball.height < y < layer.height:
             box = (

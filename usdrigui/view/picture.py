@@ -433,7 +433,7 @@ def _panel(
     ]
     if panel.labels:
         picture = lettering.call_out(picture, shown)
-    picture = overlay.draw(picture, [drawn for _, drawn in shown], layout, camera)
+    picture = overlay.draw(picture, [drawn for _, drawn in shown])
     if panel.board:
         lettering.name_on_board(picture, shown)
     return picture

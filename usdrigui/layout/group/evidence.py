@@ -71,7 +71,10 @@ class Evidence:
         return "" if "" in found or any(self._specific(i) for i in (*first, *second)) else "open"
 
     def ends_by_convention(self, a: int, b: int) -> bool:
-        """Whether the conventions call two controls the ends of one axis."""
+        """Whether the conventions call two controls the ends of one axis; those of two joints are
+        none."""
+        if self.joints[a] != self.joints[b]:
+            return False
         one, other = self.meanings[a], self.meanings[b]
         return one is not None and other is not None and self._ends_of_one_axis(one, other)
 

@@ -99,6 +99,17 @@ def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
 AT = (0.0, -0.55)
 
 
+def test_axes_of_two_joints_are_no_opposites_by_convention():
+    ends = {name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, 0.1) for name in ("mouthDown", "mouthUp")}
+    line = chain.problem_of(makers.rig(POINTS, QUADS, ends), chain.settings(candidates={"beside_composite": False}))
+    controls = tuple(
+        replace(each, kind="joint", drive=replace(each.drive, joints=np.array([joint])))
+        for joint, each in enumerate(line.face.rig.controls)
+    )
+    face = replace(line.face, rig=replace(line.face.rig, controls=controls))
+    assert [group.reason for group in find_groups(face, *line.grouping[1:], {})] == ["", ""]
+
+
 @pytest.mark.parametrize(
     ("first", "second", "way", "amount", "together"),
     [
