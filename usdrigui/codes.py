@@ -413,10 +413,10 @@ _CODES: dict[str, Code] = {
     ),
     "BASE_APART": Code(
         "error",
-        "The shot has the character at another path than its layout, and does not bring the"
-        " layout in.",
+        "The shot does not bring the layout in: it has the character at another path, or another"
+        " variant than `rigUI = ui` selected.",
         "Let the shot reference the layout layer instead of the asset, or write that layer with"
-        " --bare.",
+        " --bare; select the variant `ui` of the set rigUI where another is.",
     ),
     "BASE_COMPLETE": Code(
         "info",

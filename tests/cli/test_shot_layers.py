@@ -235,6 +235,19 @@ def test_one_character_of_a_shot_that_still_fits_can_be_laid_out_alone(folder, c
     run(capsys, *arguments, "--set", "read.skel_root=/Hero/Char")
 
 
+def test_a_base_that_the_shot_does_not_show_is_refused(folder, capsys):
+    shot_stages.shot(folder / "none.usda", "./char.rigui.usda", FACE, SHAPES)
+    stage = Usd.Stage.Open(str(folder / "none.usda"))
+    arguments = ("process", folder / "none.usda", "--base", folder / "char.rigui.usda", "-o", folder / "o.usda")
+    run(capsys, *arguments)
+    (folder / "o.usda").unlink()
+    stage.GetPrimAtPath("/World/Char").GetVariantSet("rigUI").SetVariantSelection("none")
+    stage.Save()
+    (found,) = run(capsys, *arguments, expected=1)["issues"]
+    assert (found["code"], found["path"]) == ("BASE_APART", "/World/Char")
+    assert not (folder / "o.usda").exists()
+
+
 @pytest.mark.parametrize("option", ["--fixed", "--previous", "--like"])
 def test_a_base_goes_with_no_other_layout(folder, capsys, option):
     layer = folder / "char.rigui.usda"

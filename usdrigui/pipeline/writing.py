@@ -59,6 +59,9 @@ def _staged_over(
         root = root_in_base(base.layouts, character.rig)
         if root != character.root and not composed and base.source and not settings.output.bare:
             raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")
+        if composed and character.root not in source.composed_from:
+            told = f"does not show the layout of {layer.name}, as variants are selected"
+            raise refuse("BASE_APART", character.root, told)
         prims = tuple(prim for prim in base.prims if prim.root == root)
         shots.append(ShotLayout(character.rig, character.layout, character.added, root, prims))
     return write_shot_layouts(
