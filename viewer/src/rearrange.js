@@ -117,7 +117,11 @@ export class Rearranging {
 
   /** The partial layout as TOML: one table for each control of the moved elements. */
   toml() {
-    const lines = ['# Partial layout: usdrigui process --config THIS_FILE ASSET', ''];
+    const lines = [
+      '# Partial layout. Add these tables to CHAR.rigui.toml beside the character; a table that is there',
+      '# already gets the line. Without such a file: usdrigui process CHAR --config THIS_FILE',
+      '',
+    ];
     const tables = [];
     for (const [index, entry] of this.moved) {
       for (const { control } of this.session.elements.list[index].members) {
