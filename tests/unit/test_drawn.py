@@ -128,6 +128,18 @@ def test_a_drawn_track_has_as_many_points_as_its_bends_need(turn, width, pieces)
     assert len(tracks.faces.counts) == pieces
 
 
+@pytest.mark.parametrize(("out", "lifted"), [((1, -1, 0), True), ((-1, 1, 0), False)])
+def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
+    rig = makers.face(9, 11)
+    normal = np.array(out) / np.sqrt(2.0)
+    slider = element([arc("chin", 90.0)], "slider", normal=normal)
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.1)
+    lift = tracks.points[-1] - slider.members[0].track[-1]
+    assert np.allclose(lift, (lift @ normal) * normal, atol=1e-6)
+    assert (lift @ normal > 0.05) == lifted
+    assert lift @ normal > -1e-6
+
+
 @pytest.mark.parametrize("ways", [(arc("chin", 170.0), arc("brow_L", -170.0)), tuple(around(0, 90, 180, 270))])
 def test_blender_finds_areas_by_the_drawn_tracks(ways, monkeypatch):
     """However few points these have: corners are ends of tracks, or the anchor."""

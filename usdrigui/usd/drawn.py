@@ -31,9 +31,9 @@ _TRACK_WIDTH = 0.15
 _HAIR = 0.15
 """Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out
 move it by less, taken together."""
-_BEND, _LONG_BEND = 0.35, 0.05
-"""Of a handle's width, so that a handle covers the line on which it lies, or of the track's length,
-if that is more: by so much a drawn track may pass points of the track that it leaves out."""
+_BEND, _LONG_BEND = 0.15, 0.05
+"""Of a handle's width, as wide as a track is, or of the track's length, if that is more: by so much
+a drawn track may pass points of the track that it leaves out."""
 _EXACT = 2e-6
 """Of the character's size: the same for handles, which must be on the skin."""
 _HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
@@ -115,7 +115,7 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     """A spike for each member, and polygons between those that are neighbours (paper section
     4.1)."""
     base = np.array([skin.value(member.control) for member in element.members])
-    members = [_bent(member, width) for member in element.members]
+    members = [_bent(member, element.anchor.normal, width) for member in element.members]
     spikes = [
         # Each a little narrower, so that two which begin in one place do not begin in the same
         # points.
@@ -140,13 +140,20 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
     return _still(skin, binding, element, values, positions, faces, len(areas), width)
 
 
-def _bent(member: Member, width: float) -> Member:
+def _bent(member: Member, normal: Floats, width: float) -> Member:
     """The member with as many points of its track as its bends need: UsdSkel moves every one at
-    every frame."""
+    every frame.
+
+    They are lifted along the normal until no piece passes below a point that is left out: a piece
+    that cuts a corner would lie in the skin.
+    """
     steps = np.diff(member.track, axis=0)
     length = float(np.sqrt((steps * steps).sum(axis=1)).sum())
     kept = fewest_points(member.track, max(_BEND * width, _LONG_BEND * length))
-    return replace(member, track=member.track[kept], values=member.values[kept])
+    places = np.arange(len(member.track))
+    pieces = np.stack([np.interp(places, kept, column) for column in member.track[kept].T], axis=1)
+    above = ((member.track - pieces) * normal).sum(axis=1).max()
+    return replace(member, track=member.track[kept] + above * normal, values=member.values[kept])
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
