@@ -23,7 +23,7 @@ from usdrigui.layout.motion.similarity import Similarity, bidirectional
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.partial_layout import has_own_place
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.layout.symmetry.lobes import two_lobed
+from usdrigui.layout.symmetry.lobes import all_aside, two_lobed
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.symmetry.orbits import configured_orbits
 from usdrigui.layout.visibility import screen
@@ -589,6 +589,10 @@ class _Grouping:
             self.requests.expectation(motion.control),
             self.requests.meaning(motion.control),
         )
+        override = self.requests.overrides[motion.control]
+        placed = bool(override.anchor or override.near) or motion.owned is not None
+        if not placed and all_aside(face.trajectories, face.symmetry, self.sets[index].points):
+            return True
         # A name that tells the region alone says nothing of its middle.
         told = expected is not None and meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and told else None

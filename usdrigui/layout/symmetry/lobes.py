@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
-from usdrigui.model import Flags, Motion, Symmetry, Trajectories
+from usdrigui.model import Flags, Indices, Motion, Symmetry, Trajectories
 
 _MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
@@ -22,6 +22,17 @@ _KEPT_IN_PAIRS = 0.8
 _KEPT_IN_THE_MIDDLE = 0.5
 """The same where the conventions expect it on both sides (a cheek), and in the middle (the
 lips)."""
+
+
+_ASIDE = 0.1
+"""Distance from the plane, in face sizes, from which a place lies to one side of the face."""
+
+
+def all_aside(trajectories: Trajectories, symmetry: Symmetry, points: Indices) -> bool:
+    """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
+    face: one handle would be on one side only."""
+    apart = np.abs(plane_distance(trajectories.base[points], symmetry))
+    return bool(apart.min(initial=np.inf) > _ASIDE * trajectories.face_size)
 
 
 def two_lobed(

@@ -48,3 +48,13 @@ def test_a_name_that_tells_the_region_alone_leaves_it_to_the_motion_whether_it_h
     group = next(each for each in line.groups if control in each.controls)
     assert line.inputs.requests.expectation(control) is not None
     assert len(group.copies) == count
+
+
+def test_a_control_that_is_expected_on_the_sides_alone_has_no_handle_on_one_of_them():
+    """A clench that moves the whole jaw, the chin a little more."""
+    sides = {f"{a}_{s}": makers.bump(POINTS, (x * w, y), (0, 1, 0.2), 0.15) for a, x, y in NAMED for s, w in SIDED}
+    jaw = makers.bump(POINTS, (0.0, -0.6), (0, -0.3, 1.0), 1.2, 0.1)
+    line = chain.lay_out(makers.rig(POINTS, QUADS, sides | {"jawOpen": SHAPES["chin"], "jawClench": jaw}))
+    found = [each for each in line.layout.elements if any(m.control == "jawClench" for m in each.members)]
+    across = [round(each.anchor.position[0], 3) for each in found]
+    assert min(across) < 0.0 < max(across)
