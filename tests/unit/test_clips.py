@@ -5,6 +5,7 @@ import pytest
 import skel_stages
 from pxr import Usd, UsdSkel
 
+from usdrigui.usd import clips
 from usdrigui.usd.clips import read_performances
 
 
@@ -25,3 +26,11 @@ def test_an_animation_is_sampled_about_each_frame_from_its_first_to_its_last(tmp
     (found,) = read_performances(path)
     assert found.times == pytest.approx(frames)
     assert found.weights[:, 0] == pytest.approx(frames), "linear in between"
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-3, 1.0, 2.0])
+def test_a_rotation_of_any_length_turns_alike_and_one_of_none_not_at_all(length):
+    quarter = length * np.array([[[np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]]])
+    turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]) if length else np.eye(3)
+    found = clips._matrices(quarter)[0, 0]
+    assert np.allclose(found, turned, atol=1e-6) or np.allclose(found, turned.T, atol=1e-6)

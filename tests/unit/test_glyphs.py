@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import zlib
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import laid_out
@@ -398,3 +399,19 @@ def test_a_cubic_goes_with_its_points_and_is_the_same_read_backwards(basis):
     shares = (at[:, None] ** np.arange(4)) @ np.array(glyphs._CUBIC[basis])
     assert shares.sum(axis=1) == pytest.approx(np.ones(5))
     assert shares == pytest.approx(shares[::-1, ::-1])
+
+
+@pytest.mark.parametrize(
+    ("size", "width"), [(1.0, 0.2), (2.0, 0.4), (0.0, 3.0)], ids=["usual", "twice", "as its track"]
+)
+def test_a_glyph_is_as_wide_as_it_is_asked_to_be(size, width):
+    glyph = Glyph("g", "mesh", np.array([[-1.0, 0, 0], [1, 0, 0], [0, 1, 0]]), np.array([3]), np.arange(3))
+    face = SimpleNamespace(
+        rig=SimpleNamespace(glyphs={"g": glyph}, up=np.array([0.0, 1.0, 0.0])),
+        views=SimpleNamespace(directions=np.array([[0.0, 0.0, 1.0]])),
+        handle_width=0.2,
+    )
+    asked = [SimpleNamespace(glyph="g", glyph_size=size)]
+    members = [SimpleNamespace(track=np.array([[0.0, 0, 0], [3, 0, 0]]))]
+    placed = fitting.fitted_glyph(face, asked, SimpleNamespace(normal=np.array([0.0, 0.0, 1.0])), members, False)
+    assert np.ptp(placed.points[:, 0]) == pytest.approx(width)

@@ -1,6 +1,7 @@
 """Composites: controls that repeat others."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import makers
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.classify import classification
-from usdrigui.layout.classify.composites import composites
+from usdrigui.layout.classify.composites import _Spreads, composites
 from usdrigui.report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
@@ -116,3 +117,13 @@ def test_what_stands_in_the_middle_by_its_name_is_no_copy_for_both_sides(name, s
     }
     found = chain.chosen(makers.face_with(**sides, **{name: sum(sides.values())}))
     assert (found(name).category == "") == stays
+
+
+@pytest.mark.parametrize(("far", "found"), [([(0, 1)], ()), ([(0, 1), (0, 2)], (0, 2)), ([], ())])
+def test_a_spread_moves_two_distant_pairs_and_is_told_by_the_one_most_like_it(far, found):
+    apart = np.zeros((4, 4), dtype=bool)
+    apart[tuple(np.array(far, dtype=int).reshape(-1, 2).T)] = True
+    cosine = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0.5, 0.2, 0.4, 1]])
+    evidence = SimpleNamespace(contains=np.ones((4, 4), bool), size=[1, 1, 1, 3], far=apart, cosine=cosine)
+    atoms = np.array([True, True, True, False])
+    assert _Spreads.distant_pair(evidence, 3, atoms) == found

@@ -15,7 +15,7 @@ from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry import mirror_plane
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
 from usdrigui.layout.symmetry.twins import configured_twins
-from usdrigui.settings import Settings
+from usdrigui.settings import ControlSettings, Settings
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
 ROTATION *= np.sign(np.linalg.det(ROTATION))
@@ -275,3 +275,10 @@ def test_a_huge_face_weighs_no_more_than_a_few_usual_ones_whatever_the_unit(size
     smaller = replace(found, base=size * found.base, areas=np.minimum(areas, 3.9 * usual))
     assert mirror_plane._moving_region(smaller)[1][at] < 0.99 * weights[at]
     assert len(points) == len(set().union(*(motion.points.tolist() for motion in found.motions)))
+
+
+def test_a_twin_that_one_control_names_is_the_twin_of_both_the_first_control_too():
+    rig = makers.face()
+    first, second, *_ = (control.name for control in rig.controls)
+    assert configured_twins(rig, {second: ControlSettings(twin=first)}) == {0: 1, 1: 0}
+    assert configured_twins(rig, {first: ControlSettings(twin="none")}) == {0: -1}
