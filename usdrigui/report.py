@@ -266,7 +266,7 @@ def _difference(found: Any) -> dict[str, Any]:
     counts = {
         "shared": found.shared,
         "displaced": found.changed,
-        "renamed": len(found.renamed),
+        "renamed": len({each.was for each in found.renamed}),
     }
     return {"root": found.root, **counts, "changes": changes}
 

@@ -193,7 +193,9 @@ class Screen:
     def _changes(self, found: Difference) -> None:
         count = f"{found.changed} of {found.shared} common controls changed"
         went = sum(change.kind in ("added", "removed") for change in found.changes)
-        renamed = f", {len(found.renamed)} were renamed" if found.renamed else ""
+        renamed = (
+            f", {len({each.was for each in found.renamed})} were renamed" if found.renamed else ""
+        )
         self._say(f"{found.root}: {count}, {went} came or went{renamed}")
         if found.changes:
             self._table(_changes_table(found.changes))
