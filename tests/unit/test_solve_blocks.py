@@ -27,6 +27,7 @@ from usdrigui.solve.label_geometry import (
     whole,
 )
 from usdrigui.solve.pair_costs import near_blocks, refined
+from usdrigui.solve.paper import _with_labels
 
 
 def usable(problem: LayoutProblem) -> bool:
@@ -188,3 +189,10 @@ def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
             assert {each: got[each] for each in got if got[each] > 0} == pytest.approx(
                 {each: key[each] for each in key if key[each] > 0}
             )
+
+
+def test_of_equal_candidates_the_first_is_a_label() -> None:
+    problem = crowd(0)
+    twice = [np.tile(np.arange(len(each.cost)), 2) for each in problem.variables]
+    doubled = tuple(_with_labels(each, labels) for each, labels in zip(problem.variables, twice, strict=True))
+    assert np.array_equal(all_labels(replace(problem, variables=doubled)).label, all_labels(problem).label)

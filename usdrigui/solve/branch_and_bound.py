@@ -16,13 +16,7 @@ import numpy as np
 from usdrigui.model import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
-from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution, reduced
-
-ONE_BY_ONE = 8
-"""Labels of a variable up to which a node tries them one by one; beyond, it parts them in two."""
-LIKELY = 0.25
-"""Excess at which a label counts 1/e where labels are parted, as a share of the distance to the
-cutoff."""
+from usdrigui.solve.reduced_problem import ReducedProblem, Solution, reduced
 
 
 class _Node(NamedTuple):
@@ -96,15 +90,12 @@ class _Search:
         weights = np.where(sizes > 1, sizes / self._failures[node.variables], np.inf)
         mine = left.slices[int(weights.argmin())]
         bounds = left.label_lower_bounds()
-        parts = _parts(bounds[mine] - left.bound(), LIKELY * (self._cutoff - left.bound()))
         found = []
-        for part in parts:
+        for label in range(mine.start, mine.stop):
             alive = np.ones(len(left.costs), dtype=bool)
             alive[mine] = False
-            alive[mine.start + part] = True
-            found.append(
-                _Branch(node._replace(problem=left), alive, float(bounds[mine][part].min()))
-            )
+            alive[label] = True
+            found.append(_Branch(node._replace(problem=left), alive, float(bounds[label])))
         return sorted(found, key=lambda each: -each.bound)
 
     def _tested(self, node: _Node) -> ReducedProblem | None:
@@ -137,16 +128,6 @@ class _Search:
         cost = float(self._linear[chosen].sum() + self._pairs[np.ix_(chosen, chosen)].sum() / 2)
         if cost < self._cutoff:
             self._cutoff, self._best = cost, chosen
-
-
-def _parts(excess: Floats, scale: float) -> list[Indices]:
-    """The labels of a variable one by one, or in two parts that are as likely: neighbours are next
-    to each other."""
-    if len(excess) <= ONE_BY_ONE:
-        return [np.array([at]) for at in range(len(excess))]
-    weight = np.cumsum(np.exp(-excess / max(scale, EPSILON)))
-    middle = 1 + int(np.abs(weight[:-1] - weight[-1] / 2).argmin())
-    return [np.arange(middle), np.arange(middle, len(excess))]
 
 
 def _folded(node: _Node, alive: Flags) -> _Node:

@@ -14,18 +14,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from usdrigui.model import Flags, Floats, Indices, LayoutProblem, Overlap, Record
+from usdrigui.model import Flags, Floats, Indices, LayoutProblem, Overlap, Record, Variable
 from usdrigui.overlap import overlap_cost
 
 CHUNK = 32768
-"""Distances of samples worked out at a time: the buffers stay in the processor's cache."""
+"""Pairs of elements, or distances of samples, worked out at a time: they stay in the processor's
+cache."""
 ROUNDING = 1e-12
 """Share of costs and lengths by which rounding may be off: bounds leave so much room, exact ones
 none."""
 ALL = slice(None)
 """As indices of geometries: every one."""
-PAIRS = 65536
-"""Pairs of elements looked at at a time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,13 +152,17 @@ def all_labels(problem: LayoutProblem) -> Labels:
     """Every label of the problem that the board does not dominate.
 
     A candidate that costs more than leaving the face can always be replaced by that, whose pair
-    costs are zero, so it is in no best solution.
+    costs are zero, so it is in no best solution.  Of candidates that are equal in all that costs
+    anything only the first is a label: which of them is chosen does not depend on the search.
     """
     variable, label, cost, best = [], [], [], []
     for index, each in enumerate(problem.variables):
         kept = np.flatnonzero(
             each.cost < each.off_face_cost
         )  # at equal cost, the board is no worse
+        explicit = any(index in (extra.first, extra.second) for extra in problem.extra)
+        if len(kept) and not explicit:
+            kept = kept[_first_of_equals(each, kept)]
         if np.isfinite(each.off_face_cost):
             kept = np.append(kept, -1)
         variable.append(np.full(len(kept), index))
@@ -175,6 +178,18 @@ def all_labels(problem: LayoutProblem) -> Labels:
         len(problem.variables), variables, start, np.concatenate([np.empty(0), *cost]), geometries
     )
     return Labels(label_set, chosen, np.array(best))
+
+
+def _first_of_equals(variable: Variable, labels: Indices) -> Indices:
+    """Indices of the labels that no earlier one equals in cost and place: points of coincident
+    skins."""
+    count = len(labels)
+    columns = [
+        variable.cost[labels, None],
+        variable.samples[labels].reshape(count, -1),
+        variable.handles[labels].reshape(count, -1),
+    ]
+    return np.sort(np.unique(np.concatenate(columns, axis=1), axis=0, return_index=True)[1])
 
 
 def _geometries(
@@ -434,27 +449,38 @@ def pair_bounds(
     any members can interact at all.  Exact for blocks of one label.
     """
     cost, near = np.zeros(len(i)), np.zeros(len(i), dtype=bool)
-    for at in range(0, len(i), PAIRS):
-        p, q = i[at : at + PAIRS], j[at : at + PAIRS]
+    for at in range(0, len(i), CHUNK):
+        p, q = i[at : at + CHUNK], j[at : at + CHUNK]
         extents = one.extent(p, other, overlap.reach, separation) + other.extent(
             q, one, overlap.reach, separation
         )
         limit = extents + max(overlap.reach, separation)
         close = np.flatnonzero(squared(one.middle[:, p], other.middle[:, q]) < np.square(limit))
-        p, q = p[close], q[close]
-        apart = sample_distance(one.samples, p, other.samples, q)
-        slack = one.slack(p, len(other.samples)) + other.slack(q, len(one.samples))
-        between = np.sqrt(squared(one.handle[:, p], other.handle[:, q]))
-        handle_slack = one.handle_slack[p] + other.handle_slack[q]
-        costs = overlap.weight * overlap_cost(apart + slack, overlap)
-        # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short
-        # of it by rounding.
-        off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
-        costs[between + handle_slack + off < separation] = np.inf
-        cost[at + close] = costs
-        near[at + close] = (apart - slack < overlap.reach) | (
-            between - handle_slack - off < separation
+        cost[at + close], near[at + close] = close_bounds(
+            one, p[close], other, q[close], overlap, separation
         )
+    return cost, near
+
+
+def close_bounds(
+    one: LabelGeometry,
+    p: Indices,
+    other: LabelGeometry,
+    q: Indices,
+    overlap: Overlap,
+    separation: float,
+) -> tuple[Floats, Flags]:
+    """`pair_bounds` of geometries whose extents meet."""
+    apart = sample_distance(one.samples, p, other.samples, q)
+    slack = one.slack(p, len(other.samples)) + other.slack(q, len(one.samples))
+    between = np.sqrt(squared(one.handle[:, p], other.handle[:, q]))
+    handle_slack = one.handle_slack[p] + other.handle_slack[q]
+    cost = overlap.weight * overlap_cost(apart + slack, overlap)
+    # Members at the separation exactly, as on a grid, are allowed: a bound must not fall short of
+    # it by rounding.
+    off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
+    cost[between + handle_slack + off < separation] = np.inf
+    near = (apart - slack < overlap.reach) | (between - handle_slack - off < separation)
     return cost, near
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.assignment import allowed_below
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import ALL, Labels, LabelSet, pair_bounds, squared
+from usdrigui.solve.label_geometry import ALL, Labels, LabelSet, close_bounds, squared
 
 STEP = "local search"
 SAME = 1e-9
@@ -81,7 +81,7 @@ class Neighbours:
                 if not len(near):
                     continue
                 self._budget.spend(len(near))
-                piece, _ = pair_bounds(
+                piece, _ = close_bounds(
                     one,
                     np.full(len(near), at),
                     other,

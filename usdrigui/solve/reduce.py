@@ -21,7 +21,7 @@ from usdrigui.solve.label_geometry import (
 )
 from usdrigui.solve.local_search import Incumbent
 from usdrigui.solve.pair_costs import NearPairs, PairCosts, near_blocks, pair_costs, refined
-from usdrigui.solve.partition import FIRST_LOOK, ONE_BY_ONE, first_blocks, split
+from usdrigui.solve.partition import ONE_BY_ONE, first_blocks, split
 from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced, sparse_tables
 from usdrigui.solve.triplets import raise_bound
 
@@ -32,9 +32,6 @@ SWEEPS = 8
 FRUSTRATED = 0.7
 """Share of the distance to the cutoff that the blocks' own solution must leave before triplets are
 looked for."""
-LIKELY = 40
-"""Labels of a variable, on average, among which a good layout is looked for once blocks have
-bounds."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
 STALLED = 0.05
@@ -90,17 +87,15 @@ def reduce(
     the best layout known of these labels; it is improved on the way.
     """
     found = _bounded(problem, labels, first_blocks(labels, budget), budget)
-    share, searched = NEAR, 0
+    share, searched = NEAR, False
     while _swept(found, budget) and (not found.exact or _thinned(found, budget)):
         chosen, value = _layout(found, budget)
         incumbent.improve_from(found.representatives(labels, chosen))
         bound = found.problem.bound()
         frustrated = value - bound > FRUSTRATED * (budget.cutoff - bound)
-        likely = ONE_BY_ONE if frustrated else min(ONE_BY_ONE, LIKELY * labels.label_set.count)
-        in_time = frustrated or likely**2 // 2 <= FIRST_LOOK * budget.work_left
-        if not found.exact and in_time and searched < (2 if frustrated else 1):
-            incumbent.improve_from(_likely_layout(problem, labels, found, likely, budget))
-            searched = 2 if frustrated else 1
+        if frustrated and not found.exact and not searched:
+            incumbent.improve_from(_likely_layout(problem, labels, found, budget))
+            searched = True
         if (frustrated or found.exact) and not _tightened(found, budget):
             break
         if found.exact or budget.closed() or budget.stopped():
@@ -163,9 +158,9 @@ def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
 
 
 def _likely_layout(
-    problem: LayoutProblem, labels: Labels, partition: Partition, count: int, budget: Budget
+    problem: LayoutProblem, labels: Labels, partition: Partition, budget: Budget
 ) -> Indices:
-    """(variables,) a good layout of so many labels, held in blocks, that most likely are part of
+    """(variables,) a good layout of the labels, held in blocks, that most likely are part of
     one."""
     left = partition.problem
     room = np.full(len(partition.label_set.cost), -np.inf)
@@ -174,7 +169,7 @@ def _likely_layout(
     slack[partition.blocks.members] = member_slack(labels, partition.blocks, room)
     likeliest = np.lexsort((-slack, labels.label_set.variable))[labels.label_set.start[:-1]]
     slack[likeliest] = np.inf
-    kept = np.sort(np.argsort(-slack, kind="stable")[: max(count, labels.label_set.count)])
+    kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, labels.label_set.count)])
     part = selected(labels, kept)
     pairs = pair_costs(
         problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label
