@@ -45,6 +45,21 @@ export function movedAlong(element, axis, by, controls, rest, values) {
   return ends.map((end) => [end.control, valueOf(end, at)]);
 }
 
+/**
+ * [axis, 1 or -1]: which axis of a drag just begun carries its handle nearest to the direction [x, y] of the screen
+ * (y down), and which way along it.
+ */
+export function axisToward({ axes }, direction) {
+  const shares = axes.map(({ points, follows }) => {
+    const across = minus(points.at(-1), points[0]);
+    const length = Math.hypot(...across);
+    return follows && length ? (across[0] * direction[0] + across[1] * direction[1]) / length : 0;
+  });
+  const sizes = shares.map(Math.abs);
+  const axis = sizes.indexOf(Math.max(...sizes));
+  return [axis, shares[axis] < 0 ? -1 : 1];
+}
+
 // --- axes ------------------------------------------------------------------------------------------
 
 const endsOf = (element, members, controls, rest) =>

@@ -253,6 +253,7 @@ export class Gestures {
       begin: () => {
         this.view.overlay.point(at.x, at.y, FINGER);
         this.view.changed('overlay');
+        this.view.say?.('Several handles lay under the finger: drag the one you mean');
       },
     };
   }

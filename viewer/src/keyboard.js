@@ -1,18 +1,21 @@
 // Keys: shortcuts for the whole page, and every element reachable by Tab and moved by the arrow keys.
 
 import { make, shownValue } from './dom.js';
-import { movedAlong } from './drag.js';
+import { axisToward, beginDrag, movedAlong } from './drag.js';
 import { sideName } from './view.js';
 
 const STEP = 0.02;
+const ARROWS = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }; // y down, as on the screen
+const REST = 300; // milliseconds without a change, after which all that is spoken is brought up to date
 
 /** Invisible stops, one per element, that Tab visits inside the viewport. */
 export class Stops {
   constructor(session, view) {
     this.session = session;
+    this.view = view;
     this.nodes = session.elements.list.map((element) => this.makeStop(element));
     view.node.append(make('div', { class: 'stops', role: 'group', 'aria-label': 'Elements on the face' }, ...this.nodes));
-    session.on('pose', () => this.speak());
+    session.on('pose', () => this.speakSoon());
     session.on('options', () => this.leaveOut());
     this.leaveOut();
     this.speak();
@@ -40,11 +43,15 @@ export class Stops {
     this.nodes.forEach((node, index) => (node.hidden = !this.session.isShown(this.session.elements.list[index])));
   }
 
-  /** Keep what a screen reader says up to date, of the focused element only. */
-  speak() {
+  /** Keep what a screen reader says up to date: of the focused element at once, of the others when the pose rests. */
+  speakSoon() {
     const index = this.nodes.indexOf(document.activeElement);
-    const spoken = index >= 0 ? [index] : this.spokenOnce ? [] : this.nodes.keys();
-    this.spokenOnce = true;
+    if (index >= 0) this.speak([index]);
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.speak(), REST);
+  }
+
+  speak(spoken = this.nodes.keys()) {
     for (const each of spoken) {
       const element = this.session.elements.list[each];
       const [first] = element.members;
@@ -63,15 +70,22 @@ export class Stops {
   }
 
   key(event, element) {
-    const moves = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1] };
     const factor = event.shiftKey ? 5 : event.ctrlKey || event.metaKey ? 0.1 : 1;
-    if (moves[event.key]) {
-      const [axis, sign] = moves[event.key];
-      this.nudge(element, Math.min(axis, element.axes.length - 1), sign * STEP * factor);
+    if (ARROWS[event.key]) {
+      const [axis, sign] = this.along(element, ARROWS[event.key]);
+      this.nudge(element, axis, sign * STEP * factor);
     } else if (event.key === 'Home' || event.key === 'End') this.nudge(element, 0, event.key === 'Home' ? -Infinity : Infinity);
     else return;
     event.preventDefault();
     event.stopPropagation();
+  }
+
+  /** [axis, sign] of an arrow: up and right are more of a slider; what goes several ways goes that of the arrow. */
+  along(element, [x, y]) {
+    if (element.axes.length === 1) return [0, x - y];
+    const { session, view } = this;
+    const [held, map] = view.overlay.draggable(element, view.camera.projector(view.controlsColumn));
+    return axisToward(beginDrag(held, session.controls, session.rest, session.values, map), [x, y]);
   }
 
   /** Move along one axis by a share of its range. */
@@ -82,6 +96,16 @@ export class Stops {
   }
 }
 
+const FIELDS = 'input[type=text], input[type=number], input[type=search], textarea';
+
+/** Give the keys back to the page where words or numbers are being typed; whether they were. */
+export function leaveField() {
+  const field = document.activeElement;
+  if (!(field instanceof HTMLElement) || !field.matches(FIELDS)) return false;
+  field.blur();
+  return true;
+}
+
 const TAP = 250; // milliseconds: a key held longer than this is over when it is let go
 
 /**
@@ -90,10 +114,7 @@ const TAP = 250; // milliseconds: a key held longer than this is over when it is
  */
 export function listenToKeys(actions, held = {}, isLocked = (name) => name === '') {
   const down = new Map();
-  const free = (event) => {
-    const target = /** @type {Element} */ (event.target);
-    return !target.matches('input[type=text], input[type=number], input[type=search], textarea');
-  };
+  const free = (event) => !(/** @type {Element} */ (event.target).matches(FIELDS));
   document.addEventListener('keydown', (event) => {
     const target = /** @type {Element} */ (event.target);
     const name = [event.ctrlKey || event.metaKey ? 'Ctrl+' : '', event.shiftKey ? 'Shift+' : '', event.key.length === 1 ? event.key.toLowerCase() : event.key].join('');

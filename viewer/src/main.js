@@ -6,7 +6,7 @@ import { ControlList } from './control_list.js';
 import { make, segmented, toggle } from './dom.js';
 import { Evaluation, trialsFor } from './evaluate.js';
 import { Inspector } from './inspector.js';
-import { Stops, listenToKeys } from './keyboard.js';
+import { Stops, leaveField, listenToKeys } from './keyboard.js';
 import { Live } from './live.js';
 import { Pull } from './pull.js';
 import { notesIn, notesOf } from './notes.js';
@@ -22,6 +22,7 @@ const ROOMY = 1200; // pixels of width from which the panel is open at first
 
 const SHORTCUTS = [
   ['Drag a handle', 'its control; Ctrl for fine steps'],
+  ['Touch', 'one finger drags, two pan, pinch and turn; handles under one finger move apart first'],
   ['Drag the skin', 'best fit of the controls that act there'],
   ['Drag empty space, Alt-drag', 'orbit; right or middle button pans, wheel zooms'],
   ['Click the skin', 'list what acts there'],
@@ -306,7 +307,7 @@ class App {
   }
 
   escape() {
-    if (this.view.gestures.cancel()) return;
+    if (leaveField() || this.view.gestures.cancel()) return;
     if (!this.help.hidden) this.help.hidden = true;
     else if (this.session.options.draw) this.review.setPen(false);
     else this.session.select([]);

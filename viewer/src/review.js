@@ -198,6 +198,8 @@ export class Review {
   save() {
     download('review.usda', reviewLayer(this.partsOf()), 'text/plain');
     this.session.emit('saved');
+    const { length } = this.session.notes;
+    this.say(`Saved review.usda, ${length} note${length === 1 ? '' : 's'}`);
   }
 
   async open() {

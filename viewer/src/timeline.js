@@ -56,8 +56,8 @@ export class Timeline {
       'footer',
       { class: 'timeline', 'aria-label': 'Time' },
       this.playButton,
-      button('‹', 'Previous key', () => this.step(-1)),
-      button('›', 'Next key', () => this.step(1)),
+      button('‹', 'Previous key, or the frame before where there is none', () => this.step(-1)),
+      button('›', 'Next key, or the frame after where there is none', () => this.step(1)),
       this.number,
       this.unkeyed,
       this.ends[0],
@@ -143,9 +143,10 @@ export class Timeline {
       min: -25,
       max: 125,
       value: 50,
-      title: 'Tween: between the keys before and after',
+      title: 'Tween: between the keys before and after, and a little beyond',
       'aria-label': 'Tween between the keys before and after',
       oninput: () => this.session.tween(Number(input.value) / 100) || this.say('No control here has a key before and one after'),
+      onchange: () => (input.value = '50'), // a tween is done when it is let go
     });
     return input;
   }
@@ -235,13 +236,16 @@ export class Timeline {
     session.emit('saved');
     const lost = session.unkeyed();
     const notes = [
+      `Saved animation.usda, keys at ${counted(this.keyFrames().length, 'frame')}`,
       lost.length ? `Not keyed and not in it: ${named(session, lost)} of frame ${this.frame}` : '',
       unwritten.length ? `No animation drives ${unwritten.join(', ')}` : '',
       session.animation.clip?.thinned ? 'The clip was too long to show whole: the layer holds the frames kept' : '',
     ].filter(Boolean);
-    if (notes.length) this.say(notes.join(' · '));
+    this.say(notes.join(' · '));
   }
 }
+
+const counted = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 const shortened = (name) => (name.length > 18 ? `${name.slice(0, 8)}…${name.slice(-8)}` : name);
 

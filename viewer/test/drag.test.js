@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { beginDrag, dragTo, movedAlong } from '../src/drag.js';
+import { axisToward, beginDrag, dragTo, movedAlong } from '../src/drag.js';
 
 const VECTORS = JSON.parse(readFileSync(new URL('../../tests/drag_vectors.json', import.meta.url)));
 
@@ -54,4 +54,14 @@ test('an axis moved by a share of its range sets one end', () => {
   assert.deepEqual(along(0.5, [0.25, 0]), [0, 0.25]);
   assert.deepEqual(along(-0.5, [0.25, 0]), [0.75, 0]);
   assert.deepEqual(along(-Infinity, [0, 0.5]), [1, 0]);
+});
+
+test('an arrow key takes the axis that carries the handle its way', () => {
+  const controls = [0, 1].map(() => ({ minimum: -1, default: 0, maximum: 1 }));
+  const values = [-1, 1];
+  const members = controls.map((_, control) => ({ control, values }));
+  const tracks = [[[0, -9], [0, 9]], [[40, 1], [-40, -1]]]; // the first goes down the screen, the second to the left
+  const drag = beginDrag({ members, tracks, axes: [[0], [1]] }, controls, [0, 0], [0, 0], (point) => point);
+  const found = [[0, -1], [0, 1], [1, 0], [-1, 0]].map((arrow) => axisToward(drag, arrow));
+  assert.deepEqual(found, [[0, -1], [0, 1], [1, -1], [1, 1]]);
 });
