@@ -70,7 +70,7 @@ def candidates_of(ready):
 def test_nine_in_ten_of_the_mapped_controls_stand_within_two_handle_widths():
     one, other = read("ict_face57.usdc"), read("vitruvian.usdc")
     _, _, theirs = lay_out(one)
-    settings = load({"solve": {"gap": 1e-2, "work_limit": 600_000}, "like": {"names": NAMES}})
+    settings = load({"solve": {"gap": 1e-2, "work_limit": 6_000_000}, "like": {"names": NAMES}})
     ready, _, ours = lay_out(other, settings, like=((one, theirs),))
     face, by_hand, allowed = ready.face, carried_by_hand(), candidates_of(ready)
     now = {member.control: element.anchor for element in ours.elements for member in element.members}

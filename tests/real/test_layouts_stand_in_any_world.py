@@ -160,7 +160,7 @@ def free(origins, toward, triangles):
 # --- jaws and eyes -----------------------------------------------------------------------------------
 
 
-def test_eyes_and_jaws_of_other_makers_share_joysticks_too():
+def test_eyes_and_jaws_of_other_makers_share_elements_too():
     gaze = homes(line_of("godette"))["look_up"]
     assert {member.control for member in gaze.members} == {"look_up", "look_left", "look_right"}
     assert gaze.kind == "patch"
@@ -170,14 +170,16 @@ def test_eyes_and_jaws_of_other_makers_share_joysticks_too():
         assert [(each.kind, len(each.opposed)) for each in eye] == [("patch", 2)]
     assert vitruvian["Look_Up_Left"] is not vitruvian["Look_Up_Right"]
     assert vitruvian["Jaw_Out"] is vitruvian["Jaw_back"]
-    assert vitruvian["Jaw_Out"].kind == "patch"
+    assert vitruvian["Jaw_Out"].kind == "slider"
 
 
-def test_a_joystick_drives_all_its_ways_from_one_handle():
+def test_elements_of_several_ways_drive_them_from_one_handle():
+    """The conventions make a joystick of the gaze, and a slider of the jaw's two sides (decision 112)."""
     ict = homes(line_of("ict_face57"))
-    gaze, jaw = ict["eyeLookUp_L"], ict["jawOpen"]
+    gaze, jaw = ict["eyeLookUp_L"], ict["jawLeft"]
     assert (gaze.kind, len(gaze.members), len(gaze.opposed)) == ("patch", 4, 2)
-    assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("patch", 3, 1)
+    assert (jaw.kind, len(jaw.members), len(jaw.opposed)) == ("slider", 2, 1)
+    assert jaw is ict["jawRight"]
     for element in (gaze, jaw):
         starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
         assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.face_size

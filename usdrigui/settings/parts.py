@@ -247,7 +247,7 @@ class SymmetrySettings:
         True, "Optimise one of each pair of twins only (paper section 3.3).", level="expert"
     )
     plane_weight: float = setting(
-        0.2,
+        0.1,
         "Cost of the distance from the plane of self-symmetric elements, counted from their"
         " candidate nearest to it.",
         unit="cost per handle width",
