@@ -1,7 +1,8 @@
 """Write the reference pages that are made from the source: ``python docs/generate.py [--check]``.
 
 settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from
-usdrigui/codes.py, schema.md from schemas/generatedSchema.usda.  With ``--check`` nothing is written
+usdrigui/codes.py, schema.md and the table at the end of schemas/CONTRACT.md from
+schemas/generatedSchema.usda.  With ``--check`` nothing is written
 and the exit code says whether the pages are up to date.
 """
 
@@ -10,6 +11,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import inspect
+import re
 import sys
 import typing
 from collections.abc import Iterator, Mapping
@@ -34,6 +36,7 @@ TEN = (
 )
 """What does nearly all that a rigger asks for; docs/rigger.md shows them in this order."""
 _FOR = {"user": "", "expert": "expert", "paper": "preset `paper`"}
+_TABLE = "<!-- The table is made by docs/generate.py; do not edit. -->\n\n"
 NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
 
 
@@ -58,6 +61,7 @@ def pages() -> dict[str, str]:
         "settings.md": settings_page(),
         "issue-codes.md": codes_page(),
         "schema.md": schema_page(),
+        "../schemas/CONTRACT.md": contract_page(),
     }
 
 
@@ -128,19 +132,57 @@ def codes_page() -> str:
 
 def schema_page() -> str:
     """Every applied schema of a layout layer with its properties."""
-    layer = Sdf.Layer.FindOrOpen(str(ROOT / "schemas" / "generatedSchema.usda"))
     intro = (
         "What the prims of a layout layer can say. [The contract](../schemas/CONTRACT.md) tells how"
         " they stand\ntogether and what may change. With the folder that `usdrigui schema-path`"
         " prints in `PXR_PLUGINPATH_NAME`,\nUSD itself knows these schemas; without it every value"
         " still reads, but for fallbacks.\n"
     )
-    return "# Schema\n\n" + NOTE + intro + "".join(_schema(prim) for prim in layer.rootPrims)
+    return "# Schema\n\n" + NOTE + intro + "".join(map(_schema, _schemas()))
+
+
+def contract_page() -> str:
+    """The contract with its table of properties, which follows the last line that says so."""
+    text = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")
+    head = "| property | type, unit | if absent | meaning |\n|---|---|---|---|\n"
+    rows = (_brief(each) for prim in _schemas() for each in prim.properties)
+    return text.partition(_TABLE)[0] + _TABLE + head + "".join(rows)
+
+
+def _brief(found: Sdf.PropertySpec) -> str:
+    """One line of the table of the contract."""
+    text, _, unit = _flat(found.documentation).partition(" Units: ")
+    text = text.partition(" Range: ")[0]
+    meaning, absent = (
+        (text[: said.start()], said[2])
+        if (said := re.search(r" (Empty|Zero|No target): (.*?)(?=\. |\.$)", text))
+        else (text, "")
+    )
+    name = found.name.removeprefix("rigUI:").replace("__INSTANCE_NAME__", "*")
+    chosen = isinstance(found, Sdf.AttributeSpec) and found.allowedTokens
+    first = (meaning if chosen else meaning.partition(". ")[0]).rstrip(".").replace("`rigUI:", "`")
+    kind = "relationship"
+    if isinstance(found, Sdf.AttributeSpec):
+        kind = f"{found.typeName}, {unit}" if unit not in ("", "none") else str(found.typeName)
+        absent = absent or _said(found.default)
+    return f"| `{name}` | {kind} | {absent or 'none'} | {first} |\n"
+
+
+def _said(fallback: Any) -> str:
+    if isinstance(fallback, float):
+        return f"`{fallback:g}`"
+    text = str(fallback).lower() if isinstance(fallback, bool) else str(fallback)
+    return f"`{text}`" if text not in ("", "[]") else ""
+
+
+def _schemas() -> Iterator[Sdf.PrimSpec]:
+    layer = Sdf.Layer.FindOrOpen(str(ROOT / "schemas" / "generatedSchema.usda"))
+    yield from layer.rootPrims
 
 
 def _schema(prim: Sdf.PrimSpec) -> str:
-    custom = dict(prim.customData)
-    kind = "one for each name" if custom.get("apiSchemaType") == "multipleApply" else "applied once"
+    many = any("__INSTANCE_NAME__" in each.name for each in prim.properties)
+    kind = "one for each name" if many else "applied once"
     head = f"\n## `{prim.name}`\n\n{_flat(prim.documentation)} ({kind})\n"
     if not prim.properties:
         return head

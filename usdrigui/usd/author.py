@@ -110,9 +110,9 @@ def _noted(values: Mapping[str, Any]) -> dict[str, Any]:
 
 def _plain(value: Any) -> Any:
     if isinstance(value, (str, float)):
-        return value if isinstance(value, str) else float(f"{value:.12g}")
+        return value if isinstance(value, str) else float(f"{value:.7g}")
     if isinstance(value, np.ndarray):
-        return Vt.DoubleArray([float(f"{each:.9g}") for each in value])
+        return Vt.DoubleArray([float(f"{each:.7g}") for each in value])
     return Vt.StringArray([str(each) for each in value])
 
 

@@ -47,7 +47,7 @@ _METADATA = (
 """What USD reads from the root layer of a stage only, and a layer over the source must therefore
 repeat."""
 
-_ABOUT = "Rig controls on the character; the variant rigUI = none of its SkelRoot leaves them away."
+_ABOUT = "Rig controls on the character; the variant rigUI = none of its SkelRoot hides them."
 
 Laid = Sequence[tuple[Rig, Layout]]
 

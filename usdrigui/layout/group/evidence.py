@@ -109,8 +109,8 @@ class Evidence:
         """The evidence for or against two opposed controls."""
         cosine, shared = float(self.similarity.direction[a, b]), float(self.similarity.shared[a, b])
         return (
-            f"cosine of directions {cosine:.2f}, regions {shared:.0%} shared, one place keeps"
-            f" {self.held((a, b)):.0%}"
+            f"their directions have a cosine of {cosine:.2f}, their regions share {shared:.0%},"
+            f" both keep {self.held((a, b)):.0%} of their peak at one place"
         )
 
     def _specific(self, index: int) -> bool:

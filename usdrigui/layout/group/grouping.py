@@ -413,7 +413,7 @@ class _Grouping:
             if self.evidence.crossing(first.motions, second.motions) == "convention"
             else ""
         )
-        words = f"cosine of directions {across:.2f}, regions {shared:.0%} shared"
+        words = f"their directions have a cosine of {across:.2f}, their regions share {shared:.0%}"
         return _Merged(motions, axes, f"two axes of one region: a joystick{by} ({words})")
 
     def _uprightness(self, axis: _Merged) -> float:
