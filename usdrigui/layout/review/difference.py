@@ -101,8 +101,8 @@ def difference(
     old, new = _memberships(then), _memberships(after)
     was = {now: earlier for earlier, now in names.items()}
     changes = [
-        *(_added(new[key]) for key in sorted(new.keys() - old.keys())),
-        *(_removed(old[key], matching) for key in sorted(old.keys() - new.keys())),
+        *(_added(new[name, 0]) for name in sorted(after.controls - then.controls)),
+        *(_removed(old[name, 0], matching) for name in sorted(then.controls - after.controls)),
         *(
             _renamed(then, after, old[key], new[key], was, improvements)
             for key in sorted(old.keys() & new.keys())
@@ -200,6 +200,8 @@ def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> 
         return "board" if new.element.anchor.on_board else "to the face"
     if new.element.anchor.on_board:
         return None
+    if _handles(before, old.control) != _handles(after, new.control):
+        return "moved"
     if _same_mesh(old, new):
         return None if old.element.anchor.point == new.element.anchor.point else "moved"
     return "moved" if _distance(before, old, new) > _STILL else None
