@@ -25,7 +25,7 @@ def layer(tmp_path_factory):
     for time in (1.0, 5.0, 9.0):
         weights.Set([time / 9.0] * count, time)
     stage.GetRootLayer().Save()
-    assert main(["process", str(character), "--quiet"]) == 0
+    assert main(["process", str(character), "--quiet", "--set", "controls.chin.place=board"]) == 0
     return character.with_name("char.rigui.usda")
 
 
@@ -69,7 +69,7 @@ def test_no_animation_is_refused(tmp_path, capsys):
             if held is not None:
                 attribute.Set(held)
     stage.GetRootLayer().Save()
-    assert main(["process", str(character), "--quiet"]) == 0
+    assert main(["process", str(character), "--quiet", "--set", "controls.chin.place=board"]) == 0
     assert main(["picture", str(character.with_name("char.rigui.usda")), "-o", str(tmp_path / "no.gif")]) == 1
     assert "ANIMATION_MISSING" in capsys.readouterr().err
     assert not (tmp_path / "no.gif").exists()

@@ -84,7 +84,7 @@ def expectations(
         if each is not None and each.action.place
     ]
     if not symmetry.normal.any():
-        symmetry = _middle_of_names(trajectories, symmetry, views, placed)
+        symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, placed)
     middles = np.array(
         [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
     ).reshape(-1, 2)
@@ -134,7 +134,7 @@ def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
 def _middle_of_names(
     trajectories: Trajectories,
     symmetry: Symmetry,
-    views: Views,
+    visible: Flags,
     placed: Sequence[tuple[Motion, Meaning | None]],
 ) -> Symmetry:
     """The symmetry with a plane halfway between the sides that names tell, for a face that is not
@@ -142,7 +142,7 @@ def _middle_of_names(
     sides: dict[tuple[str, str], Floats] = {}
     for motion, each in placed:
         if each is not None and each.side:
-            weight = _weights(trajectories, views, motion)
+            weight = _weights(trajectories, visible, motion)
             sides[each.action.name, each.side] = weight @ trajectories.base[motion.points]
     pairs = [
         (left, sides[action, "right"])
@@ -163,7 +163,7 @@ def _middle_of_names(
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
     two lobes of a symmetric motion that of one) and height, scene units."""
-    weight = _weights(trajectories, views, motion)
+    weight = _weights(trajectories, views.anywhere, motion)
     points = trajectories.base[motion.points]
     apart = plane_distance(points, symmetry)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
@@ -171,9 +171,9 @@ def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])
 
 
-def _weights(trajectories: Trajectories, views: Views, motion: Motion) -> Floats:
+def _weights(trajectories: Trajectories, visible: Flags, motion: Motion) -> Floats:
     """(p,) of the points of a motion for its middle; their sum is 1."""
-    seen = views.anywhere[motion.points]
+    seen = visible[motion.points]
     weight = (
         trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
     )

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from pxr import Sdf, Tf, Usd, UsdSkel
+from pxr import Sdf, Tf, Usd, UsdSkel, Vt
 
 from usdrigui.errors import Issue, issue
 from usdrigui.model import Channel, Clip, Floats, RigMesh
@@ -184,8 +184,9 @@ def _tokens_of(entry: Mapping[str, Any], armature: Armature) -> Sequence[str]:
     if count in (1, len(armature.tokens)):
         return armature.tokens
     attribute = UsdSkel.Animation(armature.animation.GetPrim()).GetBlendShapesAttr()
-    lists = [spec.default for spec in attribute.GetPropertyStack() if spec.default]
-    return next((list(each) for each in lists if len(each) == count), armature.tokens)
+    lists = [spec.default for spec in attribute.GetPropertyStack()]
+    known = (each for each in lists if isinstance(each, Vt.TokenArray) and len(each) == count)
+    return list(next(known, armature.tokens))
 
 
 def _by_token(table: Floats, named: Sequence[str], tokens: Sequence[str]) -> Floats:
