@@ -20,13 +20,7 @@ def add_attach(commands: Any) -> None:
         _attach,
         "put a bare layout layer among the sublayers of the asset itself",
     )
-    parser.add_argument(
-        "asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited"
-    )
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="written by `usdrigui process --bare`"
-    )
-    add_variant(parser)
+    _add_files(parser, "written by `usdrigui process --bare`")
 
 
 def add_detach(commands: Any) -> None:
@@ -34,12 +28,15 @@ def add_detach(commands: Any) -> None:
     parser = command(
         commands, "detach", _detach, "take a layout layer out of the asset's sublayers again"
     )
+    _add_files(parser, "the layer to take out; its file may be gone")
+
+
+def _add_files(parser: Any, layer: str) -> None:
+    """The asset and the layer, of which the help says `layer`, and the variant."""
     parser.add_argument(
         "asset", type=Path, metavar="CHAR", help="the asset's root layer, which is edited"
     )
-    parser.add_argument(
-        "layer", type=Path, metavar="LAYER", help="the layer to take out; its file may be gone"
-    )
+    parser.add_argument("layer", type=Path, metavar="LAYER", help=layer)
     add_variant(parser)
 
 

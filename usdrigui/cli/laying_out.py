@@ -66,6 +66,7 @@ def add_process(commands: Any) -> None:
 def add_inspect(commands: Any) -> None:
     """Add ``inspect`` to the commands."""
     parser = command(commands, "inspect", _inspect, "list the controls without solving")
+    parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
     _add_animation(parser, "tell which controls these use, and which they move together")
     parser.add_argument(

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from usdrigui import terminal
 
 
-_NOTHING = "nothing was written"
-
-
 def screen_of(arguments: argparse.Namespace) -> terminal.Screen:
     """Where a command shows its progress and its outcome."""
     from usdrigui import terminal
@@ -61,14 +58,8 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
         if found.code == "OUTPUT_STREAM"
         else f"refused {asset}"
     )
-    written = getattr(arguments, "written", "") or ("" if _only_reads(arguments) else _NOTHING)
+    written = getattr(arguments, "written", "nothing was written")
     _complain(f"usdrigui: {verdict}{'; ' * bool(written)}{written}")
-
-
-def _only_reads(arguments: argparse.Namespace) -> bool:
-    """Whether the command writes nothing whatever comes of it, so that it need not say so."""
-    parser = getattr(arguments, "parser", None)
-    return parser is not None and parser.prog.split()[-1] in ("check", "diff", "inspect")
 
 
 def _complain(line: str) -> None:

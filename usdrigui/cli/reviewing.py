@@ -27,6 +27,7 @@ def add_check(commands: Any) -> None:
     parser = command(
         commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound"
     )
+    parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument(
         "layer",
         type=Path,
@@ -45,6 +46,7 @@ def add_diff(commands: Any) -> None:
         _diff,
         "say which controls two layouts of a character place otherwise, and why",
     )
+    parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
     parser.add_argument(
         "layer", type=Path, metavar="AFTER", help="another layout layer of the same character"

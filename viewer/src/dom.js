@@ -14,6 +14,9 @@ export function make(tag, properties = {}, ...children) {
   return node;
 }
 
+/** "1 key", "2 keys". */
+export const counted = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
+
 /** The part of a name that tells it from its neighbours: its last word, mostly a side or a direction. */
 export function lastWord(text) {
   const word = /[_.:\- ][^_.:\- ]{1,9}$/.exec(text) ?? /[A-Z][a-z]{1,8}$/.exec(text);

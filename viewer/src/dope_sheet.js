@@ -2,7 +2,7 @@
 // copied, pasted, taken away, and told how to go on to the next.
 
 import { Curves, REACH } from './curves.js';
-import { make, segmented } from './dom.js';
+import { counted, make, segmented } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
 import { changedKeys, copiedKeys, keysGoing, keysWithin, movedKeys, pastedKeys, removedKeys } from './keying.js';
 
@@ -46,16 +46,16 @@ export class DopeSheet {
       () => this.shows, (value) => this.show(value));
     const ways = segmented('How keys go to the next', WAYS.map((way) => [way, named(way), `${named(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
-    const counted = make('output', { class: 'hint' });
+    const told = make('output', { class: 'hint' });
     this.head = make('div', { class: 'dope-head' }, shows, ways,
       act('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
       act('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
       act('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
-      counted);
+      told);
     this.head.update = () => {
       shows.update();
       ways.update();
-      counted.textContent = this.counted();
+      told.textContent = this.counted();
     };
     this.head.update();
     return this.head;
@@ -77,7 +77,7 @@ export class DopeSheet {
     if (!this.picked.size) return 'Drag a key to move it, an empty place to pick a range';
     const frames = this.pickedKeys.map(([, frame]) => frame);
     const [first, last] = [Math.min(...frames), Math.max(...frames)];
-    return `${plural(this.picked.size)} picked, ${first === last ? `frame ${first}` : `frames ${first} to ${last}`}`;
+    return `${counted(this.picked.size, 'key')} picked, ${first === last ? `frame ${first}` : `frames ${first} to ${last}`}`;
   }
 
   // --- rows ------------------------------------------------------------------------------------------
@@ -267,25 +267,25 @@ export class DopeSheet {
     };
     const frameOf = ([control, frame]) => bounded(keys.get(control).find(([when]) => when === frame), control)[0];
     this.picked = new Set(picked.map((key) => `${key[0]} ${frameOf(key)}`));
-    this.session.rekey(`${label} ${plural(picked.length)}`, changedKeys(keys, picked, bounded, copies));
+    this.session.rekey(`${label} ${counted(picked.length, 'key')}`, changedKeys(keys, picked, bounded, copies));
   }
 
   remove() {
     const picked = this.pickedKeys;
-    if (picked.length) this.session.rekey(`Delete ${plural(picked.length)}`, removedKeys(this.session.keys, picked));
+    if (picked.length) this.session.rekey(`Delete ${counted(picked.length, 'key')}`, removedKeys(this.session.keys, picked));
     else this.say('No key is picked');
   }
 
   copy() {
     if (this.picked.size) this.copied = copiedKeys(this.session.keys, this.pickedKeys);
-    this.say(this.picked.size ? `${plural(this.copied.length)} copied` : 'No key is picked');
+    this.say(this.picked.size ? `${counted(this.copied.length, 'key')} copied` : 'No key is picked');
   }
 
   paste() {
     const { session, copied } = this;
     if (!copied) return this.say('No key is copied');
     this.picked = new Set(copied.map(([control, [frame]]) => `${control} ${session.frame + frame}`));
-    return session.rekey(`Paste ${plural(copied.length)}`, pastedKeys(session.keys, copied, session.frame));
+    return session.rekey(`Paste ${counted(copied.length, 'key')}`, pastedKeys(session.keys, copied, session.frame));
   }
 
   /** Picked keys, or all, go to the next ones in this way, and so does the first key of a control from now on. */
@@ -293,10 +293,9 @@ export class DopeSheet {
     const { session } = this;
     const picked = this.pickedKeys.length ? this.pickedKeys : keysWithin(session.keys, [...session.keys.keys()], [-Infinity, Infinity]);
     if (!this.picked.size) session.setOption('interpolation', way);
-    if (picked.length) session.rekey(`${named(way)}: ${plural(picked.length)}`, keysGoing(way, session.keys, picked));
+    if (picked.length) session.rekey(`${named(way)}: ${counted(picked.length, 'key')}`, keysGoing(way, session.keys, picked));
     this.draw();
   }
 }
 
 const named = (way) => way[0].toUpperCase() + way.slice(1);
-const plural = (count) => `${count} key${count === 1 ? '' : 's'}`;

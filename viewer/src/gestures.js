@@ -2,7 +2,7 @@
 // else the empty space, which orbits.  One finger does what the mouse does; two pan, pinch and turn.  Moves are
 // handled once per drawn frame.
 
-import { beginDrag, dragTo, movedAlong } from './drag.js';
+import { dragTo, movedAlong } from './drag.js';
 import { FINGER } from './overlay.js';
 import { Pull } from './pull.js';
 
@@ -275,8 +275,7 @@ export class Gestures {
       },
       grab: () => {
         before = session.beginEdit();
-        const [held, map] = view.overlay.draggable(element, view.camera.projector(view.controlsColumn));
-        drag = beginDrag(held, session.controls, session.rest, session.values, map);
+        drag = view.beginDrag(element);
       },
       drag: (hand) => {
         const changed = dragTo(drag, hand.x - this.active.start.x, hand.y - this.active.start.y);

@@ -1,7 +1,7 @@
 // Keys: shortcuts for the whole page, and every element reachable by Tab and moved by the arrow keys.
 
 import { make, shownValue } from './dom.js';
-import { axisToward, beginDrag, movedAlong } from './drag.js';
+import { axisToward, movedAlong } from './drag.js';
 import { sideName } from './view.js';
 
 const STEP = 0.02;
@@ -83,9 +83,7 @@ export class Stops {
   /** [axis, sign] of an arrow: up and right are more of a slider; what goes several ways goes that of the arrow. */
   along(element, [x, y]) {
     if (element.axes.length === 1) return [0, x - y];
-    const { session, view } = this;
-    const [held, map] = view.overlay.draggable(element, view.camera.projector(view.controlsColumn));
-    return axisToward(beginDrag(held, session.controls, session.rest, session.values, map), [x, y]);
+    return axisToward(this.view.beginDrag(element), [x, y]);
   }
 
   /** Move along one axis by a share of its range. */

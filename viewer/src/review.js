@@ -1,7 +1,7 @@
 // The review: notes at frames, each with a pose, a view, words and strokes over the face; sent and opened as a small USD layer
 // (notes.js, docs/decisions/142).
 
-import { askForFile, download, make, toggle } from './dom.js';
+import { askForFile, counted, download, make, toggle } from './dom.js';
 import { dot, minus } from './camera.js';
 import { isSeenFrom, joined, lookOf, notesIn, notesOf, pairOf, placeOf, posed, reviewLayer, saidPose, thinned, titleOf } from './notes.js';
 
@@ -162,7 +162,7 @@ export class Review {
 
   item(note, index) {
     const isChosen = note.id === this.session.note;
-    const strokes = note.strokes.length ? `, ${note.strokes.length} stroke${note.strokes.length === 1 ? '' : 's'}` : '';
+    const strokes = note.strokes.length ? `, ${counted(note.strokes.length, 'stroke')}` : '';
     const done = make('input', { type: 'checkbox', checked: note.done, 'aria-label': `Note ${index + 1} is done`, title: 'Done', onchange: () => this.change('Tick a note', note, { done: done.checked }) });
     const text = make('textarea', {
       value: note.text, rows: isChosen ? 3 : 1, placeholder: 'Comment', 'aria-label': `Comment of note ${index + 1}`,
@@ -198,8 +198,7 @@ export class Review {
   save() {
     download('review.usda', reviewLayer(this.partsOf()), 'text/plain');
     this.session.emit('saved');
-    const { length } = this.session.notes;
-    this.say(`Saved review.usda, ${length} note${length === 1 ? '' : 's'}`);
+    this.say(`Saved review.usda, ${counted(this.session.notes.length, 'note')}`);
   }
 
   async open() {
@@ -210,7 +209,7 @@ export class Review {
       if (!found.length) throw new Error('The notes are of another character.');
       this.session.received = [...new Set([...this.session.received, ...found.map(({ id }) => id)])];
       this.session.renote(`Open ${file.name}`, joined(this.session.notes, found));
-      this.say(`${found.length} note${found.length === 1 ? '' : 's'} opened`);
+      this.say(`${counted(found.length, 'note')} opened`);
     } catch (error) {
       this.say(error.message);
     }

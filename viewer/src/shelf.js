@@ -2,7 +2,7 @@
 // and goes out and in as a USD layer of SkelAnimations, one Scope for each pose (docs/decisions/141).
 
 import { posesLayer, posesFromLayer } from './pose_library.js';
-import { askForFile, download, make } from './dom.js';
+import { askForFile, counted, download, make } from './dom.js';
 import { portrait } from './portrait.js';
 
 export class Shelf {
@@ -49,7 +49,7 @@ export class Shelf {
       type: 'text', value: pose.name, 'aria-label': `Name of the pose ${pose.name}`,
       onchange: () => this.session.reshelve('Rename a pose', this.session.shelf.map((each) => (each === pose ? { ...pose, name: name.value || pose.name } : each))),
     });
-    const words = `${pose.name}: ${pose.values.size} control${pose.values.size === 1 ? '' : 's'}`;
+    const words = `${pose.name}: ${counted(pose.values.size, 'control')}`;
     return make('div', { class: 'pose' },
       make('button', { type: 'button', class: 'pose-picture', title: words, 'aria-label': `Take the pose ${pose.name}`, onclick: () => this.take(pose) },
         pose.picture ? make('img', { src: pose.picture, alt: '' }) : null),
@@ -87,7 +87,7 @@ export class Shelf {
     try {
       const found = posesFromLayer(file.text, this.session);
       this.session.reshelve(`Open ${file.name}`, [...this.session.shelf, ...found]);
-      this.say(`${found.length} pose${found.length === 1 ? '' : 's'} added`);
+      this.say(`${counted(found.length, 'pose')} added`);
     } catch (error) {
       this.say(error.message);
     }

@@ -2,7 +2,7 @@
 
 import { animationLayer } from './animation_layer.js';
 import { DopeSheet } from './dope_sheet.js';
-import { askForFile, download, make, toggle } from './dom.js';
+import { askForFile, counted, download, make, toggle } from './dom.js';
 import { Sound } from './sound.js';
 
 export class Timeline {
@@ -244,8 +244,6 @@ export class Timeline {
     this.say(notes.join(' · '));
   }
 }
-
-const counted = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 const shortened = (name) => (name.length > 18 ? `${name.slice(0, 8)}…${name.slice(-8)}` : name);
 

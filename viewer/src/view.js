@@ -1,6 +1,7 @@
 // The viewport: one or more columns showing the character, and the loop that keeps them up to date.
 
 import { OrbitCamera, dot } from './camera.js';
+import { beginDrag } from './drag.js';
 import { Gestures } from './gestures.js';
 import { Onion } from './onion.js';
 import { COLOURS, Overlay } from './overlay.js';
@@ -44,6 +45,13 @@ export class View {
     this.drawn = 0;
     this.listen();
     new ResizeObserver(() => this.resize()).observe(this.node);
+  }
+
+  /** A drag of an element, begun at the present pose, where the controls are shown. */
+  beginDrag(element) {
+    const { session } = this;
+    const [held, map] = this.overlay.draggable(element, this.camera.projector(this.controlsColumn));
+    return beginDrag(held, session.controls, session.rest, session.values, map);
   }
 
   listen() {

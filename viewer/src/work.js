@@ -1,6 +1,7 @@
 // An animator's work on one character as JSON: keys, standing values, what is changed and not keyed, locks, and
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
+import { counted } from './dom.js';
 import { WAYS, wayOf } from './interpolation.js';
 import { joined, noteFrom, saidNote } from './notes.js';
 import { poseFrom } from './pose_library.js';
@@ -83,15 +84,14 @@ export function resume(session, work) {
 /** "12 keys of 3 controls, 2 changes that are not keyed". */
 export function worded({ keys, standing, changed, moved, shelf, notes, sound, span }) {
   const tracks = Object.values(keys ?? {});
-  const count = (number, what) => `${number} ${what}${number === 1 ? '' : 's'}`;
   const sum = tracks.reduce((total, track) => total + track.length, 0);
   const loose = Object.keys({ ...standing, ...changed }).length;
   return [
-    sum ? `${count(sum, 'key')} of ${count(tracks.length, 'control')}` : '',
-    loose ? `${count(loose, 'control')} changed without a key` : '',
-    moved?.length ? `${count(moved.length, 'element')} moved` : '',
-    shelf?.length ? `${count(shelf.length, 'pose')} on the shelf` : '',
-    notes?.length ? count(notes.length, 'note') : '',
+    sum ? `${counted(sum, 'key')} of ${counted(tracks.length, 'control')}` : '',
+    loose ? `${counted(loose, 'control')} changed without a key` : '',
+    moved?.length ? `${counted(moved.length, 'element')} moved` : '',
+    shelf?.length ? `${counted(shelf.length, 'pose')} on the shelf` : '',
+    notes?.length ? counted(notes.length, 'note') : '',
     sound ? `the place of ${sound.name}` : '',
     span ? `frames ${span[0]} to ${span[1]}` : '',
   ].filter(Boolean).join(', ') || 'locks';

@@ -42,14 +42,14 @@ def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
     joints = {i for i in driven if rig.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    below = _below(rig, joints)
-    has_bone = any(bone.joint in joints and bone.next in below for bone in _bones(rig))
+    below, bones = _below(rig, joints), _bones(rig)
+    has_bone = any(bone.joint in joints and bone.next in below for bone in bones)
     for holders in (joints, *((joints | below,) if has_bone else _levels(rig, joints))):
         weights = _weights(rig, holders)
         if weights.max(initial=0.0) > _NOTHING:
             firm = np.minimum(weights / (_FIRM * weights.max()), 1.0)
             of = joints if has_bone else holders
-            return np.asarray(firm * _by_own_bone(rig, of, points, weights > _NOTHING))
+            return np.asarray(firm * _by_own_bone(rig, bones, of, points, weights > _NOTHING))
     return None
 
 
@@ -78,11 +78,12 @@ def _weights(rig: Rig, joints: set[int]) -> Floats:
     return total
 
 
-def _by_own_bone(rig: Rig, joints: set[int], points: Floats, owned: Flags) -> Floats:
+def _by_own_bone(
+    rig: Rig, bones: list[_Bone], joints: set[int], points: Floats, owned: Flags
+) -> Floats:
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
     factor = np.ones(len(points))
-    bones = _bones(rig)
     own = [bone for bone in bones if bone.joint in joints and bone.next not in joints]
     if not own:
         return factor
