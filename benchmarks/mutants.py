@@ -20,9 +20,9 @@ from __future__ import annotations
 
 import argparse
 import ast
+import hashlib
 import json
 import os
-import random
 import re
 import resource
 import shutil
@@ -138,17 +138,26 @@ def _expressions(tree: ast.AST) -> Iterator[ast.expr]:
 
 
 def drawn(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
-    """`count` of the packages' mutants, of every kind alike."""
-    chance = random.Random(seed)
-    by_kind: dict[str, list[Mutant]] = {}
+    """`count` of the packages' mutants, of every kind alike.
+
+    The seed and what a mutant changes give its turn, so that code which changes elsewhere draws the
+    same mutants again.
+    """
+    by_kind: dict[str, list[tuple[str, Mutant]]] = {}
     for package in packages:
         for path in sorted((ROOT / "usdrigui" / package).rglob("*.py")):
+            lines = path.read_text(encoding="utf-8").splitlines()
+            alike: dict[str, int] = {}
             for each in mutants(path):
-                by_kind.setdefault(each.kind, []).append(each)
-    for each in by_kind.values():
-        chance.shuffle(each)
+                line = lines[each.line - 1].strip()
+                said = f"{seed} {each.path} {each.kind} {each.old} {each.new} {line}"
+                alike[said] = alike.get(said, -1) + 1
+                turn = hashlib.sha256(f"{said} {alike[said]}".encode()).hexdigest()
+                by_kind.setdefault(each.kind, []).append((turn, each))
+    for mutants_of_kind in by_kind.values():
+        mutants_of_kind.sort(key=lambda each: each[0], reverse=True)
     kinds = sorted(by_kind)
-    return [by_kind[kinds[at % len(kinds)]].pop() for at in range(count)]
+    return [by_kind[kinds[at % len(kinds)]].pop()[1] for at in range(count)]
 
 
 # --- tests ----------------------------------------------------------------------------------------

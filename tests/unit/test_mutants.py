@@ -43,6 +43,18 @@ def test_the_same_seed_draws_the_same_mutants_of_all_kinds_alike(job):
     assert sorted(each.kind for each in first[:4]) == ["arithmetic", "choice", "comparison", "number"]
 
 
+def test_code_that_changes_elsewhere_draws_the_same_mutants(job, tmp_path, monkeypatch):
+    monkeypatch.setattr(job, "ROOT", tmp_path)
+    path = tmp_path / "usdrigui" / "pose" / "code.py"
+    path.parent.mkdir(parents=True)
+    lines = [f"a{each} = {each} + max(b, c) < {each}" for each in range(20)]
+    path.write_text("\n".join(lines))
+    first = {(each.line + 1, each.kind) for each in job.drawn(["pose"], 12, 0)}
+    path.write_text("\n".join(["d = 3", *lines]))
+    again = {(each.line, each.kind) for each in job.drawn(["pose"], 12, 0)}
+    assert len(first & again) >= 11
+
+
 def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job, tmp_path, monkeypatch):
     monkeypatch.setattr(job, "ROOT", tmp_path)
     path = tmp_path / "code.py"
