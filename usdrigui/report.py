@@ -43,6 +43,13 @@ class ControlRow:
     explained_by: tuple[tuple[str, float], ...] = ()
     """Controls that do together what it does, and how far each goes; empty for one that stands for
     itself."""
+    part: str = ""
+    """The part of the character to which its element belongs; empty where there are none."""
+
+    @property
+    def stands(self) -> str:
+        """Where a reader finds it: the part on which it stands, the board, or nowhere."""
+        return self.part or self.place if self.place == "face" else self.place
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,7 +184,7 @@ def _html_table(character: CharacterReport) -> str:
     rows = []
     for row in character.rows:
         kept = f"{row.kept:.0%}" if math.isfinite(row.kept) else ""
-        cells = (row.control, row.place, row.element, kept, row.reason)
+        cells = (row.control, row.stands, row.element, kept, row.reason)
         rows.append("<tr>" + "".join(f"<td>{markup(each)}</td>" for each in cells) + "</tr>")
     return (
         f"<table><caption>{markup(character.root)}</caption><tr>{head}</tr>{''.join(rows)}</table>"
@@ -198,17 +205,19 @@ def rows_of(
     rows = []
     for control in rig.controls:
         place: Place = "left off"
-        element_name, kept, reason = "", math.nan, reasons.pop(control.name, "")
+        element_name, part, kept, reason = "", "", math.nan, reasons.pop(control.name, "")
         if control.name in carried:
             element, length = carried[control.name]
             place = "board" if element.anchor.on_board else "face"
-            element_name, reason = element.name, element.reason
+            element_name, part, reason = element.name, element.part, element.reason
             if place == "face":
                 kept = length / max(peaks.get(control.name, length), 1e-300)
         twin = twins.get(control.name, "")
         others = explained_by.get(control.name, ())
         rows.append(
-            ControlRow(control.name, control.kind, place, element_name, twin, kept, reason, others)
+            ControlRow(
+                control.name, control.kind, place, element_name, twin, kept, reason, others, part
+            )
         )
     rows += [
         ControlRow(name, "", "left off", "", "", math.nan, reason)
@@ -364,6 +373,7 @@ def _row(row: ControlRow) -> dict[str, Any]:
         "control": row.control,
         "kind": row.kind,
         "place": row.place,
+        "part": row.part,
         "element": row.element,
         "twin": row.twin,
         "displacement_kept": row.kept,

@@ -309,7 +309,7 @@ def _rows_table(rows: Sequence[ControlRow]) -> Table:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
         element = row.element if row.element != row.control else ""
         table.add_row(
-            *map(visible, (row.control, row.place, share, element, row.kind, row.twin, row.reason))
+            *map(visible, (row.control, row.stands, share, element, row.kind, row.twin, row.reason))
         )
     return table
 

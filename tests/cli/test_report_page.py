@@ -24,6 +24,14 @@ def test_every_field_is_documented(tmp_path):
     assert fields - words == set()
 
 
+def test_a_control_says_the_part_on_which_it_stands(tmp_path):
+    settings = load_settings({"parts": {"controls": {"brow_R": "muzzle"}}, "controls": {"chin": {"place": "board"}}})
+    report = process(skinned_stages.character(tmp_path / "char.usda"), settings, dry_run=True)
+    rows = {row.control: row for row in report.characters[0].rows}
+    assert (rows["brow_R"].place, rows["brow_R"].part, rows["brow_R"].stands) == ("face", "muzzle", "muzzle")
+    assert (rows["chin"].part, rows["chin"].stands) == ("face", "board")
+
+
 def test_reference_pages_are_up_to_date():
     with scripts.loaded(PAGE.parent / "generate.py") as generate:
         pages = generate.pages()
