@@ -18,7 +18,8 @@ import numpy as np
 from usdrigui.conventions import Meaning, joysticks
 from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
-from usdrigui.model import Control
+from usdrigui.model import Control, Rig
+from usdrigui.rotation import rotation_part
 
 Relation = Literal["convention", "open", ""]
 """What the names of two controls say: they belong together, nothing, or that they do not."""
@@ -35,6 +36,9 @@ _HELD = 0.4
 _LIKE_AMOUNT = 0.25
 """Least amount of one end in shares of the other's, where no convention pairs them."""
 
+_ALIKE = 1e-3
+"""Radians within which two joints of one parent turn alike: single precision leaves less."""
+
 
 class Evidence:
     """Names, joints and motions of the controls of one character; indices are those of motions."""
@@ -45,7 +49,7 @@ class Evidence:
         motions, controls = face.trajectories.motions, face.rig.controls
         self.face, self.similarity = face, similarity
         self.meanings = [meanings[motion.control] for motion in motions]
-        self.joints = [_joints(controls[motion.control]) for motion in motions]
+        self.joints = [_joints(face.rig, controls[motion.control]) for motion in motions]
         self.ways = tuple(frozenset(pair) for pair in joysticks().values())
 
     def relation(self, a: int, b: int) -> Relation:
@@ -126,6 +130,22 @@ class Evidence:
         return len(axes) == 2 and one.side == other.side and axes in self.ways
 
 
-def _joints(control: Control) -> frozenset[int]:
-    """The joints that a control of joints turns; none of another control."""
-    return frozenset(control.drive.joints.tolist()) if control.kind == "joint" else frozenset()
+def _joints(rig: Rig, control: Control) -> frozenset[int]:
+    """The joints that a control of joints turns; none of another control.  Of joints of one parent
+    that turn alike the first: where all joints of a hand are roots, a spread carries the whole
+    finger, and is no more a turn of its end than in a chain of joints."""
+    if control.kind != "joint":
+        return frozenset()
+    joints, turns = control.drive.joints.tolist(), control.drive.rotations
+    parents = [rig.joints[joint].parent for joint in joints]
+    bases = [rotation_part(rig.joints[joint].base) for joint in joints]
+    own = [
+        turns[:, i] @ base for i, base in enumerate(bases)
+    ]  # about the axes of the joints' parents
+    return frozenset(
+        joint
+        for i, joint in enumerate(joints)
+        if not any(
+            parents[i] == parents[j] and np.allclose(own[i], own[j], atol=_ALIKE) for j in range(i)
+        )
+    )

@@ -9,6 +9,7 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.group.grouping import find_groups, suggested_groups
+from usdrigui.model import Joint
 
 POINTS, QUADS = makers.mask()
 
@@ -85,14 +86,34 @@ def test_a_far_lesser_axis_makes_no_joystick():
     assert ("across", "upright") not in groups_of(swinging(0.05))[0]
 
 
-@pytest.mark.parametrize(("turned", "shared"), [((0, 0), True), ((0, 1), False)])
-def test_joints_make_a_joystick_of_one_joint_only(turned, shared):
+WHOLE, CURL, CARRIED = {0: 1.0, 1: 1.0}, {0: 1.0, 1: 2.0}, {0: 1.0, 1: 1.0 + 1e-5}
+
+
+def turning(face, turns):
+    """The controls of a face as controls of joints of one parent: by control the turns of its joints."""
+    controls = []
+    for each, turn in zip(face.rig.controls, turns, strict=True):
+        vectors = np.array([[[sign * amount, 0, 0] for amount in turn.values()] for sign in (-1.0, 1.0)])
+        drive = replace(each.drive, joints=np.array([*turn]), rotations=vectors)
+        controls.append(replace(each, kind="joint", drive=drive))
+    joints = tuple(Joint(f"j{i}", 0, -1, np.eye(4), np.eye(4), np.eye(4)) for i in range(2))
+    return replace(face, rig=replace(face.rig, controls=tuple(controls), joints=joints))
+
+
+@pytest.mark.parametrize(
+    ("turns", "shared"),
+    [
+        (({0: 1.0}, {0: 1.0}), True),
+        (({0: 1.0}, {1: 1.0}), False),
+        (({0: 1.0}, CURL), False),
+        ((WHOLE, CURL), False),
+        ((WHOLE, CARRIED), True),
+    ],
+)
+def test_joints_make_a_joystick_of_one_joint_only(turns, shared):
+    """What a joint carries with it where the joints of a hand are all roots is no turn of another joint."""
     line = chain.problem_of(swinging(), chain.settings())
-    controls = tuple(
-        replace(each, kind="joint", drive=replace(each.drive, joints=np.array([joint])))
-        for each, joint in zip(line.face.rig.controls, turned, strict=True)
-    )
-    face = replace(line.face, rig=replace(line.face.rig, controls=controls))
+    face = turning(line.face, turns)
     assert any(len(group.controls) == 2 for group in find_groups(face, *line.grouping[1:], {})) == shared
 
 
@@ -102,11 +123,7 @@ AT = (0.0, -0.55)
 def test_axes_of_two_joints_are_no_opposites_by_convention():
     ends = {name: makers.bump(POINTS, AT, (0, 1, 0), 0.3, 0.1) for name in ("mouthDown", "mouthUp")}
     line = chain.problem_of(makers.rig(POINTS, QUADS, ends), chain.settings(candidates={"beside_composite": False}))
-    controls = tuple(
-        replace(each, kind="joint", drive=replace(each.drive, joints=np.array([joint])))
-        for joint, each in enumerate(line.face.rig.controls)
-    )
-    face = replace(line.face, rig=replace(line.face.rig, controls=controls))
+    face = turning(line.face, ({0: 1.0}, {1: 1.0}))
     assert [group.reason for group in find_groups(face, *line.grouping[1:], {})] == ["", ""]
 
 
