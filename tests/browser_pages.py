@@ -130,8 +130,8 @@ class Viewer:
         """How much of a rectangle of the view the handles and tracks cover: the sum of their opacity, 0 to 1 each."""
         return self.page.evaluate(
             """([x, y, w, h]) => {
-              const { canvas, ratio } = usdrigui.app.view.overlay;
-              const box = [x, y, w, h].map((value) => Math.round(value * ratio));
+              const { canvas, ratio, box: [left, top] } = usdrigui.app.view.overlay;
+              const box = [x - left, y - top, w, h].map((value) => Math.round(value * ratio));
               const copy = new OffscreenCanvas(box[2], box[3]).getContext('2d', { willReadFrequently: true });
               copy.drawImage(canvas, -box[0], -box[1]);
               const { data } = copy.getImageData(0, 0, box[2], box[3]);

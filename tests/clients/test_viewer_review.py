@@ -91,9 +91,9 @@ def amber(viewer, at):
     """Whether a stroke is to be seen at a place."""
     return viewer.page.evaluate(
         """([x, y]) => {
-          const { canvas, ratio } = usdrigui.app.view.overlay;
+          const { canvas, ratio, box: [left, top] } = usdrigui.app.view.overlay;
           const copy = new OffscreenCanvas(1, 1).getContext('2d');
-          copy.drawImage(canvas, -Math.round(x * ratio), -Math.round(y * ratio));
+          copy.drawImage(canvas, -Math.round((x - left) * ratio), -Math.round((y - top) * ratio));
           const [red, green, blue] = copy.getImageData(0, 0, 1, 1).data;
           return Math.abs(red - 240) + Math.abs(green - 169) + Math.abs(blue - 75) < 30;
         }""",

@@ -78,3 +78,30 @@ export function shownValue(value, range = 1) {
   const digits = Math.min(6, Math.max(2, 2 - Math.floor(Math.log10(Math.max(range, 1e-6)))));
   return value.toFixed(digits);
 }
+
+const SNAP = 32; // pixels of the page: canvases begin and end at multiples
+const ROOMY = 2; // times what is needed: a larger canvas shrinks
+
+/**
+ * A box [left, top, right, bottom] for a canvas that covers `reach` within a view of `size`: the present one, where it does well.
+ * @param {number[]} reach @param {number[] | null} box @param {number[]} size
+ */
+export function covering(reach, box, size) {
+  const low = (value) => SNAP * Math.floor(Math.max(0, value) / SNAP);
+  const high = (value, most) => Math.min(most, SNAP * Math.ceil(value / SNAP));
+  const need = [low(reach[0]), low(reach[1]), high(reach[2], size[0]), high(reach[3], size[1])];
+  if (!(need[0] < need[2] && need[1] < need[3])) return box ?? [0, 0, 1, 1];
+  const fits = box && need[0] >= box[0] && need[1] >= box[1] && need[2] <= box[2] && need[3] <= box[3];
+  return fits && area(box) <= ROOMY * area(need) ? box : need;
+}
+
+/** @param {number[]} box */
+const area = ([left, top, right, bottom]) => (right - left) * (bottom - top);
+
+/**
+ * Put a canvas where its box says.
+ * @param {HTMLCanvasElement} canvas @param {number[]} box
+ */
+export function placed(canvas, [left, top, right, bottom]) {
+  Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` });
+}

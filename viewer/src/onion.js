@@ -92,8 +92,7 @@ function pointsAtFrame(session, frame) {
 }
 
 /** A picture's outlines: steps in depth or in its light. */
-function outlined({ pixels, nearness, canvas }) {
-  const wide = canvas.width;
+function outlined({ pixels, nearness, wide }) {
   const light = new Float32Array(pixels.length);
   for (let i = 0; i < light.length; i++) {
     const pixel = pixels[i];

@@ -2,6 +2,7 @@
 // and half-hidden parts can be shown as ghosts.
 
 import { Dock } from './dock.js';
+import { covering, placed } from './dom.js';
 import { alongTrack } from './elements.js';
 import { lensAt } from './spread.js';
 
@@ -13,6 +14,8 @@ const MOST_HANDLE = 22;
 const LEAST_TRACK = 30; // pixels: shorter tracks are drawn longer, and moved so
 const MOST_GAIN = 8;
 const STAY = 2; // least distances that the pointer may go before the lens comes after it
+const FAINT = 0.22; // strength below which elements are drawn without dark rims and halves, which nobody would see
+const AROUND = 40; // pixels that handles, badges, pins and halos reach beyond their places
 const BADGE = 6; // pixels of the sign at a coarse element, and at its open members
 export const FINGER = 44; // pixels that fingertips need
 
@@ -30,11 +33,10 @@ export class Overlay {
   }
 
   resize(width, height, ratio) {
-    this.canvas.width = Math.round(width * ratio);
-    this.canvas.height = Math.round(height * ratio);
     this.ratio = ratio;
     this.width = width;
     this.height = height;
+    this.box = null;
   }
 
   /**
@@ -194,8 +196,8 @@ export class Overlay {
 
   /** `strokes` of a review lie over all. */
   draw(strokes = []) {
-    const { pen, session, ratio } = this;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const { pen, session } = this;
+    this.cover(strokes);
     pen.clearRect(0, 0, this.width, this.height);
     if (session.options.handles && this.drawn) {
       this.clipTo(this.column);
@@ -209,6 +211,44 @@ export class Overlay {
     strokes.forEach((stroke) => this.drawStroke(stroke));
     this.drawPlacing();
     if (this.marquee) this.drawMarquee(this.marquee);
+  }
+
+  /** Let the canvas cover what is to be drawn and no more: what is empty takes time to show too. */
+  cover(strokes) {
+    const { canvas, pen, ratio } = this;
+    const box = covering(this.reach(strokes), this.box, [this.width, this.height]);
+    if (box === this.box) return;
+    this.box = box;
+    canvas.width = Math.round((box[2] - box[0]) * ratio);
+    canvas.height = Math.round((box[3] - box[1]) * ratio);
+    placed(canvas, box);
+    pen.setTransform(ratio, 0, 0, ratio, -box[0] * ratio, -box[1] * ratio);
+  }
+
+  /** [left, top, right, bottom] around all that is drawn. */
+  reach(strokes) {
+    const { session, dock } = this;
+    if (strokes.length || this.marquee || this.placing || session.options.labels === 'all') return [0, 0, this.width, this.height];
+    const shown = session.options.handles ? (this.drawn ?? []) : [];
+    const strip = session.options.handles && dock.rect;
+    const ends = strip ? [[strip.left, strip.top], [strip.left + strip.width, strip.top + strip.height]] : [];
+    let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+    const extend = ([x, y]) => {
+      if (x < left) left = x;
+      if (x > right) right = x;
+      if (y < top) top = y;
+      if (y > bottom) bottom = y;
+    };
+    [...ends, ...(this.pinned ?? [])].forEach(extend);
+    for (const { element, handle, home, tracks, origin, corners } of shown) {
+      const about = (from, factor) => ([x, y]) => extend([from[0] + factor * (x - from[0]), from[1] + factor * (y - from[1])]);
+      const onTrack = about(origin, element.axes.length > 1 ? 2 : 1); // patches reach as far as two tracks together
+      tracks.forEach((track) => track.forEach(({ at }) => onTrack(at)));
+      corners?.forEach(about(handle, 1.3 * this.enlarged));
+      extend(handle);
+      if (home) extend(home);
+    }
+    return [left - AROUND, top - AROUND, right + AROUND, bottom + AROUND];
   }
 
   drawElements(order) {
@@ -317,8 +357,9 @@ export class Overlay {
     if (element.axes.length > 1) this.drawPatch(drawn, colour, marked);
     pen.lineCap = 'round';
     pen.lineJoin = 'round';
+    const faint = this.strength(element, false) < FAINT;
     tracks.forEach((track) => {
-      this.strokeRuns(element, track, '#14161a', marked ? 5.5 : 4, 0.55);
+      if (!faint) this.strokeRuns(element, track, '#14161a', marked ? 5.5 : 4, 0.55);
       this.strokeRuns(element, track, colour, marked ? 3 : 1.9, 0.95);
     });
     tracks.forEach((track) => this.drawEnd(element, track.at(-1), colour));
@@ -394,12 +435,14 @@ export class Overlay {
     else {
       pen.beginPath();
       outline(pen, element.axes.length, x, y, radius);
-      pen.lineWidth = 4;
-      pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
-      pen.stroke();
+      if (strength >= FAINT) {
+        pen.lineWidth = 4;
+        pen.strokeStyle = 'rgba(15, 17, 20, 0.75)';
+        pen.stroke();
+      }
       pen.fillStyle = inside;
       pen.fill();
-      if (!moved) this.fillHalf(element, x, y, radius);
+      if (!moved && strength >= FAINT) this.fillHalf(element, x, y, radius);
       pen.lineWidth = selected ? 2.6 : 1.8;
       pen.strokeStyle = rim;
       pen.stroke();

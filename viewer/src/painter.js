@@ -3,15 +3,19 @@
 // points and straight lines between them; what WebGL draws looks the same (webgl.js has the same light).
 // From the same view as before only the tiles are drawn anew in which something has moved or changed its light.
 
+import { covering, placed } from './dom.js';
 import { smooth } from './eye.js';
 
-const BACKGROUND = 0xff24211f | 0; // alpha, blue, green, red
+export const GROUND = '#1f2124'; // as in style.css
+const BACKGROUND = 0xff24211f | 0; // the same as alpha, blue, green, red
 const KEY = [-0.4, 0.52, 0.755];
 const FILL = [0.7, -0.05, 0.71];
 const TILE = 5; // a tile is 2 ** 5 pixels wide and high
 const MUCH = 0.3; // of the points: where more have changed all is drawn anew at once
 const STILL = 1 / 16; // pixels that a point moves unseen
 const NEARLY = 1e-4; // of the nearness
+const DARK = 0.5; // of 255: no colour runs below 0 between its corners
+const LIGHT = 254;
 const SAME = 0.5; // of 255 that a colour changes unseen
 const EDGE = 1e-3; // pixels by which neighbours overlap, so that no gap opens between them
 
@@ -20,25 +24,28 @@ export class Painter {
     this.canvas = canvas;
     this.pen = canvas.getContext('2d', { alpha: false });
     this.surface = surface;
+    this.left = 0; // of the canvas, in pixels of the picture
+    this.top = 0;
     this.screen = null;
     this.before = null; // as `screen`, in the picture before
     this.colours = null;
     this.changed = null; // per point, whether it is drawn otherwise than before
+    this.used = Uint32Array.from(new Set(surface.triangles));
     this.view = [];
     this.resize(1, 1, 1);
   }
 
   resize(width, height, ratio) {
     this.ratio = ratio;
-    this.canvas.width = Math.max(1, Math.round(width * ratio));
-    this.canvas.height = Math.max(1, Math.round(height * ratio));
-    this.image = this.pen.createImageData(this.canvas.width, this.canvas.height);
+    this.size = [width, height];
+    this.wide = Math.max(1, Math.round(width * ratio));
+    this.high = Math.max(1, Math.round(height * ratio));
+    this.image = this.pen.createImageData(this.wide, this.high);
     this.pixels = new Int32Array(this.image.data.buffer);
     this.nearness = new Float32Array(this.pixels.length);
-    this.wide = this.canvas.width; // a canvas is not asked for each triangle
-    this.high = this.canvas.height;
     this.across = (this.wide >> TILE) + 1; // tiles
-    this.tiles = new Uint8Array(this.across * ((this.canvas.height >> TILE) + 1));
+    this.tiles = new Uint8Array(this.across * ((this.high >> TILE) + 1));
+    this.box = null; // of the canvas, in pixels of the page
     this.view = [];
   }
 
@@ -46,24 +53,50 @@ export class Painter {
     const skins = columns.map(skinOf);
     let again = this.seesAgain(columns, orbit, skins);
     if (!again) this.wipe();
+    let reach = [Infinity, Infinity, 0, 0];
     columns.forEach((column, k) => {
       if (!skins[k]) return;
       this.prepare(skins[k], column, orbit);
-      if (again && this.share() > MUCH) {
+      if (again && this.isMuch()) {
         again = false;
         this.wipe();
       }
       if (again) this.wipeMoved();
-      this.fill(this.frameOf(column));
+      const frame = this.frameOf(column);
+      reach = this.extended(reach, frame);
+      this.fill(frame);
     });
-    this.show(again);
+    this.show(this.cover(reach) && again);
   }
 
-  /** How much of the face is drawn otherwise than before. */
-  share() {
+  /** What the face reaches in a frame (as [left, top, right, bottom), in pixels), and what it does already. */
+  extended(reach, frame) {
+    const own = spanOf(this.screen, this.used);
+    return [0, 1, 2, 3].map((k) => {
+      const [least, most] = k < 2 ? [Math.max, Math.min] : [Math.min, Math.max];
+      return most(reach[k], least(frame[k], own[k]));
+    });
+  }
+
+  /** Let the canvas cover what the face reaches, for an empty ground takes time to show too; true where it does already. */
+  cover(reach) {
+    const { ratio, canvas, wide, high } = this;
+    const box = covering(reach.map((value) => value / ratio), this.box, this.size);
+    if (box === this.box) return true;
+    this.box = box;
+    [this.left, this.top] = [Math.round(box[0] * ratio), Math.round(box[1] * ratio)];
+    canvas.width = Math.max(1, Math.min(wide, Math.round(box[2] * ratio)) - this.left);
+    canvas.height = Math.max(1, Math.min(high, Math.round(box[3] * ratio)) - this.top);
+    placed(canvas, box);
+    return false;
+  }
+
+  /** Whether so much of the face is drawn otherwise than before that all of it is drawn anew. */
+  isMuch() {
+    const { changed } = this;
     let count = 0;
-    for (const one of this.changed) count += one;
-    return count / this.changed.length;
+    for (let k = 0; k < changed.length; k++) count += changed[k];
+    return count > MUCH * changed.length;
   }
 
   /** Whether the same face is seen from the same place as in the picture before, alone. */
@@ -144,7 +177,13 @@ export class Painter {
 
   /** Put the picture, or what has changed of it, on the canvas. */
   show(again) {
-    if (!again) return this.pen.putImageData(this.image, 0, 0);
+    const { canvas, left, top } = this;
+    const [x0, y0, x1, y1] = again ? this.openTiles() : [left, top, left + canvas.width, top + canvas.height];
+    if (x1 > x0) this.pen.putImageData(this.image, -left, -top, x0, y0, x1 - x0, y1 - y0);
+  }
+
+  /** Pixels of all tiles that are drawn anew: [left, top, right, bottom). */
+  openTiles() {
     const { tiles, across } = this;
     let [left, top, right, bottom] = [Infinity, Infinity, 0, 0];
     tiles.forEach((open, tile) => {
@@ -152,18 +191,16 @@ export class Painter {
       const [x, y] = [tile % across, Math.floor(tile / across)];
       [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x + 1), Math.max(bottom, y + 1)];
     });
-    const size = 1 << TILE;
-    if (right > left) this.pen.putImageData(this.image, 0, 0, left * size, top * size, (right - left) * size, (bottom - top) * size);
-    return undefined;
+    return [left, top, right, bottom].map((value) => value << TILE);
   }
 
   /** Columns and rows of pixels that belong to a column of the picture: [left, top, right, bottom). */
   frameOf({ left, top, width, height }) {
-    const { canvas, ratio } = this;
+    const { wide, high, ratio } = this;
     const within = (value, most) => Math.min(most, Math.max(0, Math.round(value * ratio)));
     return [
-      within(left, canvas.width), within(top, canvas.height),
-      within(left + width, canvas.width), within(top + height, canvas.height),
+      within(left, wide), within(top, high),
+      within(left + width, wide), within(top + height, high),
     ];
   }
 
@@ -225,9 +262,9 @@ export class Painter {
       let green = own[i + 1];
       let blue = own[i + 2];
       if (paint[p] > 2) [red, green, blue] = heated(paint[p] / 255, [red, green, blue]);
-      red = 254.5 * Math.min(1, red * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
-      green = 254.5 * Math.min(1, green * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
-      blue = 254.5 * Math.min(1, blue * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
+      red = DARK + LIGHT * Math.min(1, red * Math.sqrt(0.2 * sky + 0.8 * key + 0.2 * fill) + rim);
+      green = DARK + LIGHT * Math.min(1, green * Math.sqrt(0.21 * sky + 0.77 * key + 0.22 * fill) + rim);
+      blue = DARK + LIGHT * Math.min(1, blue * Math.sqrt(0.23 * sky + 0.73 * key + 0.26 * fill) + rim);
       if (Math.abs(colours[i] - red) < SAME && Math.abs(colours[i + 1] - green) < SAME && Math.abs(colours[i + 2] - blue) < SAME) continue;
       colours[i] = red;
       colours[i + 1] = green;
@@ -264,71 +301,77 @@ export class Painter {
   }
 
   /**
-   * One triangle over the pixels x0..x1, y0..y1, row by row: what lies between its edges, with nearness
-   * and colour (in 1/65536) growing linearly along the row.
+   * One triangle over the rows y0..y1 between the columns x0 and x1: from its left edge to its right one.  Nearness and
+   * colours grow linearly along the row, in 1/256; blue and red share one number, sixteen bits apart.
    */
   triangle(a, b, c, unit, x0, x1, y0, y1) {
-    const { screen, colours, pixels, nearness } = this;
-    const { wide } = this;
-    // Weights of b and c, and what is left for a, at the first pixel and their growth to the right and down.
-    const bx = (screen[c + 1] - screen[a + 1]) * unit;
-    const by = (screen[a] - screen[c]) * unit;
-    const cx = (screen[a + 1] - screen[b + 1]) * unit;
-    const cy = (screen[b] - screen[a]) * unit;
-    const ax = -bx - cx;
-    const ay = -by - cy;
-    const perB = -1 / bx;
-    const perC = -1 / cx;
-    const perA = -1 / ax;
-    let wb = (x0 - screen[a]) * bx + (y0 - screen[a + 1]) * by;
-    let wc = (x0 - screen[a]) * cx + (y0 - screen[a + 1]) * cy;
-    let wa = 1 - wb - wc;
+    const { screen, colours, pixels, nearness, wide } = this;
+    const ax = screen[a];
+    const ay = screen[a + 1];
+    // Weights of b and c grow by these to the right and down.
+    const bx = (screen[c + 1] - ay) * unit;
+    const by = (ax - screen[c]) * unit;
+    const cx = (ay - screen[b + 1]) * unit;
+    const cy = (screen[b] - ax) * unit;
     const near = screen[a + 2];
     const nearB = screen[b + 2] - near;
     const nearC = screen[c + 2] - near;
     const nearX = bx * nearB + cx * nearC;
-    const red = 65536 * colours[a];
-    const green = 65536 * colours[a + 1];
-    const blue = 65536 * colours[a + 2];
-    const redB = 65536 * colours[b] - red;
-    const greenB = 65536 * colours[b + 1] - green;
-    const blueB = 65536 * colours[b + 2] - blue;
-    const redC = 65536 * colours[c] - red;
-    const greenC = 65536 * colours[c + 1] - green;
-    const blueC = 65536 * colours[c + 2] - blue;
-    const redX = (bx * redB + cx * redC) | 0;
-    const greenX = (bx * greenB + cx * greenC) | 0;
-    const blueX = (bx * blueB + cx * blueC) | 0;
-    const last = x1 - x0;
-    for (let row = y0 * wide + x0, end = y1 * wide + x0; row <= end; row += wide, wa += ay, wb += by, wc += cy) {
-      let from = 0;
-      let to = last;
-      if (bx > 0) from = Math.max(from, wb * perB - EDGE);
-      else if (bx < 0) to = Math.min(to, wb * perB + EDGE);
-      else if (wb < 0) continue;
-      if (cx > 0) from = Math.max(from, wc * perC - EDGE);
-      else if (cx < 0) to = Math.min(to, wc * perC + EDGE);
-      else if (wc < 0) continue;
-      if (ax > 0) from = Math.max(from, wa * perA - EDGE);
-      else if (ax < 0) to = Math.min(to, wa * perA + EDGE);
-      else if (wa < 0) continue;
-      if (from > to) continue;
-      const first = Math.ceil(from);
-      const shareB = wb + first * bx;
-      const shareC = wc + first * cx;
-      let n = near + shareB * nearB + shareC * nearC;
-      let r = (red + shareB * redB + shareC * redC) | 0;
-      let g = (green + shareB * greenB + shareC * greenC) | 0;
-      let l = (blue + shareB * blueB + shareC * blueC) | 0;
-      for (let at = row + first, stop = row + Math.floor(to); at <= stop; at++) {
+    const nearY = by * nearB + cy * nearC;
+    const red = 256 * colours[a];
+    const redB = 256 * colours[b] - red;
+    const redC = 256 * colours[c] - red;
+    const redX = bx * redB + cx * redC;
+    const redY = by * redB + cy * redC;
+    const green = 256 * colours[a + 1];
+    const greenB = 256 * colours[b + 1] - green;
+    const greenC = 256 * colours[c + 1] - green;
+    const greenX = bx * greenB + cx * greenC;
+    const greenY = by * greenB + cy * greenC;
+    const blue = 256 * colours[a + 2];
+    const blueB = 256 * colours[b + 2] - blue;
+    const blueC = 256 * colours[c + 2] - blue;
+    const blueX = bx * blueB + cx * blueC;
+    const blueY = by * blueB + cy * blueC;
+    const stepG = greenX | 0;
+    const stepBR = (((blueX | 0) << 16) + (redX | 0)) | 0;
+    // corners from the highest to the lowest
+    let p = a;
+    let q = b;
+    let r = c;
+    let swap = 0;
+    if (screen[q + 1] < screen[p + 1]) { swap = p; p = q; q = swap; }
+    if (screen[r + 1] < screen[q + 1]) { swap = q; q = r; r = swap; }
+    if (screen[q + 1] < screen[p + 1]) { swap = p; p = q; q = swap; }
+    const px = screen[p];
+    const py = screen[p + 1];
+    const qx = screen[q];
+    const qy = screen[q + 1];
+    const rx = screen[r];
+    const ry = screen[r + 1];
+    const long = (rx - px) / (ry - py);
+    const upper = (qx - px) / (qy - py);
+    const lower = (rx - qx) / (ry - qy);
+    const bend = px + (qy - py) * long < qx; // the corner in the middle is on the right
+    for (let y = y0; y <= y1; y++) {
+      const one = px + (y - py) * long;
+      const two = y < qy ? px + (y - py) * upper : qx + (y - qy) * lower;
+      const first = Math.max(x0, Math.ceil((bend ? one : two) - EDGE));
+      const last = Math.min(x1, Math.floor((bend ? two : one) + EDGE));
+      if (!(first <= last)) continue;
+      const right = first - ax;
+      const down = y - ay;
+      let n = near + right * nearX + down * nearY;
+      let g = (green + right * greenX + down * greenY) | 0;
+      let l = (((blue + right * blueX + down * blueY) << 16) + ((red + right * redX + down * redY) | 0)) | 0;
+      for (let at = y * wide + first, stop = y * wide + last; at <= stop; at++) {
         if (n > nearness[at]) {
           nearness[at] = n;
-          pixels[at] = -16777216 | (l & 0xff0000) | ((g >> 8) & 0xff00) | ((r >> 16) & 0xff);
+          pixels[at] = -16777216 | ((l >>> 8) & 0xff00ff) | (g & 0xff00);
         }
         n += nearX;
-        r = (r + redX) | 0;
-        g = (g + greenX) | 0;
-        l = (l + blueX) | 0;
+        g = (g + stepG) | 0;
+        l = (l + stepBR) | 0;
       }
     }
   }
@@ -362,6 +405,20 @@ export class Painter {
       }
     }
   }
+}
+
+/** The pixels between which some points are: [left, top, right, bottom). */
+function spanOf(screen, points) {
+  const span = new Float64Array([Infinity, Infinity, -Infinity, -Infinity]);
+  for (let k = 0; k < points.length; k++) {
+    const x = screen[3 * points[k]];
+    const y = screen[3 * points[k] + 1];
+    if (x < span[0]) span[0] = x;
+    if (y < span[1]) span[1] = y;
+    if (x >= span[2]) span[2] = x + 1;
+    if (y >= span[3]) span[3] = y + 1;
+  }
+  return span;
 }
 
 /** True where the inside of an open part is seen: the normal points away from the viewer. */

@@ -2,7 +2,7 @@
 
 import { OrbitCamera } from './camera.js';
 import { make } from './dom.js';
-import { Painter } from './painter.js';
+import { GROUND, Painter } from './painter.js';
 
 const SIZE = 112; // pixels
 const FINER = 2;
@@ -20,7 +20,11 @@ export function portrait(session, stage) {
   const bare = { ...stage.skin, paint: new Uint8Array(stage.skin.paint.length) };
   painter.draw([{ left: 0, top: 0, width: SIZE, height: SIZE }], camera, () => bare);
   const small = make('canvas', { width: SIZE, height: SIZE });
-  small.getContext('2d').drawImage(painter.canvas, 0, 0, SIZE, SIZE);
+  const pen = small.getContext('2d');
+  const [left, top, right, bottom] = painter.box;
+  pen.fillStyle = GROUND;
+  pen.fillRect(0, 0, SIZE, SIZE);
+  pen.drawImage(painter.canvas, left, top, right - left, bottom - top);
   return small.toDataURL('image/jpeg', 0.85);
 }
 

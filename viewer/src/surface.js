@@ -65,6 +65,12 @@ function edgeUses(triangles, count) {
 /** Area-weighted normals, not of unit length (the shader normalises), into `normals`. */
 export function sumNormals(points, triangles, welded, normals) {
   normals.fill(0);
+  addCrossProducts(points, triangles, normals);
+  share(welded, normals);
+}
+
+/** Apart from what follows, for engines optimise a long loop well where its function ends with it. */
+function addCrossProducts(points, triangles, normals) {
   for (let t = 0; t < triangles.length; t += 3) {
     const a = 3 * triangles[t];
     const b = 3 * triangles[t + 1];
@@ -88,6 +94,10 @@ export function sumNormals(points, triangles, welded, normals) {
     normals[c + 1] += ny;
     normals[c + 2] += nz;
   }
+}
+
+/** Give all points of a group their sum. */
+function share(welded, normals) {
   for (const group of welded) {
     for (let axis = 0; axis < 3; axis++) {
       let sum = 0;

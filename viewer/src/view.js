@@ -13,6 +13,7 @@ import { make, shownValue } from './dom.js';
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
 const MOST_PIXELS = 0.7e6; // that the processor draws while the picture changes
+const GRAIN = 32; // its canvas begins and ends at multiples of so many pixels of the page, which are whole pixels of it
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
 
@@ -278,7 +279,8 @@ export class View {
   /** Share of the screen's resolution at which the picture is drawn while it changes. */
   get brisk() {
     if (this.stage.drawnBy !== 'processor') return 1;
-    return Math.min(1, Math.sqrt(MOST_PIXELS / (this.width * this.height)) / this.ratio);
+    const most = Math.sqrt(MOST_PIXELS / (this.width * this.height));
+    return Math.min(1, Math.floor(GRAIN * most) / GRAIN / this.ratio);
   }
 
   /** Share of the screen's resolution at which the picture is drawn when nothing moves. */

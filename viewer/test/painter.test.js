@@ -1,12 +1,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { OrbitCamera } from '../src/camera.js';
+import { covering } from '../src/dom.js';
 import { Painter } from '../src/painter.js';
 import { sumNormals } from '../src/surface.js';
 
 const WIDE = 30; // points
 const FRAME = { left: 0, top: 0, width: 300, height: 260 };
-const CANVAS = () => ({ width: 0, height: 0, getContext: () => ({ createImageData: (w, h) => ({ data: new Uint8ClampedArray(4 * w * h) }), putImageData() {} }) });
+const CANVAS = () => ({ width: 0, height: 0, style: {}, getContext: () => ({ createImageData: (w, h) => ({ data: new Uint8ClampedArray(4 * w * h) }), putImageData() {} }) });
 
 /** Two sheets, one before the other, of which the first has a bump at (x, y). */
 function sheets(x, y, height) {
@@ -67,4 +68,26 @@ test('small steps add up to what is drawn', () => {
   let last = first;
   for (let step = 1; step <= 100; step++) last = painted(kept, look, sheets(0.4 + 0.0005 * step, 0.5, 0.1));
   assert.ok(last.filter((pixel, i) => pixel !== first[i]).length > 500);
+});
+
+test('the canvas covers the face and little else', () => {
+  const [painter, look] = [new Painter(CANVAS(), surface()), scene()];
+  painter.resize(FRAME.width, FRAME.height, 1);
+  look.camera.zoom(1.6);
+  const pixels = painted(painter, look, sheets(0.4, 0.5, 0.1));
+  const { left, top, canvas, wide } = painter;
+  const ground = pixels[0];
+  const outside = (i) => i % wide < left || i % wide >= left + canvas.width || Math.floor(i / wide) < top || Math.floor(i / wide) >= top + canvas.height;
+  assert.ok(pixels.every((pixel, i) => pixel === ground || !outside(i)));
+  assert.ok(canvas.width * canvas.height < 0.7 * FRAME.width * FRAME.height);
+});
+
+test('a canvas stays while what it covers moves a little, and shrinks when it is far too large', () => {
+  const size = [1000, 800];
+  const first = covering([300, 200, 610, 590], null, size);
+  assert.deepEqual(first, [288, 192, 640, 608]);
+  assert.equal(covering([310, 210, 600, 580], first, size), first);
+  assert.deepEqual(covering([-50, 700, 900, 900], first, size), [0, 672, 928, 800]);
+  assert.deepEqual(covering([400, 300, 410, 310], first, size), [384, 288, 416, 320]);
+  assert.deepEqual(covering([2000, 300, 2100, 310], null, size), [0, 0, 1, 1]);
 });
