@@ -40,3 +40,8 @@ NAMES = {
     },
     **MIDDLE,
 }
+ALSO = {"mouthRollLower": "Lips_Dn_Bite", "mouthRollUpper": "Lips_Up_Bite"}
+"""As good: *In* presses the lip a little, *Bite* rolls it in as far as the others do, with the teeth on it."""
+APART = {"mouthStretch_L", "mouthStretch_R"}
+"""Named so for want of a counterpart: Lips_Dn_Corner_Wide draws the lower lip straight down, a fifth as far as
+mouthStretch draws the corner to the side."""

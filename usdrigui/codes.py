@@ -768,6 +768,12 @@ _CODES: dict[str, Code] = {
         "If the shape of the face has changed, run `usdrigui process` again, with --previous to"
         " keep what can be kept.",
     ),
+    "LAYOUT_NONE": Code(
+        "warning",
+        "A character of the stage has no layout, beside one that has.",
+        "Run `usdrigui process` on its asset and bring that layout in with it, if it is to be"
+        " animated; name the other with `read.skel_root` to look at that alone.",
+    ),
     "LAYOUT_CONTROL_GONE": Code(
         "error",
         "An element drives a control that the rig does not have.",

@@ -203,6 +203,15 @@ def _renamed(folder: Path) -> Path:
     return found
 
 
+def _beside_a_bare_one(folder: Path) -> Path:
+    layout, shot = _laid_out(folder), folder / "shot.usda"
+    shot.write_text(
+        f'#usda 1.0\ndef "A" (references = @{layout.name}@</Char>) {{}}\n'
+        'def "B" (references = @char.usda@</Char>) {}\n'
+    )
+    return shot
+
+
 def _viewed(made: Callable[[Path], Path]) -> Trigger:
     return lambda folder, _: refused(lambda: pipeline.load_layer(made(folder), Settings()))
 
@@ -632,6 +641,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "CONTROL_UNSURE": _laid_out_again(_OTHER_NAMES, (r"\(0,0,1\), \(0,0,0.5\)", "(0,0.1,1), (0,0,0.5)")),
     "PIN_CARRIED": _laid_out_again(_TURNED, over=_CORRECTED + "uniform point3f rigUI:anchor:position = (9, 9, 9)\n"),
     "PIN_LOST": _laid_out_again(_TURNED, over=_CORRECTED),
+    "LAYOUT_NONE": _checked(_beside_a_bare_one),
     "LAYOUT_MESH_GONE": _checked(_edited(("rigUI:anchor:prim = </Char/Face>", "rigUI:anchor:prim = </Char/Nose>"))),
     "LAYOUT_TOPOLOGY": _checked(_edited(("1, 4, 5, 2]", "1, 4, 5, 3]"), of="char.usda")),
     "LAYOUT_ANCHOR_MOVED": _checked(_edited((r"anchor:position = \([^)]*\)", "anchor:position = (9, 9, 9)"))),

@@ -127,7 +127,7 @@ EDITS = {
     regrab: {"LAYOUT_ANCHOR_MOVED"},
     collide: {"LAYOUT_HANDLES_COLLIDE", "LAYOUT_ANCHOR_MOVED"},
     take_shape: {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"},
-    drop_layout: set(),
+    drop_layout: set(),  # of the only one, LAYOUT_NONE of one of two
     drop_character: {"SKELROOT_MISSING"},
 }
 
@@ -163,6 +163,21 @@ def _one_of_two(folder):
     return stage
 
 
+def _one_bare(folder):
+    """The second character as its maker left it."""
+    stage = shot(folder, "A")
+    stage.DefinePrim("/Shot/B").GetReferences().AddReference("./char.usda")
+    return stage
+
+
+def _beside_a_prop(folder):
+    """A SkelRoot that nothing moves is no character."""
+    stage = shot(folder, "A")
+    UsdSkel.Root.Define(stage, "/Shot/Chair")
+    UsdGeom.Mesh.Define(stage, "/Shot/Chair/seat")
+    return stage
+
+
 def _attached(folder):
     assert main(["process", str(folder / "char.usda"), "--bare", "-o", str(folder / "bare.rigui.usda"), "--quiet"]) == 0
     stage = over(folder, "./char.usda")
@@ -190,6 +205,8 @@ STAGES = {
     "one reference": (lambda folder: shot(folder, "A"), set()),
     "two references": (lambda folder: shot(folder, "A", "B"), set()),
     "two references, one without its face": (_one_of_two, EDITS[deactivate]),
+    "two references, one of a character without a layout": (_one_bare, {"LAYOUT_NONE"}),
+    "one reference, beside a prop": (_beside_a_prop, set()),
     "a payload": (lambda folder: shot(folder, "A", payload=True), set()),
     "two instances": (lambda folder: shot(folder, "A", "B", instanceable=True), set()),
     "the layout as a sublayer of the asset": (_attached, set()),
@@ -245,7 +262,7 @@ def test_any_shot_and_its_flattened_copy_get_one_verdict(seed, folder):
     chance = random.Random(seed)
     stage = shot(folder, "A", "B", payload=chance.random() < 0.5)
     for above in ("/Shot/A", "/Shot/B"):
-        for edit in chance.sample(list(EDITS)[:-2], 2):
+        for edit in chance.sample(list(EDITS)[:-1], 2):
             edit(stage, above)
     path = saved(stage)
     assert verdict(path) == verdict(flattened(stage, folder))

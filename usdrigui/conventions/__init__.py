@@ -117,6 +117,11 @@ class Spelling:
     side: Side
 
     @property
+    def senses(self) -> frozenset[str]:
+        """The words, each as the one that stands for all that two makers may use for it."""
+        return frozenset(_synonyms().get(word, word) for word in self.words)
+
+    @property
     def is_number(self) -> bool:
         """Whether the name says no more than a number."""
         return all(word.isdigit() for word in self.words)
@@ -141,6 +146,12 @@ def same_name(name: str, known: Sequence[str]) -> str:
         each for each, one in zip(known, senses, strict=True) if one is not None and one == meant
     ]
     return next((each[0] for each in (spelt, means) if len(each) == 1), "")
+
+
+def same_act(one: Action, other: Action) -> bool:
+    """Whether two actions are one, or one action unit: mouthShrugLower is what raises the chin."""
+    units = set(_units().get(one.name, ())) & set(_units().get(other.name, ()))
+    return one == other or bool(units)
 
 
 def _spelling(each: tuple[str, ...]) -> Spelling:
@@ -334,6 +345,12 @@ def _units() -> Mapping[str, tuple[int, ...]]:
         for name, row in _table("actions").items()
         if not name.startswith("_")
     }
+
+
+@cache
+def _synonyms() -> Mapping[str, str]:
+    rows = _table("codes")["synonyms"]
+    return {word: stands_for for stands_for, same in rows.items() for word in _alternatives(same)}
 
 
 @cache

@@ -41,6 +41,8 @@ class Loaded:
     cameras: Mapping[str, Floats]
     files: tuple[Path, ...]
     """Every file that was read."""
+    without_layout: tuple[str, ...] = ()
+    """SkelRoots of characters beside them that have none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,8 +54,8 @@ class LayerReview:
     """By SkelRoot."""
     seconds: tuple[tuple[str, float], ...]
     faults: tuple[Issue, ...] = ()
-    """Layouts whose character is gone; of a source asset, which has no layout, all that is wrong
-    with its shapes."""
+    """Layouts whose character is gone and characters without a layout; of a source asset, which has
+    none, all that is wrong with its shapes."""
 
     def __repr__(self) -> str:
         counts = Counter(each.severity for each in self.issues)
@@ -120,7 +122,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]
         issue("LAYOUT_STALE", root, f"{layer} has no such character any more") for root in gone
     )
     files = tuple(Path(each.path) for each in read.sources)
-    return Loaded(characters, found.source, read.cameras, files), stale
+    return Loaded(characters, found.source, read.cameras, files, read.without_layout), stale
 
 
 def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
@@ -162,7 +164,8 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
 
     layouts, read = read_open_layouts(stage, settings)
     by_root = {each.root: each for each in layouts}
-    return Loaded(tuple((rig, by_root[rig.root]) for rig in read.rigs), "", read.cameras, ())
+    characters = tuple((rig, by_root[rig.root]) for rig in read.rigs)
+    return Loaded(characters, "", read.cameras, (), read.without_layout)
 
 
 def review(
@@ -180,7 +183,11 @@ def _review_of(
         reviews.append(
             (rig.variant_path or rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras))
         )
-    return LayerReview(name, tuple(reviews), clock.seconds, stale)
+    bare = tuple(
+        issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one")
+        for root in loaded.without_layout
+    )
+    return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *bare))
 
 
 def _reviewed(

@@ -15,7 +15,7 @@ from usdrigui.settings import Settings
 from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
-from usdrigui.usd.rig import read_rigs
+from usdrigui.usd.rig import read_rigs, without_layout
 from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
@@ -55,6 +55,9 @@ def _result(
         layouts,
         "",
         composed_layouts(stage),
+        without_layout=()
+        if laid_out is None
+        else without_layout(stage, laid_out, settings.read.skel_root),
     )
 
 

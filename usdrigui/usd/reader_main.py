@@ -155,17 +155,20 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
-    from usdrigui.usd.rig import read_rigs
+    from usdrigui.usd.rig import read_rigs, without_layout
     from usdrigui.usd.stage import open_stage
 
     with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
-        rigs = _told(read_rigs(path, settings, {each.root for each in found.layouts}), path, heard)
-        cameras = cameras_toward(_stage_of(path, stages), rigs, settings.candidates.view)
+        laid_out = {each.root for each in found.layouts}
+        rigs = _told(read_rigs(path, settings, laid_out), path, heard)
+        stage = _stage_of(path, stages)
+        cameras = cameras_toward(stage, rigs, settings.candidates.view)
+        sources = _sources(path, stages.GetAllStages(), before)
+        bare = without_layout(stage, laid_out, settings.read.skel_root)
         return Response(
-            rigs=ReadResult(rigs, {}, cameras, _sources(path, stages.GetAllStages(), before)),
-            layouts=found,
+            rigs=ReadResult(rigs, {}, cameras, sources, without_layout=bare), layouts=found
         )
 
 

@@ -53,6 +53,8 @@ class ReadResult(Record):
     """By SkelRoot, the file of the layout that another layer of it brings in."""
     variant_paths: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, its path with all variants that are selected there and above."""
+    without_layout: tuple[str, ...] = ()
+    """Characters of a stage that has layouts of others, which were not read."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -50,6 +50,8 @@ from usdrigui.usd.stage import composition_issues, listening, open_stage, usd_me
 from usdrigui.usd.variant_paths import with_sets
 from usdrigui.usd.variants import variant_path
 
+_BINDINGS = ("skel:blendShapes", "primvars:skel:jointIndices")
+"""Attributes by which a mesh is moved."""
 _JOINTS_TOLD = 12
 """Names of joints in one message."""
 _REASONS_TOLD = 3
@@ -114,6 +116,24 @@ def read_rigs(
         )
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
     return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
+
+
+def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[str, ...]:
+    """SkelRoots, or the one `wanted`, that something animates and that are not `laid_out`."""
+    roots = _skel_roots(stage, wanted)
+    others = (root for root in roots if str(root.GetPath()) not in laid_out)
+    return tuple(str(root.GetPath()) for root in others if _is_animated(root))
+
+
+def _is_animated(root: Usd.Prim) -> bool:
+    """Whether joints or blend shapes move a mesh below it; a prop without either is no
+    character."""
+    return any(
+        attribute.HasAuthoredValue()
+        for prim in Usd.PrimRange(root, Usd.TraverseInstanceProxies())
+        if prim.IsA(UsdGeom.Mesh)
+        for attribute in map(prim.GetAttribute, _BINDINGS)
+    )
 
 
 @dataclass(frozen=True)

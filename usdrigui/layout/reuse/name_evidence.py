@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from usdrigui.conventions import Meaning, Spelling, meanings, spellings
+from usdrigui.conventions import Meaning, Spelling, meanings, same_act, spellings
 from usdrigui.model import Flags, Floats
 
 _SAME_NAME = 9.5
@@ -15,10 +15,11 @@ _SAME_SPELLING = 9.0
 _NUMBER = 2.0
 """Of equal names that are mere numbers: exporters count shapes anew."""
 _SAME_ACTION = 4.5
-"""Of two names that mean one action of the field's conventions; less where several of a rig do."""
+"""Of two names that mean one action of the field's conventions, or one action unit; less where
+several of a rig do."""
 _OTHER_ACTION = -2.5
 _SHARED_WORDS = 2.5
-"""Of names all of whose words are shared; in proportion where some are."""
+"""Of names all of whose words say the same; in proportion where some do."""
 _OTHER_SIDE = 1.5
 _OTHER_SIDE_ALONE = 4.0
 """What names lose that name two sides, where geometry tells the sides too, and where it does not:
@@ -55,12 +56,9 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
 
 def same_meaning(before: Sequence[str], after: Sequence[str]) -> Flags:
     """(before, after) whether two names mean one action of the conventions."""
-    one, two = (
-        [each and each.action.name for each in meanings(names)] for names in (before, after)
-    )
-    return np.array([[a is not None and a == b for b in two] for a in one], dtype=bool).reshape(
-        len(one), len(two)
-    )
+    one, two = meanings(before), meanings(after)
+    same = [[bool(a and b and same_act(a.action, b.action)) for b in two] for a in one]
+    return np.array(same, dtype=bool).reshape(len(one), len(two))
 
 
 def _sense(meaning: Meaning) -> tuple[str, str]:
@@ -68,7 +66,7 @@ def _sense(meaning: Meaning) -> tuple[str, str]:
 
 
 def _shared(one: Spelling, two: Spelling) -> float:
-    return _SHARED_WORDS * len(one.words & two.words) / max(1, len(one.words | two.words))
+    return _SHARED_WORDS * len(one.senses & two.senses) / max(1, len(one.senses | two.senses))
 
 
 def _by_meaning(
@@ -79,7 +77,7 @@ def _by_meaning(
 ) -> float:
     if one is None or two is None:
         return 0.0
-    if one.action != two.action:
+    if not same_act(one.action, two.action):
         return _OTHER_ACTION
     return _SAME_ACTION - float(np.log(max(first[_sense(one)], second[_sense(two)])))
 

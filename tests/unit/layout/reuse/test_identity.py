@@ -152,6 +152,20 @@ def test_a_meaning_says_less_the_more_controls_of_either_rig_have_it(here, there
     assert found == pytest.approx(alone - np.log(max(here, there)))
 
 
+@pytest.mark.parametrize(
+    ("name", "counterpart", "others"),
+    [
+        ("browDown_L", "Eyebrows_Lower_Left", ["Eyebrows_Frown_Left"]),
+        ("mouthUpperUp_R", "Lips_Up_Raised_Right", ["Lips_Up_Raised_M"]),
+        ("mouthShrugLower", "Chin_Raised", ["Lips_Dn_Raised", "Lips_Push_Up"]),
+        ("PupilDilate_L", "Pupil_Dilation_Left", ["Pupil_Constriction_Left"]),
+    ],
+)
+def test_other_words_for_one_thing_and_one_action_unit_speak_for_a_pair(name, counterpart, others):
+    found = name_evidence.name_evidence([name, "jawOpen"], [counterpart, *others, "Jaw_Lower"], geometry=True)[0]
+    assert found[0] > max(found[1:]) + 0.5
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_the_assignment_of_the_parts_is_that_of_the_whole(seed):
     random = np.random.default_rng(seed)
