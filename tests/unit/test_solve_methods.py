@@ -19,6 +19,7 @@ from usdrigui.model import ExtraPairs, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, partition, save_problem, solve
+from usdrigui.solve.branch_and_bound import _folded, _Node
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.iterated_local_search import label_costs
 from usdrigui.solve.pair_costs import PairCosts
@@ -213,3 +214,21 @@ def test_an_excluded_pair_costs_local_search_more_than_any_layout_without_one(se
     ]
     values = np.array([found.value(each) for each in layouts])
     assert values[excluded].min() > values[~np.array(excluded)].max()
+
+
+def test_a_node_costs_the_same_with_its_decided_variables_folded() -> None:
+    random = np.random.default_rng(5)
+    owner = np.array([0, 1, 2, 2, 3, 3])
+    pairs = random.uniform(0.0, 5.0, (6, 6))
+    pairs = np.where(owner[:, None] == owner, 0.0, pairs + pairs.T)
+    linear = random.uniform(-1.0, 1.0, 6)
+    whole = _Node(ReducedProblem(owner, np.arange(6), linear, pairs), np.arange(4), np.array([], dtype=int))
+    node = _folded(whole, np.ones(6, dtype=bool))
+    assert (node.variables.tolist(), node.fixed.tolist()) == ([2, 3], [0, 1])
+    for chosen in itertools.product((2, 3), (4, 5)):
+        every = np.array([0, 1, *chosen])
+        rest = np.searchsorted(node.problem.labels, chosen)
+        left = node.problem.costs[rest].sum() + pairs[np.ix_(chosen, chosen)].sum() / 2
+        assert node.problem.constant + left == pytest.approx(
+            linear[every].sum() + pairs[np.ix_(every, every)].sum() / 2
+        )

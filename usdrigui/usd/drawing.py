@@ -246,7 +246,7 @@ def _shares(weights: Floats) -> Floats:
     """The weights in six decimals; their sum stays what it is, and with it the place of what they
     carry."""
     short = np.round(weights, 6)
-    short[short.argmax()] += np.round(weights.sum() - short.sum(), 7)
+    short[short.argmax()] += weights.sum() - short.sum()
     return np.round(short, 7)
 
 

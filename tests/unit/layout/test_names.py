@@ -4,7 +4,7 @@ import itertools
 
 import pytest
 
-from usdrigui.layout.names import element_name
+from usdrigui.layout.names import common_label, element_name
 
 CONTROLS = ["smile", "50", "smile_50", "a_b", "c", "a", "b_c", "+", "a+b"]
 
@@ -21,3 +21,15 @@ def test_no_two_elements_have_one_name():
     groups = [group for size in (1, 2, 3) for group in itertools.permutations(CONTROLS[:7], size)]
     names = [element_name(group, CONTROLS[:7]) for group in groups]
     assert len(set(names)) == len(names)
+
+
+@pytest.mark.parametrize(
+    ("labels", "expected"),
+    [
+        (["eyeLookIn_L", "eyeLookOut_L"], "eyeLook In/Out L"),
+        (["eye_blink", "eye_eye_blink"], "eye_blink / eye_eye_blink"),
+        (["jaw", "brow"], "jaw / brow"),
+    ],
+)
+def test_a_label_says_once_what_its_controls_have_in_common(labels, expected):
+    assert common_label(labels) == expected

@@ -299,9 +299,8 @@ def _duplicates(rig: Rig, motions: tuple[Motion, ...]) -> list[Issue]:
             factor = _same_up_to_scale(motion, other)
             if factor:
                 name, first = rig.controls[motion.control].name, rig.controls[other.control].name
-                how = f"the same as {first}" + (
-                    "" if abs(factor - 1.0) < 1e-3 else f", {factor:.3g} times as far"
-                )
+                times = f"{factor:.3g}"
+                how = f"the same as {first}" + (f", {times} times as far" if times != "1" else "")
                 found.append(issue("CONTROL_DUPLICATE", name, f"moves every point {how}"))
                 break
         else:

@@ -3,6 +3,9 @@
 import chain
 import makers
 import numpy as np
+import pytest
+
+from usdrigui.layout.classify import families
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
@@ -50,3 +53,10 @@ def test_a_product_of_two_names_is_a_combination():
     found = categories(SHAPES | {"chin_pucker": both, "chin_other": -both})
     assert found["chin_pucker"].category == "combination"
     assert found["chin_other"].category != "combination"
+
+
+@pytest.mark.parametrize(("count", "whole"), [(4, 0), (5, 5)])
+def test_five_of_a_name_and_a_number_are_a_series(count, whole):
+    names = [f"head{i}" for i in range(count)]
+    found = families.find_families(names, [None] * count, np.eye(count), np.full(count, 0.5))
+    assert sum(len(family.members) for family in found) == whole

@@ -28,3 +28,16 @@ def test_parts_that_vanish_are_global():
     assert "disappear" in collapsed.off_face_reason
     assert sunk.category == "global"
     assert swung.category != "global"
+
+
+def test_a_control_that_moves_the_face_more_than_the_part_it_hides_means_the_face():
+    hair = np.array([[0.9, 1.0, 0.3], [1.2, 1.0, 0.3], [1.2, 1.3, 0.3], [0.9, 1.3, 0.3]])
+    points, quads = np.vstack([POINTS, hair]), [*QUADS, [len(POINTS) + i for i in range(4)]]
+    still = {name: np.vstack([each, np.zeros((4, 3))]) for name, each in SHAPES.items()}
+
+    def category(factor):
+        sunk = np.vstack([factor * SHAPES["chin"], np.tile([-1.0, -1.1, -0.2], (4, 1))])
+        return chain.chosen(makers.rig(points, quads, {**still, "hide": sunk}))("hide").off_face_reason
+
+    assert "disappear" in category(0.01)
+    assert "disappear" not in category(5.0)

@@ -1,6 +1,7 @@
 """Two levels: which elements are coarse, which are their members, and who is kept apart from whom."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import makers
 import numpy as np
@@ -11,7 +12,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.partial_layout import fixed_by
 from usdrigui.layout.reuse.prior_layout import PriorLayout, kept_groups, of_previous
 from usdrigui.layout.review.difference import difference
-from usdrigui.layout.review.review import review
+from usdrigui.layout.review.review import _crowded, review
 from usdrigui.levels import inner_names, outer_first, shown, states
 from usdrigui.model import Control
 
@@ -195,3 +196,12 @@ def test_levels_that_make_no_sense_are_refused(members, code):
 def test_derived_members_give_way_to_configured_ones():
     chosen = settings(levels={"poses": True, "members": {"grin": ["pucker"]}}, candidates={"board_composite": False})
     assert by_name(lay_out(with_pose(), chosen))["grin"].inner == ("pucker",)
+
+
+@pytest.mark.parametrize(("apart", "collide"), [(1.0, False), (0.99, True)])
+def test_handles_at_the_least_distance_do_not_collide(apart, collide):
+    elements = lay_out(with_pose()).layout.elements
+    first, second = (each for each in elements if not each.anchor.on_board and each.name in ("pucker", "smile_L"))
+    at = [np.zeros(3), np.array([apart * 2.0 * (1.0 - 1e-6), 0.0, 0.0])]
+    two = [replace(e, anchor=replace(e.anchor, position=p)) for e, p in zip((first, second), at, strict=True)]
+    assert bool(list(_crowded(SimpleNamespace(elements=tuple(two)), 2.0))) is collide

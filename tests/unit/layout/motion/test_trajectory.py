@@ -75,7 +75,9 @@ def test_tiny_and_duplicate_controls_stay_and_are_named():
     named = {(each.code, each.path) for each in found.issues}
     assert {("CONTROL_DUPLICATE", "again"), ("CONTROL_DUPLICATE", "half"), ("CONTROL_TINY", "tiny")} <= named
     assert ("CONTROL_DUPLICATE", "other") not in named
-    assert any("0.5 times" in each.message for each in found.issues)
+    told = {each.path: each.message for each in found.issues if each.code == "CONTROL_DUPLICATE"}
+    assert told["again"] == "moves every point the same as big"
+    assert told["half"] == "moves every point the same as big, 0.5 times as far"
 
 
 def test_noise_does_not_move_points_unless_asked():

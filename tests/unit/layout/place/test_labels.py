@@ -171,3 +171,15 @@ def test_what_a_face_needs_and_families_leave_it_last_in_a_crowd(conventions):
     assert {each.name: each.off_face_cost > least for each in problem.variables} == {
         name: conventions and need for name, need in needed.items()
     }
+
+
+@pytest.mark.parametrize(("width", "stands"), [(0.04, True), (0.075, False)])
+def test_copies_of_a_control_stand_where_it_keeps_a_third_of_its_peak_or_nowhere(width, stands):
+    """Points .05 from the plane keep .77 of the peak, those .1 from it .27."""
+    press = makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.144, 0.10)
+    line = chain.problem_of(
+        makers.face_with(press=press),
+        chain.settings(symmetry={"double_middle": "always"}, objective={"handle_size": width, "max_neighbours": 0.0}),
+    )
+    (variable,) = (each for each in line.problem.variables if each.name == "press")
+    assert bool(len(variable.points)) is stands

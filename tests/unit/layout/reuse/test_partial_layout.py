@@ -1,11 +1,17 @@
 """Partial layouts: anchors that are fixed."""
 
+from types import SimpleNamespace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
+from usdrigui.layout.reuse.partial_layout import has_own_place
+from usdrigui.layout.reuse.prior_layout import Place, PriorLayout
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.settings import ControlSettings
 
 
 @pytest.mark.parametrize(
@@ -56,3 +62,11 @@ def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
     categories = {controls[c]: group.category for group in line.groups for c in (*group.controls, *group.mirror)}
     assert categories[one] == "requested"
     assert not categories[other]
+
+
+@pytest.mark.parametrize(("apart", "own"), [(0.5, False), (0.75, True)])
+def test_twins_whose_places_were_mirror_images_within_half_a_handle_are_one_decision(apart, own):
+    plane = SimpleNamespace(twins=[1, 0], origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0]))
+    places = {0: Place(-1, np.array([2.0, 0, 0]), False), 1: Place(-1, np.array([-2.0, apart, 0]), False)}
+    requests = Requests((ControlSettings(), ControlSettings()), PriorLayout(places=places))
+    assert has_own_place(None, None, plane, requests, 1.0, 0) is own

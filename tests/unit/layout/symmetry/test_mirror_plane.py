@@ -14,8 +14,8 @@ from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.names import common_label
 from usdrigui.layout.symmetry import mirror_plane
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
-from usdrigui.layout.symmetry.twins import configured_twins
-from usdrigui.settings import ControlSettings, Settings
+from usdrigui.layout.symmetry.twins import agreements, configured_twins
+from usdrigui.settings import ControlSettings, Settings, SymmetrySettings
 
 ROTATION = np.linalg.qr(np.random.default_rng(11).normal(size=(3, 3)))[0]
 ROTATION *= np.sign(np.linalg.det(ROTATION))
@@ -128,6 +128,21 @@ def test_twins_need_no_names():
     found = names(None or makers.rig(points, quads, shapes), symmetry_of(makers.rig(points, quads, shapes)))
     assert found["00"] == "01"
     assert found["08"] == "08"
+
+
+def test_controls_that_agree_just_as_much_as_asked_are_twins():
+    points, quads = makers.mask()
+    shapes = {
+        "a": makers.bump(points, (0.4, 0.3), (0.2, 1, 0)),
+        "b": makers.bump(points, (-0.4, 0.3), (0.0, 1, 0)),
+        "c": makers.bump(points, (0.0, -0.5), (0, 0, 1)),
+    }
+    rig = makers.rig(points, quads, shapes)
+    symmetry, measured = symmetry_of(rig), trajectories(rig, Settings().trajectories)
+    raw = agreements(displacement_fields(measured), symmetry.partner, symmetry.normal)
+    least = float(0.5 * (raw + raw.T)[0, 1])
+    for floor, twin in ((least, "b"), (np.nextafter(least, 1), "")):
+        assert names(rig, symmetry_of(rig, Settings(symmetry=SymmetrySettings(twin_similarity=floor))))["a"] == twin
 
 
 def test_pairs_are_matched_all_at_once():
