@@ -28,6 +28,7 @@ _RIGS = {
         "Fcl_MTH_A": ("viseme", ""),
         "Fcl_BRW_Angry": ("browMood", ""),
         "Fcl_EYE_Close_L": ("eyeBlink", "left"),
+        "Fcl_EYE_Joy_L": ("eyeMood", ""),
         "Fcl_HA_Fung1": ("teeth", ""),
         "Fcl_ALL_Joy": ("emotion", ""),
     },
@@ -55,6 +56,8 @@ _RIGS = {
     "MetaHuman": {
         "CTRL_expressions_mouthFunnelUL": ("mouthFunnel", "left"),
         "CTRL_expressions_jawClenchR": ("jawClench", "right"),
+        "CTRL_expressions_mouthLipsBlowL": ("mouth", "left"),
+        "CTRL_expressions_eyeRelaxL": ("eye", "left"),
         "CTRL_expressions_mouthLipsTogetherDR": ("mouthClose", "right"),
     },
     "Mixamo": {
@@ -67,12 +70,32 @@ _RIGS = {
         "AU_12_LipCornerPuller_L": ("mouthSmile", "left"),
         "AA_VI_01_PP": ("viseme", ""),
     },
+    "without capitals": {
+        "jawopen": ("jawOpen", ""),
+        "eyelookinleft": ("eyeLookIn", "left"),
+        "mouthrolllower": ("mouthRollLower", ""),
+        "lowercase": None,
+    },
+    "Faceshift": {
+        "EyeIn_L": ("eyeLookIn", "left"),
+        "BrowsU_C": ("browInnerUp", ""),
+        "BrowsD_R": ("browDown", "right"),
+        "LipsTogether": ("mouthClose", ""),
+    },
+    "Daz": {
+        "eCTRLvAA": ("viseme", ""),
+        "eCTRLEyesClosedL": ("eyeBlink", "left"),
+        "eCTRLLipBottomDownL": ("mouthLowerDown", "left"),
+        "eCTRLMouthSideL": ("mouthLeft", ""),
+    },
+    "VRChat": {"vrc.v_aa": ("viseme", ""), "vrc.blink_left": ("eyeBlink", "left")},
     "MikuMikuDance": {"まばたき": ("eyeBlink", ""), "ウィンク右": ("eyeBlink", "right"), "あ": ("viseme", "")},
     "MakeHuman": {
         "eye-left-slit": ("eyeSquint", "left"),
         "mouth-corner-puller": ("mouthSmile", ""),
         "nose-right-dilatation": ("nostrilDilate", "right"),
     },
+    "people": {"Identity_NoseLength": ("identity", ""), "id_004": ("identity", ""), "id_card": None},
     "series": {"identity042": ("identity", ""), "viseme_PP": ("viseme", ""), "phalanx": None, "sculpt": None},
 }
 

@@ -30,7 +30,7 @@ Region = Literal[
     "mouth", "mouthCorner", "upperLip", "lowerLip", "ear", "neck", "head", "interior", "face",
 ]  # fmt: skip
 
-_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
+_WORD = re.compile(r"[A-Z]{2,}(?=[a-z][A-Z])|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _GAZE = frozenset({"look", "gaze"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
@@ -97,7 +97,7 @@ class Meaning:
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     """(names,) how each name of one rig is read; None where it says nothing that is known."""
     every = [words(name) for name in names]
-    bare = _without_makers(_without_shared(every))
+    bare = telling_words(names)
     units = sum(_action_unit(each) is not None for each in bare)
     coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
     told = [
@@ -105,6 +105,16 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
         for whole, each in zip(every, bare, strict=True)
     ]
     return tuple(_meaning(each, unit) for each, unit in zip(bare, told, strict=True))
+
+
+def telling_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+    """(names,) the words of each name of one rig, without those that say whose names they are."""
+    return tuple(_without_makers(_without_shared([words(name) for name in names])))
+
+
+def without_last_side(each: tuple[str, ...]) -> tuple[str, ...]:
+    """The words of a name without the last of those for a side; all of them where it has none."""
+    return _side(each)[1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,8 +177,26 @@ def words(name: str) -> tuple[str, ...]:
     for word in _WORD.findall(codes["japanese"].get(name, name)):
         # A side is glued to the front of a word that is known: LbrowUp.
         glued = word[0] in "LR" and word[1:] in _vocabulary() and word.lower() not in _vocabulary()
-        found += [word[0], word[1:]] if glued else [word]
+        found += [word[0], word[1:]] if glued else _unglued(word.lower())
     return tuple(codes["abbreviations"].get(word.lower(), word.lower()) for word in found)
+
+
+@cache
+def _unglued(word: str) -> tuple[str, ...]:
+    """The known words of which a word without capitals consists, the longest first: ``jawopen``,
+    ``eyeblinkleft``; the word itself where it is known or they do not make it up."""
+    found = None if word in _known() else _pieces(word)
+    return found or (word,)
+
+
+def _pieces(word: str) -> tuple[str, ...] | None:
+    """`word` as known words of two letters or more; None where it is no such row."""
+    if not word:
+        return ()
+    for end in range(len(word), 1, -1):
+        if word[:end] in _known() and (rest := _pieces(word[end:])) is not None:
+            return (word[:end], *rest)
+    return None
 
 
 def joysticks() -> Mapping[str, tuple[str, str]]:
@@ -204,12 +232,17 @@ class _Phrase:
     without: frozenset[str]
     directed: bool
     """Whether a word for a side is a direction here: mouthLeft goes to the left."""
+    alone: frozenset[str] | None
+    """The only other words that may stand beside them; None for any."""
 
     def fits(self, rest: tuple[str, ...], toward: Side) -> bool:
         own = {*rest, toward} if self.directed else set(rest)
         if self.without & own:
             return False
-        return all(alternatives & own for alternatives in self.every)
+        if not all(alternatives & own for alternatives in self.every):
+            return False
+        others = {word for word in own if not word.isdigit()}.difference(*self.every)
+        return self.alone is None or others <= self.alone
 
 
 def _side(each: tuple[str, ...]) -> tuple[Side, tuple[str, ...]]:
@@ -291,7 +324,7 @@ def _called_unit(each: tuple[str, ...]) -> Action | None:
     )
 
 
-def _counted(names: list[tuple[str, ...]]) -> bool:
+def _counted(names: Sequence[tuple[str, ...]]) -> bool:
     """Whether the numbers of the names count something, one after the other: action units have
     gaps."""
     numbers = [int(word) for each in names for word in each if word.isdigit()]
@@ -301,7 +334,7 @@ def _counted(names: list[tuple[str, ...]]) -> bool:
 def _coded(each: tuple[str, ...]) -> Action | None:
     """Visemes by their phonemes, moods and identity series by their words."""
     codes = _table("codes")
-    plain = [word for word in each if not word.isdigit()]
+    plain = [word for word in each if not word.isdigit() and word not in codes["makers"]["words"]]
     if not plain or plain in (
         ["mouth", "l"],
         ["mouth", "r"],
@@ -313,11 +346,14 @@ def _coded(each: tuple[str, ...]) -> Action | None:
     )
     if said or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
         return _actions()["viseme"] if plain != ["mouth"] else None
-    if plain[-1] in codes["emotions"]["words"] and (
-        len(plain) == 1 or (len(plain) == 2 and plain[0] in parts)
+    # Eyes have moods of one side; a mouth that is sad on one side is an action.
+    mood = list(_side(tuple(plain))[1]) if plain[0] == "eye" else plain
+    if mood[-1] in codes["emotions"]["words"] and (
+        len(mood) == 1 or (len(mood) == 2 and mood[0] in parts)
     ):
-        return _actions()[parts[plain[0]] if len(plain) == 2 else "emotion"]
-    if plain[0] in codes["identities"]["prefixes"] and len(plain) < len(each):
+        return _actions()[parts[mood[0]] if len(mood) == 2 else "emotion"]
+    numbered = plain[0] in codes["identities"]["prefixes"] and len(plain) < len(each)
+    if numbered or plain[0] in codes["identities"]["words"]:
         return _actions()["identity"]
     return None
 
@@ -381,9 +417,9 @@ def _known() -> frozenset[str]:
 
 def _phrase(row: Mapping[str, Any]) -> _Phrase:
     sets = tuple(frozenset(_alternatives(each)) for each in row["words"])
-    return _Phrase(
-        row["action"], sets, frozenset(row.get("without", ())), bool(row.get("directed", False))
-    )
+    alone = frozenset(_alternatives(row["alone"])) if "alone" in row else None
+    without = frozenset(row.get("without", ()))
+    return _Phrase(row["action"], sets, without, bool(row.get("directed", False)), alone)
 
 
 def _alternatives(text: str) -> Iterable[str]:

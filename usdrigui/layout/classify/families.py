@@ -11,13 +11,13 @@ and teeth never stand on the skin.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
-from usdrigui.conventions import Meaning
+from usdrigui.conventions import Meaning, telling_words, without_last_side
 from usdrigui.layout.classify.basis import best_sum
 from usdrigui.model import Flags, Floats
 
@@ -86,13 +86,14 @@ def _memberships(
 ) -> Iterator[tuple[int, FamilyKind, str]]:
     """(motion, kind, which family of this kind) of every motion that is in one."""
     series = _identity_series(names, meanings, coverage)
-    for index, (name, meaning) in enumerate(zip(names, meanings, strict=True)):
+    products = _combinations(names)
+    for index, meaning in enumerate(meanings):
         category = meaning.action.category if meaning is not None else "atom"
         if meaning is not None and category in ("viseme", "emotion", "identity", "interior"):
             yield index, category, meaning.action.name
         elif index in series:
             yield index, "identity", "series"
-        elif _is_combination(name, names):
+        elif index in products:
             yield index, "combination", ""
 
 
@@ -114,17 +115,17 @@ def _identity_series(
     return frozenset(i for each in long for i in each)
 
 
-def _is_combination(name: str, names: Sequence[str]) -> bool:
-    """Whether a name is a product of other controls' names: ``jawOpen_mouthSmileLeft``."""
-    parts = re.split(r"[_+*&-]+", name)
-    if len(parts) < 2:
-        return False
-    known = set(names) - {name}
-    splits = range(1, len(parts))
-    joints = ("_", "+", "-", "*", "&")
+def _combinations(names: Sequence[str]) -> frozenset[int]:
+    """Names that are products of other controls' names: ``jawOpen_mouthSmileLeft``, and
+    ``browDownEyeBlink_L`` beside ``browDown_L`` and ``eyeBlink_L``."""
+    spelt = telling_words(names)
+    known = {*spelt, *(bare for each in spelt if len(bare := without_last_side(each)) > 1)}
+    return frozenset(i for i, each in enumerate(spelt) if _is_product(each, known))
+
+
+def _is_product(each: tuple[str, ...], known: Collection[tuple[str, ...]]) -> bool:
+    """Whether words are two or more names `known`, one behind the other."""
+    cuts = range(1, len(each))
     return any(
-        joint.join(parts[:at]) in known and joint.join(parts[at:]) in known
-        for at in splits
-        for joint in joints
-        if joint in name
+        each[:at] in known and (each[at:] in known or _is_product(each[at:], known)) for at in cuts
     )

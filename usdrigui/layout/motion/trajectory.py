@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from usdrigui.deform import Posed, knots, posed, sweep
 from usdrigui.errors import Issue, issue
-from usdrigui.layout.motion.coverage import coverage_of_smaller
+from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
 from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
 from usdrigui.settings import CandidateSettings, TrajectorySettings
@@ -22,6 +23,14 @@ _WHOLE_FACE = CandidateSettings().global_coverage
 as global."""
 _EMPTY = 1e-7
 """A control that moves nothing further than this share of the character's size is empty."""
+_EVERYWHERE = 0.9
+"""A shape that moves this share of the points of all meshes that shapes move carries a drift of the
+head or noise."""
+_BEYOND = 5.0
+"""What is drift or noise reaches this many times the step between its quartile and its middle
+beyond the quartile."""
+_MOST_DRIFT = 0.15
+"""Of the peak; a shape whose middle point moves further moves the head on purpose."""
 _OUTLIER = 8.0
 """A control whose peak exceeds the median peak this many times does not set the size of the
 face."""
@@ -49,7 +58,45 @@ def trajectories(
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, size, settings)
-    return _assembled(rig, base.points, tuple(motions), excluded, tuple(left_off), settings)
+    told = _without_drift(rig, motions) if settings.noise > 0.0 else tuple(motions)
+    return _assembled(rig, base.points, told, excluded, tuple(left_off), settings)
+
+
+def _without_drift(rig: Rig, motions: Sequence[Motion]) -> tuple[Motion, ...]:
+    """The motions; of shapes that move nearly every point, as solvers and scans leave them that were
+    not held to the head, without the points that move no more than the rest."""
+    shapes = {
+        i for i, motion in enumerate(motions) if not len(rig.controls[motion.control].drive.joints)
+    }
+    firsts = np.cumsum([0, *(len(mesh.points) for mesh in rig.meshes)])
+    moved = np.zeros(firsts[-1], dtype=bool)
+    for i in shapes:
+        moved[motions[i].points] = True
+    count = sum(b - a for a, b in itertools.pairwise(firsts.tolist()) if moved[a:b].any())
+    return tuple(
+        _beyond_drift(motion, count) if i in shapes else motion for i, motion in enumerate(motions)
+    )
+
+
+def _beyond_drift(motion: Motion, count: int) -> Motion:
+    """The motion at the points that move further than most of `count` points do by drift or
+    noise."""
+    still = count - len(motion.points)
+    if still > (1.0 - _EVERYWHERE) * count:
+        return motion
+    every = np.concatenate([np.zeros(still), motion.arc_length])
+    quartile, middle = np.quantile(every, (0.25, 0.5))
+    peak = float(motion.arc_length.max())
+    if middle > _MOST_DRIFT * peak:
+        return motion
+    far = motion.arc_length > min(float(quartile + _BEYOND * (middle - quartile)), NOTABLE * peak)
+    return replace(
+        motion,
+        points=motion.points[far],
+        offsets=motion.offsets[:, far],
+        arc_length=motion.arc_length[far],
+        owned=None if motion.owned is None else motion.owned[far],
+    )
 
 
 def of_controls(

@@ -5,7 +5,8 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.classify import families
+from usdrigui.conventions import meanings
+from usdrigui.layout.classify.families import find_families
 
 POINTS, QUADS = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
@@ -58,5 +59,14 @@ def test_a_product_of_two_names_is_a_combination():
 @pytest.mark.parametrize(("count", "whole"), [(4, 0), (5, 5)])
 def test_five_of_a_name_and_a_number_are_a_series(count, whole):
     names = [f"head{i}" for i in range(count)]
-    found = families.find_families(names, [None] * count, np.eye(count), np.full(count, 0.5))
+    found = find_families(names, [None] * count, np.eye(count), np.full(count, 0.5))
     assert sum(len(family.members) for family in found) == whole
+
+
+def test_products_of_sided_names_share_the_side_and_may_be_glued():
+    names = ["facs_bs_jawOpen", "facs_bs_browDown_L", "facs_bs_eyeBlink_L", "facs_bs_browInnerUp", "facs_bs_mouthLeft"]
+    products = ["facs_cbs_browDown_eyeBlink_L", "facs_cbs_jawOpenEyeBlink_L", "facs_cbs_jawOpen_mouthLeft"]
+    every = [*names, *products, "facs_bs_mouthOpen"]
+    meant = meanings(every)
+    found = find_families(every, meant, np.eye(len(every)), np.zeros(len(every)))
+    assert [[every[i] for i in each.members] for each in found] == [products]

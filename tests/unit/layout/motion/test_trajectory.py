@@ -87,6 +87,18 @@ def test_noise_does_not_move_points_unless_asked():
     assert len(trajectories(rig, TrajectorySettings(noise=0.0)).motions[0].points) == len(POINTS)
 
 
+def test_a_drift_of_the_head_and_noise_are_not_what_a_shape_moves():
+    """Shapes from a solver that was not held to the head move every point a little."""
+    points, quads = makers.mask()
+    shape = makers.bump(points, (0.3, 0.4), (0, 1, 0), 0.3)
+    noise = np.random.default_rng(0).normal(scale=1e-3, size=points.shape)
+    drifting = trajectories(makers.rig(points, quads, {"one": shape + noise + [0.0, 0.006, 0.008]}), DENSE).motions[0]
+    assert len(set(drifting.points) - set(np.flatnonzero(np.linalg.norm(shape, axis=1)))) < 3
+    assert drifting.arc_length.max() > 0.1
+    carried = trajectories(makers.rig(points, quads, {"one": shape * 0.0 + [0.0, 0.1, 0.0]}), DENSE).motions[0]
+    assert len(carried.points) == len(points)
+
+
 def test_a_turning_joint_is_sampled_to_the_tolerance():
     rig = jointed(np.radians(90.0))
     coarse = trajectories(rig, TrajectorySettings(tolerance=1e-2)).motions[0]

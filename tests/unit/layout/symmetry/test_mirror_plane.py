@@ -247,6 +247,7 @@ def test_symmetry_can_be_switched_off():
         ("brow_lf", "brow_rt"),
         ("mouth_LT", "mouth_RT"),
         ("mouth_LB", "mouth_RB"),
+        ("mouthsmileleft", "mouthsmileright"),
     ],
 )
 def test_names_hint_at_twins(one, other):
@@ -256,6 +257,7 @@ def test_names_hint_at_twins(one, other):
 
 def test_names_without_sides_hint_at_nothing():
     assert not has_side("mouthRollLower")
+    assert not has_side("bright")
     assert not hints_at_twin("jawOpen", "jawOpen")
     assert not hints_at_twin("browDown_L", "browUp_R")
     assert not hints_at_twin("mouthRoll", "mouthRolr")
