@@ -12,7 +12,9 @@ from collections.abc import Iterable, Mapping
 from typing import Literal
 
 Side = Literal["left", "right", ""]
-_WORDS = re.compile(r"[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
+_WORDS = re.compile(
+    r"[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+"
+)
 _NAMES: tuple[Side, Side] = ("left", "right")
 _PAIRS = (("left", "right"), ("l", "r"), ("lf", "rt"), ("lt", "rt"), ("lb", "rb"))
 """Words for the sides; the last two are quarters of a mouth: left top, right bottom."""

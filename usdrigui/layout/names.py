@@ -13,7 +13,9 @@ _WORDS = re.compile(r"[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+")
 def is_step_of(name: str, other: str) -> bool:
     """True when `name` is `other` with a number behind it, or before its side, as flattened
     in-betweens are called: ``smile_50``, ``smile50_L``."""
-    stem = re.fullmatch(r"(.*[A-Za-z].*?)[ _.:-]?\d+([ _.:-]?(?:l|r|left|right))?", name, re.I)
+    stem = re.fullmatch(
+        r"(.*[A-Za-z].*?)[ _.:-]?\d+([ _.:-]?(?:l|r|left|right))?", name, re.IGNORECASE
+    )
     return stem is not None and stem[1].lower() + (stem[2] or "").lower() == other.lower()
 
 

@@ -213,8 +213,8 @@ class TrajectorySettings:
     noise: float = setting(
         0.001,
         "A point moves when its arc length exceeds this share of the control's largest one, and,"
-        " where a shape moves nearly every point, what most of them move: scanned shapes carry noise"
-        " and drift of the head everywhere. 0 takes every point.",
+        " where a shape moves nearly every point, what most of them move: scanned shapes carry"
+        " noise and drift of the head everywhere. 0 takes every point.",
         bounds=(0.0, 1.0),
         level="expert",
     )

@@ -63,7 +63,7 @@ def trajectories(
 
 
 def _without_drift(rig: Rig, motions: Sequence[Motion]) -> tuple[Motion, ...]:
-    """The motions; of shapes that move nearly every point, as solvers and scans leave them that were
+    """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
     shapes = {
         i for i, motion in enumerate(motions) if not len(rig.controls[motion.control].drive.joints)
