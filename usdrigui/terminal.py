@@ -457,9 +457,9 @@ def _ending(solution: Assignment) -> str:
         return f"proved by {solution.closed_by}"
     if not solution.closed_by:
         return "not proved"
-    return (
-        f"stopped by the {solution.closed_by}" if "limit" in solution.closed_by else "interrupted"
-    )
+    if solution.closed_by == "interrupt":
+        return "the search was interrupted and the best layout until then is kept"
+    return f"stopped by the {solution.closed_by}"
 
 
 def _percent(share: float) -> str:

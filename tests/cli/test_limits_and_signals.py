@@ -113,11 +113,13 @@ def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, crowded, number)
     time.sleep(0.5)
     sent = time.monotonic()
     process.send_signal(number)
-    ended(process, sent)
+    said = "".join(ended(process, sent))
     assert process.returncode == 0
-    assert read_layout(target)
+    assert "the search was interrupted and the best layout until then is kept" in said
+    (layout,) = read_layout(target)
     (found,) = json.loads(report.read_text())["characters"]
-    assert found["solution"]["status"] == "stopped"
+    assert found["solution"]["closed_by"] == layout.closed_by == "interrupt"
+    assert found["solution"]["status"] == layout.status == "stopped"
     assert found["solution"]["bound"] < found["solution"]["cost"]
 
 

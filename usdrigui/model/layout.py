@@ -41,6 +41,8 @@ class Layout(Record):
     in_play: float
     weights: tuple[tuple[str, float], ...] = field(default=())
     """Settings of the objective that the cost depends on, by name."""
+    closed_by: str = ""
+    """What proved the gap or kept it from that, as `Assignment.closed_by`."""
     parts: tuple[LayoutPart, ...] = ()
     """Of a character in several parts; then `handle_width`, `view`, the plane and `weights` are
     those of its main part, and the costs are sums."""

@@ -421,12 +421,15 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
         LayoutPart(name, each.handle_width, each.view, each.status, each.cost, each.bound)
         for name, each in layouts.items()
     ]
+    last = [each for each in layouts.values() if each.status != "optimal"] or [main]
     return replace(
         main,
         elements=tuple(element for each in layouts.values() for element in each.elements),
         left_off=tuple(dict.fromkeys(left for each in layouts.values() for left in each.left_off)),
         parts=tuple(parts),
-        status="optimal" if all(each.status == "optimal" for each in parts) else "stopped",
+        method=last[-1].method,
+        closed_by=last[-1].closed_by,
+        status=last[-1].status,
         cost=sum(each.cost for each in parts),
         bound=sum(each.bound for each in parts),
         in_play=sum(each.in_play for each in layouts.values()),

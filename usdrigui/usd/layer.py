@@ -269,6 +269,7 @@ def books(layout: Layout) -> dict[str, Any]:
         "solution": {
             "solver": layout.method,
             "status": layout.status,
+            "closedBy": layout.closed_by,
             "cost": layout.cost,
             "bound": layout.bound,
             "aboveUnaryBound": layout.in_play,

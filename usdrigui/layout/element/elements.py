@@ -92,6 +92,7 @@ def layout(
         cost=assignment.cost,
         bound=assignment.bound,
         in_play=assignment.in_play,
+        closed_by=assignment.closed_by,
         weights=_weights(
             placement.problem, face.trajectories.typical_length, settings.objective.samples
         ),

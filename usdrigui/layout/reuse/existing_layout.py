@@ -163,6 +163,7 @@ def combined(existing: Layout, added: Layout) -> Layout:
         cost=added.cost,
         bound=added.bound,
         in_play=added.in_play,
+        closed_by=added.closed_by,
         weights=added.weights,
     )
 

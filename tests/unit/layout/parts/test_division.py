@@ -82,6 +82,14 @@ def test_parts_keep_clear_of_each_other_and_their_proofs_add_up():
             assert apart >= max(whole.handle_width_of(one), whole.handle_width_of(other)) * (1.0 - 1e-9)
 
 
+def test_the_whole_says_of_the_part_that_is_not_proved_why():
+    laid = chain.laid_parts(BODY)
+    open_ = {"status": "stopped", "method": "highs", "closed_by": "interrupt"}
+    laid[1] = replace(laid[1], layout=replace(laid[1].layout, **open_), assignment=replace(laid[1].assignment, **open_))
+    found = joined(laid), joined_assignment([each.assignment for each in laid], ["face", "hands", "body"])
+    assert {(each.status, each.method, each.closed_by) for each in found} == {tuple(open_.values())}
+
+
 def test_blend_shapes_are_of_the_part_whose_skin_they_move_and_a_neck_is_of_the_face():
     points, owners = BODY.meshes[0].points, BODY.meshes[0].skin.joints[:, 0]
     paths = [joint.path for joint in BODY.joints]
