@@ -128,6 +128,21 @@ def test_a_drawn_track_has_as_many_points_as_its_bends_need(turn, width, pieces)
     assert len(tracks.faces.counts) == pieces
 
 
+@pytest.mark.parametrize("turn", [30.0, 60.0])
+def test_a_drawn_track_of_a_short_turn_is_straight_and_runs_in_the_middle_of_it(turn):
+    """As far from the ends of the arch as from its crown, so that a handle is nowhere far beside it."""
+    rig = makers.face(9, 11)
+    slider = element([arc("chin", turn)], "slider")
+    _, tracks = drawn_parts(SkinBinding(rig, layout(rig, slider)), slider, 0.01)
+    track, radius = slider.members[0].track, 1.0
+    assert tracks.faces.counts.tolist() == [3]
+    begin, end = 0.5 * (tracks.points[0] + tracks.points[1]), tracks.points[2]
+    height = radius * (1.0 - np.cos(np.radians(0.5 * turn)))
+    assert np.linalg.norm(begin - track[0]) == pytest.approx(0.5 * height, rel=0.05)
+    assert np.linalg.norm(end - track[-1]) == pytest.approx(0.5 * height, rel=0.05)
+    assert np.linalg.norm(0.5 * (begin + end) - track[16]) == pytest.approx(0.5 * height, rel=0.1)
+
+
 @pytest.mark.parametrize(("out", "lifted"), [((1, -1, 0), True), ((-1, 1, 0), False)])
 def test_a_track_that_bulges_out_of_the_skin_does_not_cut_into_it(out, lifted):
     rig = makers.face(9, 11)

@@ -31,9 +31,12 @@ _TRACK_WIDTH = 0.15
 _HAIR = 0.15
 """Of a handle's width, as wide as a track is: what a track need not follow.  All shapes left out
 move it by less, taken together."""
-_BEND, _LONG_BEND = 0.15, 0.05
+_BEND, _LONG_BEND = 0.15, 0.08
 """Of a handle's width, as wide as a track is, or of the track's length, if that is more: by so much
-a drawn track may pass points of the track that it leaves out."""
+a drawn track may pass points of the track that it leaves out.  A straight one between both sides of
+an arch passes a turn of 60 degrees by so much."""
+_ARCH = 0.75
+"""Half the height of a flat arch over its mean height."""
 _EXACT = 2e-6
 """Of the character's size: the same for handles, which must be on the skin."""
 _HAIR_STEP, _EXACT_STEP = 0.05, 1e-6
@@ -149,11 +152,31 @@ def _bent(member: Member, normal: Floats, width: float) -> Member:
     """
     steps = np.diff(member.track, axis=0)
     length = float(np.sqrt((steps * steps).sum(axis=1)).sum())
-    kept = fewest_points(member.track, max(_BEND * width, _LONG_BEND * length))
+    reach = max(_BEND * width, _LONG_BEND * length)
+    shift = _to_the_middle(member.track, normal, reach)
     places = np.arange(len(member.track))
+    kept = places[[0, -1]] if shift is not None else fewest_points(member.track, reach)
     pieces = np.stack([np.interp(places, kept, column) for column in member.track[kept].T], axis=1)
     above = ((member.track - pieces) * normal).sum(axis=1).max()
-    return replace(member, track=member.track[kept] + above * normal, values=member.values[kept])
+    moved = above * normal + (0.0 if shift is None else shift)
+    return replace(member, track=member.track[kept] + moved, values=member.values[kept])
+
+
+def _to_the_middle(line: Floats, normal: Floats, reach: float) -> Floats | None:
+    """(3,) what takes the chord of an arch (k, 3) to the middle between it and the arch, seen
+    against the normal.
+
+    None if the arch passes it there by more than `reach`, or leaves the skin by twice as much.
+    """
+    chord, away = line[-1] - line[0], line - line[0]
+    squared = float((chord * chord).sum())
+    if squared > 0.0:
+        away = away - ((away * chord).sum(axis=1) / squared)[:, None] * chord
+    above = (away * normal).sum(axis=1)
+    beside = away - above[:, None] * normal
+    shift = _ARCH * beside.mean(axis=0)
+    farthest = float(np.sqrt(((beside - shift) ** 2).sum(axis=1)).max())
+    return shift if farthest <= reach and np.ptp(above) <= 2.0 * reach else None
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
