@@ -6,7 +6,7 @@ What a tree tells is read from where the joints are and what skin hangs on them,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -140,6 +140,20 @@ class Tree:
         their twist joints."""
         return self.owners | {self.twists[joint] for joint in self.owners & self.twists.keys()}
 
+    def above(self, joint: int) -> Iterator[int]:
+        """The joints from the parent up to the root."""
+        while joint >= 0 and (joint := self.parents[joint]) >= 0:
+            yield joint
+
+    def below(self, joints: Iterable[int]) -> set[int]:
+        """The joints and all that hangs on them."""
+        found, pending = set[int](), list(joints)
+        while pending:
+            joint = pending.pop()
+            found.add(joint)
+            pending.extend(self.children[joint])
+        return found
+
     def branches(self, joint: int) -> list[int]:
         """The joints below on which chains hang, twist joints left out."""
         return [
@@ -218,7 +232,7 @@ class Tree:
         """Axis and offset of the plane that mirrors the joints; None where none does."""
         size = float(np.ptp(self.places, axis=0).max()) or 1.0
         for axis in range(3):
-            middle = float(self.places[list(self.owners)][:, axis].mean())
+            middle = float(np.median(self.places[list(self.owners)][:, axis]))
             image = self.places.copy()
             image[:, axis] = 2.0 * middle - image[:, axis]
             apart = np.linalg.norm(image[:, None] - self.places[None], axis=2).min(axis=1)
@@ -265,6 +279,17 @@ def on_plane(tree: Tree, joint: int) -> bool:
     return abs(float(tree.places[joint, axis]) - middle) < _ON_PLANE * float(
         np.ptp(tree.places, axis=0).max()
     )
+
+
+def one_sided(tree: Tree, joint: int) -> bool:
+    """Whether a joint beside the plane that mirrors the joints has no counterpart."""
+    if tree.mirror is None or on_plane(tree, joint):
+        return False
+    axis, middle = tree.mirror
+    image = tree.places[joint].copy()
+    image[axis] = 2.0 * middle - image[axis]
+    apart = np.linalg.norm(tree.places - image, axis=1).min()
+    return bool(apart > _ON_PLANE * float(np.ptp(tree.places, axis=0).max()))
 
 
 def unit(vector: Floats) -> Floats:

@@ -495,6 +495,9 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     side = np.cross(rig.up, layout.view)
     assert all(view @ side > -0.1 for view in found[1].views)
     assert all(view @ side < 0.1 for view in found[2].views)
+    eyes = [next(element for element in each.layout.elements if element.side != "none") for each in found[1:3]]
+    pair = replace(layout, elements=tuple(eyes))
+    assert [each.title for each in sections(pair, evaluate(prepare(rig, pair)), rig.up)][1] == "hands"
     boards = sum(any(element.anchor.on_board for element in each.layout.elements) for each in found)
     width, height = render(rig, layout, size=(320, 240)).size
     assert width == 320

@@ -631,7 +631,7 @@ class PartSettings:
 
     divide: bool = setting(
         True,
-        "Lay out the face, the hands, the feet and the body each by itself; else all controls as"
+        "Lay out face, eyes, hands, feet, props and body each by itself; else all controls as"
         " one part.",
     )
     controls: Mapping[str, str] = setting(

@@ -13,6 +13,8 @@ from usdrigui.view import directions
 
 _APART = 1.0
 """Two sides are apart when the gap between them is this many times the extent of either."""
+_SHOWN = 2
+"""Elements of a side, at least, that has a close-up of its own: eyes look together."""
 _QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
 """Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""
 
@@ -90,7 +92,7 @@ def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
     for side in ("left", "right"):
         chosen = [i for i in placed if layout.elements[i].side == side]
         places = np.array([layout.elements[i].anchor.position for i in chosen])
-        if not len(places):
+        if len(places) < _SHOWN:
             return []
         boxes.append((places.min(axis=0), places.max(axis=0)))
         sides.append((side, chosen))

@@ -449,6 +449,8 @@ class _Grouping:
         none."""
         ranked = []
         keys = list(groups)
+        if not keys:
+            return []
         table = np.array([groups[key] for key in keys], dtype=np.float32).reshape(len(keys), -1)
         both = table @ table.T
         size = np.diagonal(both)

@@ -14,9 +14,11 @@ from scipy.spatial import cKDTree
 
 from usdrigui.layout.parts.joint_regions import (
     BODY,
+    EYES,
     FACE,
     FEET,
     HANDS,
+    PROPS,
     JointRegions,
     joint_regions,
     owner_of_points,
@@ -25,7 +27,7 @@ from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Traject
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
-ORDER = (FACE, HANDS, FEET)
+ORDER = (FACE, EYES, HANDS, FEET, PROPS)
 """Parts that are laid out first, in this order; the body comes last, for its handles are the
 widest."""
 _NEAR = 0.5
@@ -40,7 +42,8 @@ class Part(Record):
     """One part of a character."""
 
     name: str
-    """``face``, ``hands``, ``feet``, ``body``, or as the configuration calls it."""
+    """``face``, ``eyes``, ``hands``, ``feet``, ``props``, ``body``, or as the configuration calls
+    it."""
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
@@ -48,8 +51,8 @@ class Part(Record):
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
-    """The parts of a character in the order in which they are laid out: face, hands, feet, others,
-    body.
+    """The parts of a character in the order in which they are laid out: face, eyes, hands, feet,
+    props, others, body.
 
     Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
     so they are where the skeleton tells no parts; controls that the configuration groups or pairs
@@ -166,13 +169,16 @@ class _Names:
             return self.regions.of_joint[own]
         mass = self.found.areas[motion.points] * motion.arc_length
         total = float(mass.sum())
+        masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
+        most = self.known[first_largest(masses)]
+        alone = float(masses.max()) >= _MOST * total
         if (
-            self.near_face is not None
+            not (alone and most in (EYES, PROPS))
+            and self.near_face is not None
             and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total
         ):
             return FACE
-        masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
-        return self.known[first_largest(masses)]
+        return most
 
     def _skin(self, owners: Indices) -> Indices:
         """(n,) index into `known` of the part of each point; that of the nearest skin where nothing

@@ -1,4 +1,4 @@
-"""Which joints and which skin are the face, the hands, the feet and the body.
+"""Which joints and which skin are the face, the eyes, the hands, the feet, the props and the body.
 
 A head is told by its joint's name; where none says so, by the many joints without joints below that
 hang on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains
@@ -8,17 +8,17 @@ that carry on a limb are fingers and toes.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from usdrigui.conventions import words
 from usdrigui.joint_tree import Fan, Tree, fans, unit
+from usdrigui.layout.parts.own_pieces import eyes, pieces_of, props
 from usdrigui.model import Flags, Indices, Rig, Trajectories
 from usdrigui.ties import first_largest
 
-FACE, HANDS, FEET, BODY = "face", "hands", "feet", "body"
+FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"
 
 _HEAD = ("head", "頭")
 _FACIAL = 6
@@ -52,19 +52,24 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ends = [
         fan
         for fan in fans(tree)
-        if _carries_on(tree, fan) and not heads & {fan.joint, *_above(tree, fan.joint)}
+        if _carries_on(tree, fan) and not heads & {fan.joint, *tree.above(fan.joint)}
     ]
     for fan in ends:
         name, fingers = (
             _end(rig, tree, fan, spine),
-            _below(tree, [chain[0] for chain in fan.chains]),
+            tree.below([chain[0] for chain in fan.chains]),
         )
         for joint in fingers:
             of_joint[joint] = of_skin[joint] = name
         of_skin[fan.joint] = name
-    for joint in _below(tree, heads):
+    for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
+    own = pieces_of(rig, tree, found.places, owner_of_points(rig))
+    eyeballs = eyes(own, tree.below(heads) - heads)
+    for name, roots in ((EYES, eyeballs), (PROPS, props(own, heads, eyeballs))):
+        for joint in tree.below(roots):
+            of_joint[joint] = of_skin[joint] = name
     if not _has_limb(tree, {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)):
         rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
         of_joint = [rest if name == BODY else name for name in of_joint]
@@ -94,7 +99,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
         i for i, joint in enumerate(rig.joints) if _is_head(joint.path) and _skinned_below(tree, i)
     }
     if named:
-        return frozenset(i for i in named if not named & set(_above(tree, i)))
+        return frozenset(i for i in named if not named & set(tree.above(i)))
     leaves = [sum(tree.depth[child] == 1 for child in children) for children in tree.children]
     roots = {i for i, parent in enumerate(tree.parents) if parent < 0}
     facial = [0 if i in roots else count for i, count in enumerate(leaves)]
@@ -125,10 +130,10 @@ def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     total = sum(votes.values())
     below = Counter[int]()
     for joint, count in votes.items():
-        for above in (joint, *_above(tree, joint)):
+        for above in (joint, *tree.above(joint)):
             below[above] += count
     wide = [joint for joint, count in below.items() if joint >= 0 and count >= _VOTES * total]
-    deepest = max(wide, key=lambda joint: (len(list(_above(tree, joint))), -joint), default=-1)
+    deepest = max(wide, key=lambda joint: (len(list(tree.above(joint))), -joint), default=-1)
     return frozenset({deepest} if deepest >= 0 and tree.parents[deepest] >= 0 else ())
 
 
@@ -148,12 +153,12 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
 def _end(rig: Rig, tree: Tree, fan: Fan, spine: list[int]) -> str:
     """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the
     bottom."""
-    leaves = [spine.index(joint) for joint in _above(tree, fan.joint) if joint in spine]
+    leaves = [spine.index(joint) for joint in tree.above(fan.joint) if joint in spine]
     if leaves:
         return HANDS if leaves[0] > 0.5 * (len(spine) - 1) else FEET
     heights = tree.places @ rig.up
     span = float(np.ptp(heights)) or 1.0
-    own = {fan.joint, *_below(tree, [chain[0] for chain in fan.chains])}
+    own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
     alone = len(tree.owners - own) < _LIMB
     return HANDS if alone or heights[fan.joint] - heights.min() > _LOW * span else FEET
 
@@ -170,23 +175,7 @@ def _has_limb(tree: Tree, joints: set[int]) -> bool:
 
 def _spine(tree: Tree, heads: frozenset[int]) -> list[int]:
     """The joints from the root to above the first head, in this order."""
-    return list(_above(tree, min(heads)))[::-1] if heads else []
-
-
-def _above(tree: Tree, joint: int) -> Iterator[int]:
-    """The joints from the parent up to the root."""
-    while joint >= 0 and (joint := tree.parents[joint]) >= 0:
-        yield joint
-
-
-def _below(tree: Tree, joints: Iterable[int]) -> set[int]:
-    """The joints and all that hangs on them."""
-    found, pending = set[int](), list(joints)
-    while pending:
-        joint = pending.pop()
-        found.add(joint)
-        pending.extend(tree.children[joint])
-    return found
+    return list(tree.above(min(heads)))[::-1] if heads else []
 
 
 def points_of(names: tuple[str, ...], owners: Indices, name: str) -> Flags:

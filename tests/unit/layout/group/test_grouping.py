@@ -205,6 +205,11 @@ def test_patches_and_fans_by_the_jaccard_index():
     assert not any(len(k) > 1 for k in groups_of(rig, groups={**off, "patches": True, "jaccard_min": 1.0})[0])
 
 
+def test_nothing_is_suggested_for_a_part_of_which_nothing_can_stand():
+    face, candidates, *others = chain.problem_of(gazing(), chain.settings()).grouping
+    assert suggested_groups(face, replace(candidates, sets=()), *others, ()) == ()
+
+
 def test_the_users_groups_are_kept_and_their_image_is_made():
     said = {"groups": {"mouth": ("smile_L", "sneer_L"), "middle": ("pucker", "chin")}}
     rig = makers.face_with()

@@ -1,6 +1,7 @@
 """Parts of made-up characters: told by geometry and skin, each laid out at its own scale."""
 
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 
 import chain
@@ -10,6 +11,7 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.joint_tree import Tree
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
@@ -56,6 +58,54 @@ def test_joints_are_told_apart_into_face_hands_and_body(rig):
     assert found["hands"] == fingers
     assert {name.partition(":")[0] for name in found["face"]} == {f"k{k}" for k in range(9)}
     assert len(found["hands"]) == 16
+
+
+RING = np.array([[np.cos(a), np.sin(a)] for a in np.arange(6) * np.pi / 3.0])
+
+
+def tube(points):
+    """The faces of rings of six points."""
+    rings = len(points) // 6
+    return [
+        [6 * i + j, 6 * i + (j + 1) % 6, 6 * i + 6 + (j + 1) % 6, 6 * i + 6 + j]
+        for i in range(rings - 1)
+        for j in range(6)
+    ]
+
+
+def equipped(shared):
+    """The body with two eyeballs and a sword of their own meshes; its own skin `shared` between neighbours or of rigid
+    parts."""
+    at = {joint.path: joint.bind[3, :3] for joint in BODY.joints}
+    hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), "h/s/t/a0/a1/a2/w": (1.45, 0.9, 0.1)}
+    names = [*at, *hung]
+    places = np.array([*at.values(), *hung.values()])
+    joints = limbs.skeleton_rig(names, places, list(range(len(names)))).joints
+    own = BODY.meshes[0].skin.joints
+    above = np.maximum([joint.parent for joint in joints], 0)
+    skin = replace(
+        BODY.meshes[0].skin,
+        joints=np.concatenate([own, above[own]], axis=1),
+        weights=np.tile([0.7, 0.3] if shared else [1.0, 0.0], (len(own), 1)),
+    )
+    meshes = [replace(BODY.meshes[0], skin=skin)]
+    ball = np.concatenate([np.c_[np.sin(t) * RING, np.full(6, np.cos(t))] for t in np.linspace(0.3, 2.8, 5)])
+    stick = np.concatenate([np.c_[0.01 * RING[:, 0], np.full(6, y), 0.01 * RING[:, 1]] for y in np.linspace(0, 0.6, 7)])
+    for name, shape in zip(hung, (0.02 * ball, 0.02 * ball, stick), strict=True):
+        held = replace(skin, joints=np.full((len(shape), 1), names.index(name)), weights=np.ones((len(shape), 1)))
+        meshes.append(makers.mesh(shape + hung[name], tube(shape), path=f"/Root/{name[-1]}", skin=held))
+    return limbs.with_default_controls(replace(BODY, joints=joints, meshes=tuple(meshes)))
+
+
+@pytest.mark.parametrize(
+    ("shared", "parts"),
+    [(True, ["face", "eyes", "hands", "props", "body"]), (False, ["face", "eyes", "hands", "body"])],
+)
+def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
+    found = named(equipped(shared))
+    assert list(found) == parts
+    assert {name.partition(":")[0] for name in found["eyes"]} == {"b", "c"}
+    assert {name.partition(":")[0] for name in found.get("props", ("w:",))} == {"w"}
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
@@ -139,5 +189,6 @@ def test_without_a_head_toes_lie_in_the_lowest_quarter(height, part):
     tree = SimpleNamespace(
         places=places, parents=[-1, 0, 0, 2, 0], children=[[1, 2, 4], [], [3], [], []], owners={0, 1, 4}
     )
+    tree.above, tree.below = partial(Tree.above, tree), partial(Tree.below, tree)
     fan = SimpleNamespace(joint=2, chains=[[3]])
     assert joint_regions._end(SimpleNamespace(up=np.array([0, 1, 0])), tree, fan, []) == part
