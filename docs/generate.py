@@ -71,16 +71,16 @@ def settings_page() -> str:
         "# Settings\n",
         NOTE,
         (
-            "Every setting can stand in `CHAR.rigui.toml` beside the asset, in the file given with"
-            " `--config`, or on the\ncommand line (`--set solve.gap=1e-3`, `--set"
-            " controls.smile.maximum=0.5`; names with a dot in quotes:\n`--set"
-            " 'controls.\"brow.L\".exclude=true'`). An environment variable"
+            "Every setting can stand in `CHAR.rigui.toml` beside the asset, in files given with"
+            " `--config` (of several a later one wins), or on the\ncommand line (`--set"
+            " solve.gap=1e-3`, `--set controls.smile.maximum=0.5`; names with a dot in quotes:\n"
+            "`--set 'controls.\"brow.L\".exclude=true'`). An environment variable"
             " (`USDRIGUI_SOLVE_GAP=1e-3`) can say\nevery setting but those of a control, pose or"
             " joint by its name (`controls`, `poses`, `joints`).\nStrongest first: command line,"
             " configuration file, environment, preset, default. Unknown keys are"
             " errors.\n\n`check`, `view`, `picture` and `picker` of a layout need the configuration"
-            " that it was made with, as it says\nwhich controls the character has. They take one"
-            " file: that of `--config`; without it that of the layout's\nown name (`looks/cfg.toml`"
+            " that it was made with, as it says\nwhich controls the character has. They take the"
+            " files of `--config`; without any that of the layout's\nown name (`looks/cfg.toml`"
             " for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\nthe"
             " layout stands over, wherever the layout lies. For an asset, by itself or with its"
             " layout attached, it is\n`CHAR.rigui.toml` beside it. A layer over a layout"

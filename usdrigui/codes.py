@@ -441,9 +441,15 @@ _CODES: dict[str, Code] = {
     "WORKER_LOST": Code(
         "error",
         "The process that does the work could not be started, or was killed from outside.",
-        "Where the message tells of a permission, let this user read and execute it; else look for"
-        " a memory limit of the machine or the farm. Then run again.",
+        "Look for a memory limit of the machine or the farm, and run again.",
         Exit.LIMIT,
+    ),
+    "PYTHON_PERMISSION": Code(
+        "error",
+        "This user may not execute the Python interpreter with which processes are started.",
+        "Let the user read and execute the file named and enter the folders above it, or run the"
+        " command with another interpreter.",
+        Exit.FILE,
     ),
     "WORKER_CRASHED": Code(
         "error",
@@ -632,6 +638,12 @@ _CODES: dict[str, Code] = {
         "error",
         "The layout to attach is of another character.",
         "Name the layer that `usdrigui process --bare` wrote for this asset.",
+    ),
+    "ATTACH_CONTROLS_GONE": Code(
+        "warning",
+        "Elements of the layout to attach drive controls that the asset does not have.",
+        "Run `usdrigui process --bare --previous` with the asset and the layout: a control that was"
+        " renamed keeps its element.",
     ),
     "ATTACH_CYCLE": Code(
         "error",

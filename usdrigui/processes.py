@@ -64,6 +64,14 @@ class End:
         return self.text.decode(errors="replace").strip().rpartition("\n")[2]
 
 
+def not_started(error: Exception, code: str, path: str, what: str) -> RigUIError:
+    """The refusal where `what` cannot be started: `code` about `path`, or PYTHON_PERMISSION."""
+    if isinstance(error, PermissionError):
+        told = f"{what} cannot be started: {error.strerror}"
+        return refuse("PYTHON_PERMISSION", str(error.filename or sys.executable), told)
+    return refuse(code, path, f"{what} cannot be started: {error}")
+
+
 def reading_failed(end: End, reading: Reading) -> RigUIError:
     """What it means that a process ended while it read a foreign file."""
     path = reading.path

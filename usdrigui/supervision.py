@@ -29,6 +29,7 @@ from usdrigui.processes import (
     Reading,
     environment,
     kill,
+    not_started,
     reading_failed,
     reaped,
     signal_name,
@@ -91,9 +92,7 @@ def supervise(
         try:
             process = _started(arguments, terminals, alone)
         except (OSError, TypeError, ValueError) as error:
-            return _dead(
-                refuse("WORKER_LOST", "", f"the working process cannot be started: {error}")
-            )
+            return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
     watch = _Watch(process, show, limit, alone)
     assert process.stdout is not None
     assert process.stderr is not None

@@ -295,6 +295,12 @@ def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Trigger:
     return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings()))
 
 
+def _gone_when_attached(folder: Path, _: Any) -> Found:
+    bare, asset = _bare(folder), folder / "char.usda"
+    asset.write_text(asset.read_text().replace("smile", "grin"))
+    return command("attach", asset, bare)
+
+
 def _linked(folder: Path) -> Path:
     (folder / "link.usda").symlink_to("char.usda")
     return _bare(folder)
@@ -508,6 +514,12 @@ def _supervised(script: str) -> Trigger:
     return trigger
 
 
+def _no_interpreter(folder: Path, patch: Any) -> Found:
+    (folder / "python").touch(mode=0o600)
+    patch.setattr(sys, "executable", str(folder / "python"))
+    return refused(lambda: reader_process.read_rigs_isolated(minimal_assets.character(folder, ""), Settings()))
+
+
 def _told(what: str, **fields: object) -> str:
     """A message of a worker, said by a shell."""
     return f"echo '{json.dumps({'what': what, **fields})}'"
@@ -597,6 +609,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "RUN_TIME_LIMIT": _supervised(_told("budget", seconds=0.2, memory=100, base=0) + "; exec sleep 60"),
     "RUN_MEMORY_LIMIT": _raising(MemoryError()),
     "WORKER_LOST": _supervised("kill -KILL $$"),
+    "PYTHON_PERMISSION": _no_interpreter,
     "WORKER_CRASHED": _supervised("kill -SEGV $$"),
     "OUTPUT_STREAM": _full_output,
     "REVIEW_LAYER": lambda folder, _: command(
@@ -671,6 +684,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "ATTACH_HARD_LINK": _attached(_shared),
     "ATTACH_ATTRIBUTES": _of_another_owner,
     "ATTACH_MISMATCH": _attached(_of_another),
+    "ATTACH_CONTROLS_GONE": _gone_when_attached,
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),

@@ -1,10 +1,13 @@
 """What a wrong command line, configuration or file is answered: all of it at once, and with what was meant."""
 
 import json
+from pathlib import Path
 
 import pytest
 
-from usdrigui.cli import main
+from usdrigui.cli import main, parser
+from usdrigui.cli.options import files_read, passed_on, settings_of
+from usdrigui.cli.unknown_options import hint, options_of
 
 
 def run(capsys, *arguments, expected):
@@ -35,17 +38,57 @@ def test_all_controls_that_no_rig_has_are_told_at_once(layer, capsys):
 
 
 @pytest.mark.parametrize(
-    ("command", "option", "meant"), [("process", "--previuos", "--previous"), ("check", "--jsn", "--json")]
+    ("command", "option", "hint"),
+    [
+        ("process", "--previuos", "did you mean '--previous'?"),
+        ("check", "--jsn", "did you mean '--json'?"),
+        ("view", "-o", "did you mean '--html'?"),
+        ("view", "--output=x.html", "did you mean '--html'?"),
+        ("picker", "--out", "did you mean '--svg'?"),
+        ("batch", "--time-limits", "did you mean '--time-limit'?"),
+        ("process", "--timeout", "did you mean '--time-limit'?"),
+        ("batch", "-j", "did you mean '--jobs'?"),
+        ("process", "-n", "did you mean '--dry-run'?"),
+        ("check", "-o", "its result is printed: --json > FILE keeps it"),
+        ("view", "--dry-run", "that is an option of process"),
+        ("check", "--jobs", "that is an option of batch"),
+        ("diff", "--config", "that is an option of process, inspect, check, convert, view, picture, picker, batch"),
+    ],
 )
-def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_meant(
-    layer, capsys, command, option, meant
-):
+def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_meant(capsys, command, option, hint):
     with pytest.raises(SystemExit) as ended:
-        main([command, str(layer), option])
+        main([command, "char.rigui.usda", *(["other.usda"] if command == "diff" else []), option])
     told = capsys.readouterr().err
     assert ended.value.code == 2
     assert f"usage: usdrigui {command}" in told
-    assert f"did you mean {meant!r}?" in told
+    assert hint in " ".join(told.split())
+
+
+def test_every_option_of_another_command_is_answered_with_a_hint():
+    every = {command: options_of(each) for command, each in parser().commands.items()}
+    unanswered = {
+        (command, option)
+        for command, own in every.items()
+        for option in set().union(*every.values()) - set(own)
+        if not hint(option, command, every)
+    }
+    assert not unanswered
+
+
+def test_of_several_configurations_a_later_one_wins_over_an_earlier(layer, capsys):
+    texts = {"studio": "[solve]\ngap = 0.2\nwork_limit = 1234\n", "show": "[solve]\ngap = 0.3\n"}
+    for name, text in texts.items():
+        layer.with_name(f"{name}.toml").write_text(text)
+    files = [each for name in texts for each in ("--config", str(layer.with_name(f"{name}.toml")))]
+    arguments = parser().parse_args(
+        ["process", str(layer.with_name("char.usda")), *files, "--set", "read.skel_root=/A"]
+    )
+    found = settings_of(arguments)
+    assert (found.solve.gap, found.solve.work_limit, found.read.skel_root) == (0.3, 1234, "/A")
+    assert {Path(each) for each in files[1::2]} <= set(files_read(arguments))
+    assert [each for each in passed_on(arguments) if each.endswith(".toml")] == files[1::2]
+    layer.with_name("show.toml").write_text("[solve]\ngop = 1\n")
+    assert [each["path"] for each in run(capsys, "process", "char.usda", *files, expected=2)] == ["solve.gop"]
 
 
 def test_a_dry_run_refuses_what_the_run_would_not_replace(layer, capsys):

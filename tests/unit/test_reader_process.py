@@ -209,10 +209,13 @@ def test_every_death_has_its_code(how, tmp_path, monkeypatch, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-@pytest.mark.parametrize("executable", ["/no/such/python", "/", None])
-def test_a_reader_that_cannot_be_started(executable, tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("executable", "code"),
+    [("/no/such/python", "SOURCE_READER_LOST"), ("/", "PYTHON_PERMISSION"), (None, "SOURCE_READER_LOST")],
+)
+def test_a_reader_that_cannot_be_started(executable, code, tmp_path, monkeypatch):
     monkeypatch.setattr(reader_process.sys, "executable", executable)
-    assert refused(head(tmp_path / "char.usda")).issue.code == "SOURCE_READER_LOST"
+    assert refused(head(tmp_path / "char.usda")).issue.code == code
 
 
 def test_grandchildren_die_with_the_reader(tmp_path, monkeypatch):

@@ -125,10 +125,15 @@ def test_a_limit_of_the_caller(run):
     assert outcome.death.issue.code == "BATCH_TIME_LIMIT"
 
 
-@pytest.mark.parametrize("executable", ["/no/such/python", "/", None])
-def test_a_worker_that_cannot_be_started(executable, monkeypatch):
+@pytest.mark.parametrize(
+    ("executable", "code"),
+    [("/no/such/python", "WORKER_LOST"), ("/", "PYTHON_PERMISSION"), (None, "WORKER_LOST")],
+)
+def test_a_worker_that_cannot_be_started(executable, code, monkeypatch):
     monkeypatch.setattr(sys, "executable", executable)
-    assert supervise(["process"], print).death.issue.code == "WORKER_LOST"
+    found = supervise(["process"], print).death.issue
+    assert found.code == code
+    assert found.path == (executable if code == "PYTHON_PERMISSION" else "")
 
 
 # --- the command -------------------------------------------------------------------------------------

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import argparse
 import os
-import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import NoReturn
 
 from usdrigui import distributions, worker
@@ -21,7 +21,8 @@ from usdrigui.cli.many import add_batch, add_openjd
 from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_convert, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
-from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
+from usdrigui.cli.unknown_options import hint, options_of
+from usdrigui.errors import Exit, RigUIError, refuse, sentences
 from usdrigui.text_lines import columns, wrapped
 from usdrigui.version import __version__
 
@@ -78,20 +79,24 @@ def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
     arguments, unknown = whole.parse_known_args(argv)
     if unknown:
         own: argparse.ArgumentParser = getattr(arguments, "parser", whole)
-        options = re.findall(r"--[a-z][a-z-]*", own.format_usage())
-        hints = (
-            meant(each.partition("=")[0], options) if each.startswith("-") else ""
-            for each in unknown
-        )
-        own.error(
-            "unrecognized arguments:"
-            f" {' '.join(unknown)}{next((each for each in hints if each), '')}"
-        )
+        own.error(f"unrecognized arguments: {' '.join(unknown)}{_hint(own, unknown, whole)}")
     return arguments
 
 
-class _Parser(argparse.ArgumentParser):
+def _hint(own: argparse.ArgumentParser, unknown: Sequence[str], whole: CommandLine) -> str:
+    """What was meant by the first of the unknown options of which that can be told."""
+    every = {name: options_of(each) for name, each in whole.commands.items()}
+    name = own.prog.rpartition(" ")[2]
+    options = [each.partition("=")[0] for each in unknown if each.startswith("-")]
+    hints = (hint(each, name, every) for each in options if name in every)
+    return next((each for each in hints if each), "")
+
+
+class CommandLine(argparse.ArgumentParser):
     """As argparse's, with errors in lines as wide as the terminal."""
+
+    commands: Mapping[str, argparse.ArgumentParser] = MappingProxyType({})
+    """By name, as far as they have options."""
 
     def error(self, message: str) -> NoReturn:
         """Exit with 2: usage and error."""
@@ -100,9 +105,9 @@ class _Parser(argparse.ArgumentParser):
         self.exit(int(Exit.USAGE), "\n".join(lines) + "\n")
 
 
-def parser() -> argparse.ArgumentParser:
+def parser() -> CommandLine:
     """The command line; ``light`` commands need no worker."""
-    parser = _Parser(
+    parser = CommandLine(
         prog="usdrigui",
         description="Automatic in-situ rig UI layouts for USD characters.",
         epilog=(
@@ -125,6 +130,7 @@ def parser() -> argparse.ArgumentParser:
     add_openjd(commands)
     add_attach(commands)
     add_detach(commands)
+    parser.commands = dict(commands.choices)
     schema = commands.add_parser(
         "schema-path", help="print the folder to add to PXR_PLUGINPATH_NAME"
     )

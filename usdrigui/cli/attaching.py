@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 from usdrigui.cli.options import add_variant, command, settings_of
-from usdrigui.cli.outcomes import say
-from usdrigui.errors import Exit
+from usdrigui.cli.outcomes import say, strict
+from usdrigui.errors import Exit, Issue, sentences
 
 
 def add_attach(commands: Any) -> None:
@@ -43,25 +45,30 @@ def _add_files(parser: Any, layer: str) -> None:
 def _attach(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.attach import attach
 
-    state = attach(arguments.asset, arguments.layer, settings_of(arguments))
-    return _edited(state, "is among its sublayers", arguments)
+    found: list[Issue] = []
+    state = attach(arguments.asset, arguments.layer, settings_of(arguments), found.append)
+    return _edited(state, "is among its sublayers", found, arguments)
 
 
 def _detach(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.attach import detach
 
     state = detach(arguments.asset, arguments.layer, settings_of(arguments))
-    return _edited(state, "is not among its sublayers", arguments)
+    return _edited(state, "is not among its sublayers", (), arguments)
 
 
-def _edited(state: str, what: str, arguments: argparse.Namespace) -> Exit:
+def _edited(state: str, what: str, issues: Sequence[Issue], arguments: argparse.Namespace) -> Exit:
+    code = strict(issues, arguments)
     if arguments.json:
         told = {
             "asset": str(arguments.asset),
             "layer": str(arguments.layer),
             "outcome": state,
-            "exit": 0,
+            "exit": int(code),
+            "issues": [asdict(each) for each in issues],
         }
         print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
+    for each in () if arguments.quiet else issues:
+        say(f"{each.severity}: {each.code} {each.path} {sentences(each)}", arguments)
     say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)
-    return Exit.OK
+    return code

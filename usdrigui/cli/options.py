@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import argparse
 import hashlib
+import itertools
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,7 +46,14 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
         "settings", "docs/settings.md lists all that a configuration can say"
     )
     default = _BELOW_LAYER if layer else _BESIDE_CHAR
-    group.add_argument("--config", type=Path, metavar="TOML", help=f"default: {default}, if there")
+    group.add_argument(
+        "--config",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="TOML",
+        help=f"default: {default}, if there; of several a later one wins over an earlier",
+    )
     group.add_argument(
         "--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING
     )
@@ -133,8 +141,8 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
         )
 
     loaded = load()  # what is wrong with the command line is told before anything is read
-    arguments.configuration = configuration = _configuration(arguments, loaded)
-    return loaded if configuration is None else load(settings.read_toml(configuration))
+    arguments.configuration = files = _configuration(arguments, loaded)
+    return load(*map(settings.read_toml, files)) if files else loaded
 
 
 def settings_of_command_line(arguments: argparse.Namespace) -> Settings:
@@ -148,21 +156,21 @@ _INPUTS = (
     "asset",
     "layer",
     "before",
-    "config",
-    "configuration",
     "pose",
     "fixed",
     "previous",
     "like",
     "base",
 )
+_SEVERAL = ("config", "configuration", "animation")
 
 
 def files_read(arguments: argparse.Namespace) -> list[Path]:
     """The files that the command line and the settings name to be read: outputs never replace
     them."""
     named = [getattr(arguments, name, None) for name in _INPUTS]
-    return [Path(each) for each in (*named, *getattr(arguments, "animation", ())) if each]
+    several = [each for name in _SEVERAL for each in getattr(arguments, name, ())]
+    return [Path(each) for each in (*named, *several) if each]
 
 
 def _said(arguments: argparse.Namespace) -> list[Mapping[str, Any]]:
@@ -190,9 +198,10 @@ def settings_digest(arguments: argparse.Namespace) -> str:
 def passed_on(arguments: argparse.Namespace) -> list[str]:
     """The settings of a command as options of another, with files by their absolute paths."""
     passed = []
-    for name in ("config", "pose"):
-        if getattr(arguments, name) is not None:
-            passed += [f"--{name}", str(getattr(arguments, name).absolute())]
+    for path in arguments.config:
+        passed += ["--config", str(path.absolute())]
+    if arguments.pose is not None:
+        passed += ["--pose", str(arguments.pose.absolute())]
     if arguments.preset != "default":
         passed += ["--preset", arguments.preset]
     for text in arguments.set:
@@ -227,17 +236,17 @@ keys of TOML."""
 _ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
 
 
-def _configuration(arguments: argparse.Namespace, limits: Settings) -> Path | None:
-    """The configuration of a command: the one given, or that of its asset or layer; none if there
+def _configuration(arguments: argparse.Namespace, limits: Settings) -> Sequence[Path]:
+    """The configurations of a command: those given, or that of its asset or layer; none if there
     is no such file."""
-    given: Path | None = getattr(arguments, "config", None)
-    if given is not None:
+    given: list[Path] = getattr(arguments, "config", [])
+    if given:
         return given
     asset: Path | None = getattr(arguments, "asset", None)
     layer: Path | None = getattr(arguments, "layer", None)
     if asset is not None:
-        return next(_existing(_beside(asset)), None)
-    return next(_of_layer(layer, limits), None) if layer is not None else None
+        return list(_existing(_beside(asset)))
+    return list(itertools.islice(_of_layer(layer, limits), 1)) if layer is not None else []
 
 
 def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()) -> Iterator[Path]:

@@ -39,7 +39,7 @@ from usdrigui.pipeline.stages import (
     part_problem,
 )
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
-from usdrigui.pipeline.writing import stage_layer
+from usdrigui.pipeline.writing import check_base, stage_layer
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
@@ -84,6 +84,7 @@ def process(
             _check_character(
                 asset, target, each.source, each.settings, over_base=layers.base is not None
             )
+            _check_base(each, target)
         check_replaceable(target, settings.read, asset if output is None else None)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
@@ -339,6 +340,13 @@ def _check_character(
                 rig.root,
                 f"{asset} brings in its layout from {source.composed_from[rig.root]}",
             )
+
+
+def _check_base(reading: Reading, target: Path) -> None:
+    base = reading.references.base
+    if base is not None:
+        rigs = [rig for rig in reading.source.rigs if reading.references.existing(rig) is not None]
+        check_base(base, reading.source, rigs, target, bare=reading.settings.output.bare)
 
 
 def _lay_out(

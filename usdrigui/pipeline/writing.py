@@ -7,6 +7,7 @@ from pathlib import Path
 
 from usdrigui.errors import refuse
 from usdrigui.layout.reuse.existing_layout import root_in_base
+from usdrigui.model import Rig
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
 from usdrigui.settings import Settings
@@ -51,17 +52,10 @@ def _staged_over(
     from usdrigui.usd.shot_layout import ShotLayout, write_shot_layouts
 
     layer = Path(laid[0][0].sources[0].path)
-    if same_file(target, layer):
-        raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
-    composed = any(Path(each.path) == layer for each in source.sources)
+    composed = _composes(source, layer)
     shots = []
     for base, character in laid:
         root = root_in_base(base.layouts, character.rig)
-        if root != character.root and not composed and base.source and not settings.output.bare:
-            raise refuse("BASE_APART", character.root, f"stands at {root} in {layer.name}")
-        if composed and character.root not in source.composed_from:
-            told = f"does not show the layout of {layer.name}, as variants are selected"
-            raise refuse("BASE_APART", character.root, told)
         prims = tuple(prim for prim in base.prims if prim.root == root)
         shots.append(ShotLayout(character.rig, character.layout, character.added, root, prims))
     return write_shot_layouts(
@@ -74,3 +68,29 @@ def _staged_over(
         bare=settings.output.bare,
         write=files.stage,
     )
+
+
+def check_base(
+    base: LayoutsResult, source: ReadResult, rigs: Sequence[Rig], target: Path, *, bare: bool
+) -> None:
+    """Refuse a base that the layer could not be laid over, before the characters are laid out.
+
+    `rigs` are those that have a layout in it.  Raises FILE_TARGET for the base itself and
+    BASE_APART.
+    """
+    layer = Path(base.sources[0].path)
+    if same_file(target, layer):
+        raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
+    composed = _composes(source, layer)
+    for rig in rigs:
+        root = root_in_base(base.layouts, rig)
+        if root != rig.root and not composed and base.source and not bare:
+            raise refuse("BASE_APART", rig.root, f"stands at {root} in {layer.name}")
+        if composed and rig.root not in source.composed_from:
+            told = f"does not show the layout of {layer.name}, as variants are selected"
+            raise refuse("BASE_APART", rig.root, told)
+
+
+def _composes(source: ReadResult, layer: Path) -> bool:
+    """Whether the shot brings the layer in."""
+    return any(Path(each.path) == layer for each in source.sources)

@@ -20,7 +20,7 @@ from typing import Literal
 
 from pxr import Sdf, Tf
 
-from usdrigui.errors import RigUIError, refuse
+from usdrigui.errors import Issue, RigUIError, issue, refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
@@ -37,6 +37,8 @@ from usdrigui.usd.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
 
+_TOLD = 3
+"""Controls in one message."""
 _BLOCK = "(\n    subLayers = [\n        @{path}@\n    ]\n)\n"
 """What a text layer without any metadata gets after its first line."""
 _FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
@@ -52,8 +54,12 @@ _TOKEN = re.compile(
 """Comments, strings, asset paths, words and brackets of a text layer."""
 
 
-def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
+def attach(
+    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None] | None = None
+) -> Outcome:
     """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
+
+    `tell` is called with ATTACH_CONTROLS_GONE for a character that lacks controls of its layout.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
     ATTACH_CYCLE, ATTACH_MISMATCH (of another character), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all
@@ -62,7 +68,7 @@ def attach(asset: Path, layer: Path, settings: Settings) -> Outcome:
     """
     _check_editable(asset, settings.read.size_limit)
     with editing(asset, settings.read.time_limit):
-        return _attached(asset, layer, settings)
+        return _attached(asset, layer, settings, tell or (lambda _: None))
 
 
 def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
@@ -92,13 +98,17 @@ def write_bare(layer: Path, target: Path) -> Outcome:
     return commit(layer_bytes(copy, target.suffix, str(target)), target, read=[layer])
 
 
-def _attached(asset: Path, layer: Path, settings: Settings) -> Outcome:
+def _attached(
+    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None]
+) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     layouts = _layouts(asset, layer, settings.read)
     settings = _in_its_variant(layouts, settings)
     read = read_rigs_isolated(asset, settings)
     _check_of(asset, layouts, read.rigs)
     _check_bare(asset, layer, settings.read)
+    for found in _controls_gone(layouts, read.rigs):
+        tell(found)
     source = open_layer(asset)
     if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
         return "unchanged"
@@ -152,6 +162,16 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
             raise refuse(
                 "ATTACH_MISMATCH", layout.root, f"shares no control with the character of {asset}"
             )
+
+
+def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[Issue]:
+    known = {rig.root: rig.control_names for rig in rigs}
+    for layout in layouts:
+        gone = sorted(layout.controls.difference(known[layout.root]))
+        if gone:
+            more = f" and {len(gone) - _TOLD} more" if len(gone) > _TOLD else ""
+            told = f"has no control {', '.join(gone[:_TOLD])}{more}"
+            yield issue("ATTACH_CONTROLS_GONE", layout.root, told)
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:

@@ -27,6 +27,7 @@ from usdrigui.processes import (
     Reading,
     environment,
     kill,
+    not_started,
     reading_failed,
     reaped,
     signals_later,
@@ -189,8 +190,8 @@ def _run(request_file: IO[bytes], response_file: IO[bytes], path: Path, seconds:
             try:
                 process = _started(request_file, response_file)
             except (OSError, TypeError) as error:
-                raise refuse(
-                    "SOURCE_READER_LOST", str(path), f"cannot be started: {error}"
+                raise not_started(
+                    error, "SOURCE_READER_LOST", str(path), "the process that reads"
                 ) from error
             assert process.stderr is not None
             printed = Printed(process.stderr)
