@@ -109,6 +109,11 @@ def adapt(prim):
     return get(prim, "rigUI:handle:adapt", "deform")
 
 
+def part_of(prim):
+    """The part of the character to which an element belongs; empty where it is one part."""
+    return str(get(prim.GetParent(), "rigUI:drawing:part", ""))
+
+
 def category(prim):
     """The heading under which an element stands beside the character."""
     return str(get(prim, "rigUI:element:category", ""))

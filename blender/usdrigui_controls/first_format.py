@@ -44,6 +44,11 @@ def adapt(prim):
     return get(handles[0], "rigUI:handle:adapt", "deform") if handles else "deform"
 
 
+def part_of(prim):
+    """The part of the character to which an element belongs; empty where it is one part."""
+    return str(get(prim, "rigUI:element:part", ""))
+
+
 def category(prim):
     """The heading under which an element stands beside the character."""
     return str(get(prim, "rigUI:element:family", ""))

@@ -174,19 +174,20 @@ def _screen(context):
 
 def _radii(screen, found, settings):
     """Pixels of every handle: its true size times the setting, but never too small to be seen."""
-    widths = _widths()
+    layouts = _layouts()
     return [
-        max(screen.radius(item.placed, widths.get(item.holder, 0.0) * settings.size), 3.0)
+        max(
+            screen.radius(item.placed, layouts[item.holder].width_of(item.element) * settings.size),
+            3.0,
+        )
         for item in found
     ]
 
 
-def _widths():
+def _layouts():
     from .character import LAYOUT, parsed
 
-    return {
-        each.name: parsed(each[LAYOUT]).handle_width for each in bpy.data.objects if LAYOUT in each
-    }
+    return {each.name: parsed(each[LAYOUT]) for each in bpy.data.objects if LAYOUT in each}
 
 
 def _pointer(event, screen):

@@ -111,6 +111,8 @@ class Element:
     axes: tuple[tuple[int, ...], ...] = ()
     """Positions of the members of each axis: one control, or the negative and the positive end of a
     signed axis. Files saved before this was kept have none: there each member is an axis."""
+    width: float = 0.0
+    """Of its handle, as its part has it; 0 where it is `Layout.handle_width`."""
 
 
 @dataclass(frozen=True)
@@ -155,6 +157,10 @@ class Layout:
     def control(self, name: str) -> Control:
         """A control by its name."""
         return next(each for each in self.controls if each.name == name)
+
+    def width_of(self, element: Element) -> float:
+        """Width of the handle of an element: that of its part."""
+        return element.width or self.handle_width
 
     def element(self, name: str) -> Element | None:
         """An element by its name, if there is one."""

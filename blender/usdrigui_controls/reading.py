@@ -64,13 +64,14 @@ def _layout(scope):
     base = dict(zip((str(name) for name in names), values or [0.0] * len(names), strict=True))
     root = scope.GetParent()
     parts = first_format if mark != LAYOUT else drawn
+    widths = _part_widths(scope)
     controls, elements = {}, []
     for prim in _elements(scope):
         instances = _instances(prim)
         for instance in instances:
             control = _control(prim, instance, base, parts)
             controls[control.name] = control
-        elements.append(_element(prim, instances, parts))
+        elements.append(_element(prim, instances, parts, widths.get(parts.part_of(prim), 0.0)))
     skeletons = [
         _skeleton(prim, root) for prim in Usd.PrimRange(root) if prim.IsA(UsdSkel.Skeleton)
     ]
@@ -82,6 +83,15 @@ def _layout(scope):
         meshes=_meshes(root, scope),
         skeletons=tuple(skeletons),
     )
+
+
+def _part_widths(scope):
+    """Handle width of each part of a character that is laid out in several."""
+    names = [str(name) for name in get(scope, "rigUI:layout:parts", ())]
+    widths = floats(get(scope, "rigUI:layout:partHandleWidths", ()))
+    if len(names) != len(widths):
+        raise LayoutError(f"{scope.GetPath()} has {len(names)} parts and {len(widths)} widths")
+    return dict(zip(names, widths, strict=True))
 
 
 def _elements(scope):
@@ -152,7 +162,7 @@ def _table(rows, keys, joints):
 # --- elements -------------------------------------------------------------------------------------
 
 
-def _element(prim, instances, parts):
+def _element(prim, instances, parts, width):
     on_face = targets(prim, "rigUI:anchor:prim")
     mirror = targets(prim, "rigUI:element:mirror")
     tracks = [parts.track(prim, instance, len(instances)) for instance in instances]
@@ -184,6 +194,7 @@ def _element(prim, instances, parts):
         family=parts.category(prim),
         reason=parts.reason(prim),
         axes=_axes(prim, parts.opposed(prim, instances), len(instances)),
+        width=width,
     )
 
 

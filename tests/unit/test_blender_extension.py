@@ -21,6 +21,7 @@ from pxr import Sdf, Usd
 import usdrigui
 from usdrigui.clients import blender_extension
 from usdrigui.errors import RigUIError
+from usdrigui.model import LayoutPart
 from usdrigui.pose.evaluate import elements_at, prepare
 from usdrigui.settings import OutputSettings, Settings
 from usdrigui.usd.layer import stage_metadata, write_layout
@@ -260,6 +261,30 @@ def test_a_layer_is_read_as_our_own_reader_does_and_survives_json(extension, lai
             assert one.values == pytest.approx(other.values)
             assert np.array(one.track) == pytest.approx(other.track, abs=1e-5)
     assert {mesh.path: mesh.points for mesh in found.meshes} == {mesh.path: len(mesh.points) for mesh in rig.meshes}
+
+
+def test_handles_are_as_wide_as_those_of_their_part(extension, laid):
+    rig, layout, source = laid
+    names = ("face", *["hands"] * (len(layout.elements) - 1))
+    elements = tuple(replace(each, part=part) for each, part in zip(layout.elements, names, strict=True))
+    parts = tuple(LayoutPart(name, w, layout.view, "optimal", 0.0, 0.0) for name, w in (("face", 0.02), ("hands", 0.3)))
+    target = source.with_name("parts.rigui.usda")
+    write_layout(
+        [(rig, replace(layout, elements=elements, parts=parts))],
+        source.with_name("char.usda"),
+        target,
+        OutputSettings(),
+        stage_metadata(Sdf.Layer.FindOrOpen(str(source.with_name("char.usda")))),
+    )
+    stage = Usd.Stage.Open(str(target))
+    (found,) = extension["reading"].read_layouts(stage)
+    assert {each.name: found.width_of(each) for each in found.elements} == pytest.approx(
+        {each.name: 0.02 if each.part == "face" else 0.3 for each in elements}
+    )
+    said = (prim.GetAttribute("rigUI:layout:partHandleWidths") for prim in stage.TraverseAll())
+    next(each for each in said if each.HasAuthoredValue()).Set([1.0])
+    with pytest.raises(extension["layout"].LayoutError, match="2 parts and 1 widths"):
+        extension["reading"].read_layouts(stage)
 
 
 @pytest.mark.parametrize(
