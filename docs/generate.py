@@ -144,7 +144,7 @@ def schema_page() -> str:
 def contract_page() -> str:
     """The contract with its table of properties, which follows the last line that says so."""
     text = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")
-    head = "| property | type, unit | if absent | meaning |\n|---|---|---|---|\n"
+    head = "| property | type, unit | space | if absent | meaning |\n|---|---|---|---|---|\n"
     rows = (_brief(each) for prim in _schemas() for each in prim.properties)
     return text.partition(_TABLE)[0] + _TABLE + head + "".join(rows)
 
@@ -152,7 +152,7 @@ def contract_page() -> str:
 def _brief(found: Sdf.PropertySpec) -> str:
     """One line of the table of the contract."""
     text, _, unit = _flat(found.documentation).partition(" Units: ")
-    text = text.partition(" Range: ")[0]
+    text, _, space = text.partition(" Range: ")[0].partition(" Space: ")
     meaning, absent = (
         (text[: said.start()], said[2])
         if (said := re.search(r" (Empty|Zero|No target): (.*?)(?=\. |\.$)", text))
@@ -165,7 +165,7 @@ def _brief(found: Sdf.PropertySpec) -> str:
     if isinstance(found, Sdf.AttributeSpec):
         kind = f"{found.typeName}, {unit}" if unit not in ("", "none") else str(found.typeName)
         absent = absent or _said(found.default)
-    return f"| `{name}` | {kind} | {absent or 'none'} | {first} |\n"
+    return f"| `{name}` | {kind} | {space} | {absent or 'none'} | {first} |\n"
 
 
 def _said(fallback: Any) -> str:

@@ -64,6 +64,8 @@ def test_every_class_of_the_source_is_known_by_name_and_documented():
             numeric = isinstance(each, Sdf.AttributeSpec) and str(each.typeName) not in NOT_NUMBERS
             assert ("Units: " in each.documentation) == numeric, each.path
             assert ("Range: " in each.documentation) == numeric, each.path
+            spatial = isinstance(each, Sdf.AttributeSpec) and str(each.typeName).startswith(("point", "vector"))
+            assert ("Space: " in each.documentation) == spatial, each.path
             assert each.displayName, each.path
             assert each.displayGroup, each.path
     types = json.loads((SOURCE / "plugInfo.json").read_text())["Plugins"][0]["Info"]["Types"]

@@ -10,6 +10,7 @@ different regions, nor members of a family (a viseme, an emotion).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Literal
 
@@ -38,6 +39,11 @@ _LIKE_AMOUNT = 0.25
 
 _ALIKE = 1e-3
 """Radians within which two joints of one parent turn alike: single precision leaves less."""
+
+
+def degrees(cosine: float) -> float:
+    """The angle of a cosine, the same on every processor."""
+    return math.degrees(math.acos(min(max(round(cosine, 6), -1.0), 1.0)))
 
 
 class Evidence:
@@ -111,10 +117,11 @@ class Evidence:
 
     def words(self, a: int, b: int) -> str:
         """The evidence for or against two opposed controls."""
-        cosine, shared = float(self.similarity.direction[a, b]), float(self.similarity.shared[a, b])
+        apart = degrees(float(self.similarity.direction[a, b]))
         return (
-            f"their directions have a cosine of {cosine:.2f}, their regions share {shared:.0%},"
-            f" both keep {self.held((a, b)):.0%} of their peak at one place"
+            f"their directions are {apart:.0f} degrees apart, their regions share"
+            f" {float(self.similarity.shared[a, b]):.0%}, both keep {self.held((a, b)):.0%} of"
+            " their largest motion at one place"
         )
 
     def _specific(self, index: int) -> bool:

@@ -157,7 +157,7 @@ def test_the_report_says_why_opposites_by_convention_stayed_apart():
     }
     groups, _ = groups_of(makers.rig(POINTS, QUADS, ends), candidates={"beside_composite": False})
     assert groups["mouthUp",].reason.startswith(
-        "apart from mouthDown, its opposite by convention (their directions have a cosine of 1.00"
+        "apart from mouthDown, its opposite by convention (their directions are 0 degrees apart, their regions share"
     )
 
 
