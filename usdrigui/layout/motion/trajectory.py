@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
@@ -24,7 +23,7 @@ as global."""
 _EMPTY = 1e-7
 """A control that moves nothing further than this share of the character's size is empty."""
 _EVERYWHERE = 0.9
-"""A shape that moves this share of the points of all meshes that shapes move carries a drift of the
+"""A shape that moves this share of the points of the meshes that it moves carries a drift of the
 head or noise."""
 _BEYOND = 5.0
 """What is drift or noise reaches this many times the step between its quartile and its middle
@@ -65,22 +64,19 @@ def trajectories(
 def _without_drift(rig: Rig, motions: Sequence[Motion]) -> tuple[Motion, ...]:
     """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
-    shapes = {
-        i for i, motion in enumerate(motions) if not len(rig.controls[motion.control].drive.joints)
-    }
-    firsts = np.cumsum([0, *(len(mesh.points) for mesh in rig.meshes)])
-    moved = np.zeros(firsts[-1], dtype=bool)
-    for i in shapes:
-        moved[motions[i].points] = True
-    count = sum(b - a for a, b in itertools.pairwise(firsts.tolist()) if moved[a:b].any())
+    counts = np.array([len(mesh.points) for mesh in rig.meshes])
+    mesh_of = np.repeat(np.arange(len(counts)), counts)
     return tuple(
-        _beyond_drift(motion, count) if i in shapes else motion for i, motion in enumerate(motions)
+        motion
+        if len(rig.controls[motion.control].drive.joints)
+        else _beyond_drift(motion, int(counts[np.unique(mesh_of[motion.points])].sum()))
+        for motion in motions
     )
 
 
 def _beyond_drift(motion: Motion, count: int) -> Motion:
-    """The motion at the points that move further than most of `count` points do by drift or
-    noise."""
+    """The motion at the points that move further than most of the `count` points of its meshes do
+    by drift or noise."""
     still = count - len(motion.points)
     if still > (1.0 - _EVERYWHERE) * count:
         return motion

@@ -92,7 +92,10 @@ def test_a_drift_of_the_head_and_noise_are_not_what_a_shape_moves():
     points, quads = makers.mask()
     shape = makers.bump(points, (0.3, 0.4), (0, 1, 0), 0.3)
     noise = np.random.default_rng(0).normal(scale=1e-3, size=points.shape)
-    drifting = trajectories(makers.rig(points, quads, {"one": shape + noise + [0.0, 0.006, 0.008]}), DENSE).motions[0]
+    drift = makers.shape(0, shape + noise + [0.0, 0.006, 0.008])
+    eyes = makers.mesh(points + np.array([0.0, 0.0, 5.0]), quads, [makers.shape(1, shape)], path="/Root/eyes")
+    rig = makers.rig_of_meshes([makers.mesh(points, quads, [drift]), eyes], ["one", "eye"])
+    drifting = trajectories(rig, DENSE).motions[0]
     assert len(set(drifting.points) - set(np.flatnonzero(np.linalg.norm(shape, axis=1)))) < 3
     assert drifting.arc_length.max() > 0.1
     carried = trajectories(makers.rig(points, quads, {"one": shape * 0.0 + [0.0, 0.1, 0.0]}), DENSE).motions[0]
