@@ -155,6 +155,30 @@ def test_names_beside_the_face_are_cut_to_their_room():
     assert short.endswith("Left")
 
 
+@pytest.fixture
+def typefaces(monkeypatch):
+    """Files of further typefaces, none unless a test adds some."""
+    files = []
+    monkeypatch.setattr(lettering, "_fallbacks", lambda: tuple(files))
+    caches = (lettering._number, lettering._shown, lettering._drawable)
+    for each in caches:
+        each.cache_clear()
+    yield files
+    for each in caches:
+        each.cache_clear()
+
+
+def test_a_name_turns_to_the_first_typeface_that_has_all_of_its_letters(typefaces, monkeypatch):
+    letters = {0: "brow[U+609]", 1: "brow怒り", 2: "brow龙"}
+    monkeypatch.setattr(lettering, "_drawable", lambda letter, number=0: letter in letters[number])
+    monkeypatch.setattr(lettering, "_face", lambda *given: given[0])
+    typefaces += ["a.ttf", "b.ttf"]
+    lettering._number.cache_clear()
+    assert [lettering.font(12, name) for name in ("brow", "怒り", "brow龙", "怒龙")] == [0, 1, 2, 0]
+    assert [lettering.legible(name) for name in ("brow怒り", "怒龙")] == ["brow怒り", "[U+6012][U+9F99]"]
+
+
+@pytest.mark.usefixtures("typefaces")
 def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
     assert lettering.legible("öffnen_Élevé smile-L") == "offnen_Eleve smile-L"
     assert lettering.legible("ウィンク_あ") == "uinku_a"

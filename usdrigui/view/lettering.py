@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -43,19 +45,51 @@ between them."""
 Named = Sequence[tuple[Element, Mark]]
 
 
+_FALLBACKS = ("JP", "SC", "TC", "KR")
+"""Faces of Kurinto Sans to which names turn, in this order: kanji alone look Japanese."""
+
+
+def font(size: int, text: str = "") -> ImageFont.FreeTypeFont:
+    """The typeface of pictures, which comes with Pillow; for a text with letters that it lacks the
+    first of the package weblate-fonts, where that is installed, that has them all."""
+    return _face(_number(visible(text)), size)
+
+
 @cache
-def font(size: int) -> ImageFont.FreeTypeFont:
-    """The one typeface of all pictures; it comes with Pillow."""
+def _face(number: int, size: int) -> ImageFont.FreeTypeFont:
+    """The typeface of Pillow, 0, or a fallback."""
+    if number:
+        return ImageFont.truetype(_fallbacks()[number - 1], size)
     face = ImageFont.load_default(size)
     if not isinstance(face, ImageFont.FreeTypeFont):
         raise TypeError("Pillow was built without FreeType")
     return face
 
 
+@cache
+def _fallbacks() -> tuple[str, ...]:
+    """Files of the extra ``fonts``; none without it.  No font of the system is asked, for the same
+    layout gives the same picture everywhere."""
+    package = importlib.util.find_spec("weblate_fonts")
+    if package is None or not package.submodule_search_locations:
+        return ()
+    folder = Path(package.submodule_search_locations[0], "static/weblate_fonts/kurinto/ttf")
+    files = (folder / f"KurintoSans{each}-Rg.ttf" for each in _FALLBACKS)
+    return tuple(str(file) for file in files if file.is_file())
+
+
+@cache
+def _number(text: str) -> int:
+    """Which typeface draws a text: the first with all of its letters, else the usual one."""
+    numbers = range(len(_fallbacks()) + 1)
+    return next((each for each in numbers if all(_drawable(c, each) for c in text)), 0)
+
+
 def legible(text: str) -> str:
-    """The text as the typeface can show it: letters that it lacks lose their accents, kana and
+    """The text as its typeface can show it: letters that it lacks lose their accents, kana and
     hangul are spelt as they sound, other letters by their code point; line ends are spelt out."""
-    return "".join(map(_shown, visible(text)))
+    text = visible(text)
+    return text if _number(text) else "".join(map(_shown, text))
 
 
 @cache
@@ -68,8 +102,7 @@ def _shown(letter: str) -> str:
 
 
 def _spelt(letter: str) -> str:
-    """A letter that the typeface lacks as it sounds, where Unicode names it so: no font of the
-    system is asked, for the same layout gives the same picture everywhere."""
+    """A letter that every typeface lacks as it sounds, where Unicode names it so."""
     called = unicodedata.name(unicodedata.normalize("NFKC", letter)[0], "")
     sound = re.fullmatch(
         r"(?:HIRAGANA LETTER|KATAKANA LETTER|HANGUL SYLLABLE) (?:SMALL )?([A-Z]+)", called
@@ -79,14 +112,15 @@ def _spelt(letter: str) -> str:
     return "-" if "PROLONGED SOUND MARK" in called else f"[U+{ord(letter):04X}]"
 
 
-def _drawable(letter: str) -> bool:
-    face = font(_LARGEST)
+@cache
+def _drawable(letter: str, number: int = 0) -> bool:
+    face = _face(number, _LARGEST)
     return bytes(face.getmask(letter)) != bytes(face.getmask("\uffff"))
 
 
 def widest(names: Sequence[str]) -> float:
     """Width in pixels of the longest of the names at their largest size; 0 without names."""
-    return max((font(_LARGEST).getlength(legible(name)) for name in names), default=0.0)
+    return max((font(_LARGEST, name).getlength(legible(name)) for name in names), default=0.0)
 
 
 def name_on_board(picture: Image.Image, shown: Named) -> None:
@@ -102,15 +136,17 @@ def name_on_board(picture: Image.Image, shown: Named) -> None:
     boxes = np.array([_box(drawn) for _, drawn in shown])
     rows = np.array([_row(drawn) for _, drawn in shown])
     pitch = _pitch(boxes, rows)
-    type_ = font(int(np.clip(0.8 * pitch, _LEAST, _LARGEST)))
+    size = int(np.clip(0.8 * pitch, _LEAST, _LARGEST))
     free = np.array(
         [_room(boxes, rows, index, pitch, picture.width) for index in range(len(shown))]
     )
-    tight = np.array([type_.getlength(legible(element.label)) for element, _ in shown]) > free
+    wide = [font(size, each.label).getlength(legible(each.label)) for each, _ in shown]
+    tight = np.array(wide) > free
     small = {element.name for (element, _), cut in zip(shown, tight, strict=True) if cut}
     for (element, _), box, y, room in zip(shown, boxes, rows, free, strict=True):
         # Twins have one size, so that they look alike.
-        own = font(min(9, round(type_.size))) if small & {element.name, element.mirror} else type_
+        small_one = small & {element.name, element.mirror}
+        own = font(min(9, size) if small_one else size, element.label)
         place = (float(box[2]) + 9.0, float(y))
         pen.text(
             place,
@@ -121,7 +157,7 @@ def name_on_board(picture: Image.Image, shown: Named) -> None:
             **_HALO,
         )
     for text, x, y in _headings(shown, boxes, rows, pitch):
-        pen.text((x, y), text, fill=_QUIET, font=type_, anchor="lm", **_HALO)
+        pen.text((x, y), text, fill=_QUIET, font=font(size), anchor="lm", **_HALO)
 
 
 def call_out(picture: Image.Image, shown: Named) -> Image.Image:
@@ -172,17 +208,23 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
     shown = sorted(shown, key=lambda each: (float(each[1].handle[1]), each[0].name))
     free = size[1] - 34.0
     pitch = min(free / len(shown), _LARGEST + 6.0)
-    type_ = font(int(np.clip(pitch - 2.0, _LEAST, _LARGEST)))
+    size_ = int(np.clip(pitch - 2.0, _LEAST, _LARGEST))
+    types = [font(size_, element.label) for element, _ in shown]
     handles = np.array([drawn.handle[:2] for _, drawn in shown])
     rows = spread(handles[:, 1], pitch, 8.0, size[1] - 26.0)
-    texts = [cut(legible(element.label), type_, CALLED) for element, _ in shown]
+    texts = [
+        cut(legible(element.label), type_, CALLED)
+        for (element, _), type_ in zip(shown, types, strict=True)
+    ]
+    lengths = [type_.getlength(text) for type_, text in zip(types, texts, strict=True)]
     inward, edge = (1.0, 6.0) if left else (-1.0, size[0] - 6.0)
-    port = edge + inward * (max(type_.getlength(text) for text in texts) + 10.0)
+    port = edge + inward * (max(lengths) + 10.0)
     names = []
     for y, index in zip(rows, uncrossed(handles, port, rows), strict=True):
-        start = edge + inward * (type_.getlength(texts[index]) + 4.0)
+        start = edge + inward * (lengths[index] + 4.0)
         line = np.array([[start, y], [port, y], handles[index]])
-        names.append(_Name(texts[index], (edge, float(y)), "lm" if left else "rm", type_, line))
+        side = "lm" if left else "rm"
+        names.append(_Name(texts[index], (edge, float(y)), side, types[index], line))
     return names
 
 

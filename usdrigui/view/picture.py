@@ -252,7 +252,10 @@ def contact_sheet(
             if titles:
                 text = lettering.legible(titles[number * columns + column])
                 pen.text(
-                    (left + 2, top + each.height + 5), text, fill=_INK, font=lettering.font(14)
+                    (left + 2, top + each.height + 5),
+                    text,
+                    fill=_INK,
+                    font=lettering.font(14, titles[number * columns + column]),
                 )
         top += height + _GAP
     return page
@@ -476,7 +479,7 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
 
 def _title(page: Image.Image, title: str, numbers: str) -> None:
     pen = ImageDraw.Draw(page)
-    pen.text((_EDGE, 12), lettering.legible(title), fill=_INK, font=lettering.font(25))
+    pen.text((_EDGE, 12), lettering.legible(title), fill=_INK, font=lettering.font(25, title))
     pen.text((_EDGE, 43), numbers, fill=_QUIET, font=lettering.font(14))
 
 
