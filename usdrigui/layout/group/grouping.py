@@ -226,7 +226,7 @@ class _Grouping:
         for group in self.prior.groups:
             motions = tuple(index[control] for control in group.controls if control in index)
             whole = len(motions) == len(group.controls)
-            if not motions or len({self.category[i] for i in motions}) > 1:
+            if not motions or len({bool(self.category[i]) for i in motions}) > 1:
                 continue
             pairs = group.opposed if whole else ()
             ends = set().union(*pairs)

@@ -9,7 +9,7 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.partial_layout import fixed_by
-from usdrigui.layout.reuse.prior_layout import NO_PRIOR, PriorLayout, joined, kept_groups, of_previous
+from usdrigui.layout.reuse.prior_layout import NO_PRIOR, KeptGroup, PriorLayout, joined, kept_groups, of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.settings import ControlSettings, Settings
@@ -70,6 +70,19 @@ def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
     assert partners(again.layout) == partners(before.layout)
     mirrors = {element.name: element.mirror for element in before.layout.elements}
     assert {element.name: element.mirror for element in again.layout.elements} == mirrors
+
+
+def test_a_group_on_the_board_stays_together_whatever_takes_its_controls_off_the_face():
+    """Only a group one of whose controls is on the face again and the other is not is parted."""
+    points, _ = makers.mask()
+    lifted, board = makers.face_with(headUp=np.tile((0.0, 0.3, 0.0), (len(points), 1))), ControlSettings(place="board")
+    settings = Settings(controls={"chin": board})
+    names = [control.name for control in lifted.controls]
+    together = KeptGroup("head", (names.index("headUp"), names.index("chin")), ())
+    both = frozenset(("headUp", "chin"))
+    for asked in (settings, Settings()):
+        found = lay_out(lifted, asked, PriorLayout((together,)))
+        assert (both in partners(found.layout)) == (asked is settings)
 
 
 def test_the_rest_is_optimal_given_what_is_fixed(face, before):
