@@ -50,6 +50,11 @@ ROWS = (
         replaced={"usdrigui.layout.classify.composites.find_families": lambda *_: ()},
     ),
     Row("the least kept", {"candidates": {"least_kept": 0.0}}),
+    Row(
+        "owned skin",
+        replaced={"usdrigui.layout.motion.trajectory.owned_skin": lambda *_: None},
+    ),
+    Row("parts", {"parts": {"divide": False}}),
     Row("the dear board", {"objective": {"off_face_penalty": 0.3}}),
 )
 

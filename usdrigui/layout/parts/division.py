@@ -171,14 +171,14 @@ class _Names:
         total = float(mass.sum())
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
-        alone = float(masses.max()) >= _MOST * total
-        if (
-            not (alone and most in (EYES, PROPS))
+        prop = most == PROPS and float(masses.max()) >= _MOST * total
+        near = (
+            not prop
             and self.near_face is not None
             and float(mass[self.near_face[motion.points]].sum()) >= _MOST * total
-        ):
-            return FACE
-        return most
+        )
+        # One direction of a gaze moves the lids, another one does not: they stay together.
+        return FACE if near or most == EYES else most
 
     def _skin(self, owners: Indices) -> Indices:
         """(n,) index into `known` of the part of each point; that of the nearest skin where nothing

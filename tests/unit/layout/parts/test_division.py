@@ -108,6 +108,16 @@ def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
     assert {name.partition(":")[0] for name in found.get("props", ("w:",))} == {"w"}
 
 
+def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop():
+    rig = equipped(shared=True)
+    _, _, ball, stick = rig.meshes
+    shapes = [makers.shape(i, np.tile([0.0, 0.0, 0.01], (len(mesh.points), 1))) for i, mesh in enumerate((ball, stick))]
+    meshes = (*rig.meshes[:2], replace(ball, shapes=(shapes[0],)), replace(stick, shapes=(shapes[1],)))
+    named_shapes = makers.rig_of_meshes(meshes, ["look", "glow"])
+    made = replace(named_shapes, joints=rig.joints, skeletons=rig.skeletons)
+    assert named(made) == {"face": {"look"}, "props": {"glow"}}
+
+
 def test_a_body_does_not_change_the_scale_of_its_face():
     facial = named(BODY)["face"]
     alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
