@@ -173,9 +173,15 @@ function boundsOf(model, acting, start) {
 }
 
 function pairsOf(model, acting) {
-  const places = new Map(acting.flatMap((group, k) => group.map((control) => [control, k])));
-  const ends = (group) => new Set(group.flatMap((control) => model.opposites(control)).map((end) => places.get(end)));
-  return acting.flatMap((group, k) => [...ends(group)].filter((l) => l > k).map((l) => [k, l]));
+  const places = new Map();
+  acting.forEach((group, k) => group.forEach((control) => places.set(control, k)));
+  const pairs = [];
+  acting.forEach((group, k) => {
+    const ends = new Set();
+    for (const control of group) for (const end of model.opposites(control)) ends.add(places.get(end));
+    for (const l of ends) if (l > k) pairs.push([k, l]);
+  });
+  return pairs;
 }
 
 /**
@@ -243,59 +249,94 @@ function least(all, price) {
  * many unknowns as A has rows, is convex and piecewise quadratic with the gradient y + A x(y) - b: Newton's method.
  */
 export function boundedLeastSquares(problem, from = null) {
-  let rest = from ?? new Float64Array(problem.right.length);
-  let here = dualAt(problem, rest);
-  const enough = 1e-12 * (norm(problem.right) + norm(here.gradient));
+  const packed = pack(problem);
+  const { rows, right } = packed;
+  let rest = from ?? new Float64Array(rows);
+  let here = dualAt(packed, rest);
+  const enough = 1e-12 * (norm(right) + norm(here.gradient));
   for (let round = 0; round < 100 && norm(here.gradient) > enough; round++) {
-    const step = solveSymmetric(curvature(problem, here.free), here.gradient.map((value) => -value));
-    [rest, here] = alongStep(problem, rest, step, dot(here.gradient, step));
+    const step = solveSymmetric(curvature(packed, here.free), here.gradient.map((value) => -value));
+    rest = alongStep(packed, rest, step, here);
+    here = dualAt(packed, rest);
   }
   return { x: here.x, rest };
 }
 
-function dualAt({ columns, right, ridge, sparse, lower, upper }, rest) {
-  const x = new Float64Array(columns.length);
-  const gradient = new Float64Array(right.length);
+/** A bounded problem as arrays of numbers, columns one after the other: it is looked through some hundred times. */
+function pack({ columns, right, ridge, sparse, lower, upper }) {
+  const rows = right.length;
+  const flat = new Float64Array(columns.length * rows);
+  for (let k = 0, at = 0; k < columns.length; k++) for (let i = 0; i < rows; i++, at++) flat[at] = columns[k][i];
+  const slack = sparse ? Float64Array.from(sparse, (value) => 0.5 * value) : new Float64Array(columns.length);
+  return { rows, columns: flat, right, slack, ridge: Float64Array.from(ridge), lower: Float64Array.from(lower), upper: Float64Array.from(upper) };
+}
+
+/** How far each column goes along a direction. */
+function allAlong({ rows, columns, ridge }, direction) {
+  const along = new Float64Array(ridge.length);
+  for (let k = 0, at = 0; k < along.length; k++) {
+    let sum = 0;
+    for (let i = 0; i < rows; i++, at++) sum += columns[at] * direction[i];
+    along[k] = sum;
+  }
+  return along;
+}
+
+/** The dual at a rest: x, the gradient, each column along the rest, and the variables within their bounds. */
+function dualAt(packed, rest) {
+  const { rows, columns, right, slack, ridge, lower, upper } = packed;
+  const along = allAlong(packed, rest);
+  const x = new Float64Array(along.length);
+  const gradient = new Float64Array(rows);
   const free = [];
-  for (let i = 0; i < right.length; i++) gradient[i] = rest[i] - right[i];
-  for (let k = 0; k < columns.length; k++) {
-    const column = columns[k];
-    const value = nearerToZero(dot(column, rest), 0.5 * (sparse?.[k] ?? 0)) / ridge[k];
+  for (let i = 0; i < rows; i++) gradient[i] = rest[i] - right[i];
+  for (let k = 0; k < x.length; k++) {
+    const value = nearerToZero(along[k], slack[k]) / ridge[k];
     x[k] = clamp(value, lower[k], upper[k]);
     if (x[k] === value && value !== 0 && upper[k] > lower[k]) free.push(k);
-    if (x[k] !== 0) for (let i = 0; i < column.length; i++) gradient[i] += column[i] * x[k];
+    if (x[k] !== 0) for (let i = 0; i < rows; i++) gradient[i] += columns[k * rows + i] * x[k];
   }
-  return { x, gradient, free };
+  return { x, gradient, along, free };
 }
 
 /** I + A D^-1 A' of the free variables, with D the ridge. */
-function curvature({ columns, right, ridge }, free) {
-  const rows = right.length;
+function curvature({ rows, columns, ridge }, free) {
   const matrix = Array.from({ length: rows }, () => new Float64Array(rows));
   matrix.forEach((row, i) => (row[i] = 1));
   for (const k of free) {
-    const column = columns[k];
+    const at = k * rows;
     for (let i = 0; i < rows; i++) {
       const row = matrix[i];
-      const factor = column[i] / ridge[k];
-      for (let j = 0; j <= i; j++) row[j] += factor * column[j];
+      const factor = columns[at + i] / ridge[k];
+      for (let j = 0; j <= i; j++) row[j] += factor * columns[at + j];
     }
   }
   return matrix;
 }
 
 /** The rest after a step, or after the part of it at which the slope, which only rises, is nearly gone. */
-function alongStep(problem, rest, step, slope) {
+function alongStep(packed, rest, step, { along, gradient }) {
+  const pace = allAlong(packed, step); // each variable sees the step as one number
+  const own = [dot(rest, step) - dot(packed.right, step), dot(step, step)];
+  const enough = 0.1 * Math.abs(dot(gradient, step));
   let [low, high, length] = [0, Infinity, 1];
-  for (let round = 0; ; round++) {
-    const next = rest.map((value, i) => value + length * step[i]);
-    const here = dualAt(problem, next);
-    const there = dot(here.gradient, step);
-    if (round > 40 || Math.abs(there) <= 0.1 * Math.abs(slope)) return [next, here];
-    if (there > 0) high = length;
+  for (let round = 0; round <= 40; round++) {
+    const slope = own[0] + length * own[1] + slopeOf(packed, along, pace, length);
+    if (Math.abs(slope) <= enough) break;
+    if (slope > 0) high = length;
     else low = length;
     length = high < Infinity ? (low + high) / 2 : 2 * length;
   }
+  return rest.map((value, i) => value + length * step[i]);
+}
+
+/** What the variables add to the slope after a part of a step. */
+function slopeOf({ slack, ridge, lower, upper }, along, pace, length) {
+  let slope = 0;
+  for (let k = 0; k < pace.length; k++) {
+    slope += pace[k] * clamp(nearerToZero(along[k] + length * pace[k], slack[k]) / ridge[k], lower[k], upper[k]);
+  }
+  return slope;
 }
 
 /** Cholesky solution of a small positive definite system, given by its lower half. */
@@ -329,7 +370,9 @@ function residual(columns, right, x) {
 
 function cost({ columns, right, ridge, sparse }, x) {
   const rest = residual(columns, right, x);
-  return dot(rest, rest) + ridge.reduce((sum, weight, k) => sum + (weight * Math.abs(x[k]) + (sparse?.[k] ?? 0)) * Math.abs(x[k]), 0);
+  let sum = dot(rest, rest);
+  for (let k = 0; k < x.length; k++) sum += (ridge[k] * Math.abs(x[k]) + (sparse?.[k] ?? 0)) * Math.abs(x[k]);
+  return sum;
 }
 
 function dot(a, b) {
