@@ -12,6 +12,7 @@ export function act(session, [name, ...rest]) {
     unkey: (names) => session.unkey(names.map((each) => index.get(each))),
     'go on': (way, names) =>
       session.rekey(way, keysGoing(way, session.keys, keysWithin(session.keys, names.map((each) => index.get(each)), [-Infinity, Infinity]))),
+    span: (first, last) => session.respan(first, last),
     reset: () => session.reset(),
     undo: () => session.undo(),
     redo: () => session.redo(),

@@ -1,5 +1,5 @@
 // Pages on one live file, without a browser: {scene, address, origin, rounds, times} on standard input.  In each round
-// [actions of a page]..., or {path, from, to} of another program on the file, are done, then the pages write and look in turn until none has anything more to say.
+// [actions of a page]... (on the first character, or ["of", its number, action]), or {path, from, to} of another program on the file, are done, then the pages write and look in turn until none has anything more to say.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { text } from 'node:stream/consumers';
@@ -17,23 +17,24 @@ globalThis.fetch = (where, { headers, ...rest }) => plain(where, { ...rest, head
 const pages = [];
 for (const _ of rounds[0]) {
   const { characters } = await readScene(scene);
-  const session = new Session(characters[0]);
+  const sessions = characters.map((character) => new Session(character));
   const said = [];
-  const live = new Live([session], 'edit.usda', (words) => said.push(words), address);
-  live.follow(session);
-  pages.push({ session, live, said });
+  const live = new Live(sessions, 'edit.usda', (words) => said.push(words), address);
+  sessions.forEach((session) => live.follow(session));
+  pages.push({ session: sessions[0], sessions, live, said });
 }
 await settled();
 const after = [];
 for (const round of rounds) {
   if (round.path) writeFileSync(round.path, readFileSync(round.path, 'utf8').replace(round.from, round.to));
-  else round.forEach((actions, i) => actions.forEach((action) => act(pages[i].session, action)));
+  else round.forEach((actions, i) => actions.forEach((action) => (action[0] === 'of' ? act(pages[i].sessions[action[1]], action[2]) : act(pages[i].session, action))));
   await settled();
   after.push(pages.map(({ session }) => saidKeys(session)));
 }
 const states = pages.map(({ live }) => live.state);
 const frames = pages.map(({ session }) => times.map((time) => at(session, time)));
-process.stdout.write(JSON.stringify({ after, frames, said: pages.map(({ said }) => said), states }));
+const all = pages.map(({ sessions }) => sessions.map(saidKeys));
+process.stdout.write(JSON.stringify({ after, all, frames, said: pages.map(({ said }) => said), states }));
 
 /** Turns of the pages, as their clocks would give them, the last of which only look. */
 async function settled() {

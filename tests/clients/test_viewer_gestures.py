@@ -341,8 +341,21 @@ def test_static_elements_stay_and_deforming_ones_follow(viewer):
     assert viewer.element("pucker")["handle"] == pytest.approx(rest, abs=0.02)
 
 
+def test_f_looks_closely_and_goes_back(viewer):
+    camera = "(({ target, towards, distance }) => [...target, ...towards, distance])(usdrigui.app.view.camera)"
+    before = viewer.page.evaluate(camera)
+    viewer.page.keyboard.press("f")
+    assert viewer.page.evaluate(camera)[6] < before[6]
+    viewer.page.keyboard.press("f")
+    assert viewer.page.evaluate(camera) == pytest.approx(before)
+    viewer.page.keyboard.press("f")
+    viewer.page.keyboard.press("4")
+    viewer.page.keyboard.press("f")
+    assert viewer.page.evaluate(camera) != pytest.approx(before)
+
+
 def test_copy_beside_the_clean_face(viewer):
-    viewer.page.get_by_role("button", name="Beside", exact=True).click()
+    viewer.page.get_by_role("button", name="On copy", exact=True).click()
     viewer.settle()
     element = viewer.element("brow_L")
     viewer.drag(element["handle"], on_track(element["tracks"][0], 0.5))
@@ -358,7 +371,8 @@ def saved(viewer, label, tmp_path, name):
     with viewer.page.expect_download() as download:
         viewer.page.get_by_role("button", name=label, exact=True).click()
     path = tmp_path / name
-    assert download.value.suggested_filename == name
+    root = viewer.page.evaluate("usdrigui.app.session.character.root")
+    assert download.value.suggested_filename == f"{root.split('/')[-1]}.{name}"
     download.value.save_as(path)
     return path
 

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import threading
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import laid_out
@@ -47,11 +48,11 @@ def served(path, read=(), page="page"):
         thread.join()
 
 
-def pages(server, rig, rounds, times=()):
+def pages(server, rig, rounds, times=(), more=()):
     if shutil.which("node") is None:
         pytest.skip("Node.js is not installed")
     asked = {
-        "scene": base64.b64encode(pack([(rig, laid_out.layout_of(rig))], "live")).decode(),
+        "scene": base64.b64encode(pack([(each, laid_out.layout_of(each)) for each in (rig, *more)], "live")).decode(),
         "address": f"{server.address}edit",
         "origin": f"http://{server.host}",
         "rounds": rounds,
@@ -143,6 +144,21 @@ def test_a_conflict_is_said_and_a_key_stays_over_its_removal(tmp_path):
     assert found["after"][-1][0] == found["after"][-1][1]
     assert found["after"][-1][0]["keys"] == {one.name: [[3, 0.75]], two.name: [[3, 0.125]]}
     assert any("Changed here and elsewhere" in words and one.label in words for words in found["said"][1])
+
+
+def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path):
+    """Keys of each character, and the first and last frame, are with the other page, the other character's as they were."""
+    face = makers.face()
+    other = replace(face, root="/Other")
+    name = face.controls[0].name
+    second = [["of", 1, action] for action in keyed(name, 5, 0.25)]
+    rounds = [[keyed(name, 3, 0.5), second], [[["span", 101, 120]], []]]
+    with served(tmp_path / "edit.usda") as server:
+        found = pages(server, face, rounds, more=[other])
+    first = {"keys": {name: [[3, 0.5]]}, "standing": {}, "span": [101, 120]}
+    assert found["all"] == [[first, {"keys": {name: [[5, 0.25]]}, "standing": {}}]] * 2
+    assert found["states"] == ["saved", "saved"]
+    assert {each["root"] for each in work_in(tmp_path / "edit.usda")["characters"]} == {face.root, "/Other"}
 
 
 def resaved(path):

@@ -61,9 +61,9 @@ export class Animation {
   }
 
   /** First and last whole frame of the clip, or as set by hand, and of keys. */
-  range(keys) {
+  range(keys, span = this.span) {
     const times = [...keys.values()].flatMap((track) => [track[0][0], track.at(-1)[0]]);
-    const [first, last] = this.span ?? [this.first, this.last];
+    const [first, last] = span ?? [this.first, this.last];
     return [Math.min(first, ...times.map(Math.floor)), Math.max(last, ...times.map(Math.ceil))];
   }
 
@@ -71,8 +71,8 @@ export class Animation {
    * Times between which all control values are linear: every whole frame, every sample of the clip, every key,
    * where a stepped key lets go, and where a key's last frame ends.
    */
-  times(keys) {
-    const [first, last] = this.range(keys);
+  times(keys, span = this.span) {
+    const [first, last] = this.range(keys, span);
     const times = new Set(this.clip?.times ?? []);
     for (let frame = first; frame <= last; frame++) times.add(frame);
     for (const [control, track] of keys) {

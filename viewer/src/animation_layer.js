@@ -25,7 +25,7 @@ export function animationLayerOf(sessions, workOf) {
 export function saidKeys(session) {
   const { animation, keys } = session;
   const standing = new Map([...session.stood()].filter(([control]) => !animation.isAnimated(control, keys)));
-  return sayKeys(session, { keys, standing });
+  return sayKeys(session, { keys, standing, span: session.span });
 }
 
 /** What is written of a character; keys are those of the work as a reader has them, to the digits that it says. */
@@ -34,7 +34,7 @@ function animated(session, said) {
   const work = keysFrom(said, session);
   const written = [...new Set([...work.keys.keys(), ...work.standing.keys()])].sort((a, b) => a - b);
   const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
-  return contentOf(session, written, states, animation.range(work.keys), sayKeys(session, work));
+  return contentOf(session, written, states, animation.range(work.keys, work.span), sayKeys(session, work));
 }
 
 /** The present pose as such a layer, with one sample at the present frame. */
@@ -70,19 +70,19 @@ export function keysFromLayer(text, session) {
   return found;
 }
 
-/** The works in a layer that the viewer wrote, whatever program saved it since: {root, keys, standing} per character. */
+/** The works in a layer that the viewer wrote, whatever program saved it since: {root, keys, standing, span if set by hand} per character. */
 export function worksOf(text) {
   const [work] = stringsNamed('work', text);
   if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
   const said = JSON.parse(work);
-  return (said.characters ?? [said]).map(({ root, keys = {}, standing = {} }) => ({ root, keys, standing }));
+  return (said.characters ?? [said]).map(({ root, keys = {}, standing = {}, span }) => ({ root, keys, standing, ...(span && { span }) }));
 }
 
 // --- states ------------------------------------------------------------------------------------------
 
 /** The animation's times, and those at which a written control crosses a knot of its drive, where weights bend. */
 function timesOf(animation, work) {
-  const times = animation.times(work.keys);
+  const times = animation.times(work.keys, work.span);
   const bent = [...work.keys.keys()].filter((control) => animation.controls[control].drive.values.length > 2);
   if (!bent.length) return times;
   const values = times.map((time) => animation.at(time, work).values);

@@ -14,14 +14,14 @@ export class Autosave {
     this.prefix = `usdrigui ${session.character.identity} `;
     this.slot = `${this.prefix}${Date.now().toString(36)}${Math.random().toString(36).slice(2, 8)}`;
     this.stored = null; // the work that the browser holds, as text
-    this.filed = null; // and that of the last saved file
+    this.filed = null; // and that of the last saved file, which holds no notes: a review does
   }
 
   /** Follow the session; `onfail` hears once when something cannot be stored. */
   listen(onfail) {
     this.onfail = onfail;
     for (const event of ['changed', 'time', 'options']) this.session.on(event, () => this.schedule());
-    this.session.on('saved', () => (this.filed = JSON.stringify(workOf(this.session))));
+    this.session.on('saved', () => (this.filed = withoutNotes(this.session)));
   }
 
   schedule() {
@@ -47,8 +47,10 @@ export class Autosave {
 
   /** Whether work would be lost with the page: neither stored here nor saved to a file as it is. */
   get isUnsaved() {
-    const text = JSON.stringify(workOf(this.session));
-    return text !== 'null' && text !== this.stored && text !== this.filed && !this.isElsewhere();
+    const { session } = this;
+    if (this.isElsewhere() || JSON.stringify(workOf(session)) === this.stored) return false;
+    const rest = withoutNotes(session);
+    return (rest !== 'null' && rest !== this.filed) || (session.notes !== session.arrived && session.notes !== session.sent);
   }
 
   /** The newest work that another page has left: {slot, saved, work, words}; null without any. */
@@ -82,6 +84,9 @@ export function browserStorage() {
     return null;
   }
 }
+
+/** All work but the notes, as text. */
+const withoutNotes = (session) => JSON.stringify(workOf(Object.create(session, { notes: { value: session.arrived } })));
 
 function parsed(text) {
   try {

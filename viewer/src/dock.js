@@ -168,7 +168,7 @@ const FAMILIES = {
 };
 
 /** The heading of a family of elements on the board. */
-export const familyName = (family) => FAMILIES[family] ?? (family || 'Beside the face');
+export const familyName = (family) => FAMILIES[family] ?? (family || 'Off the face');
 
 const FINGERS = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 const heightOf = (element) => (element.axes.length > 1 ? SQUARE : FINGERS ? FINGER : ROW);

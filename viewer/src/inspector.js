@@ -277,12 +277,12 @@ export class Inspector {
       act('Right to left', 'The pose of the character’s right on its left, too', () => session.mirror('right')),
       act('Copy JSON', 'The pose to the clipboard', () => this.copy()),
       act('Save JSON', 'Download the pose', () => {
-        download('pose.json', poseToJson(session), 'application/json');
+        download(session.fileNamed('pose.json'), poseToJson(session), 'application/json');
         session.emit('saved');
       }),
       act('Save pose layer', 'Download the pose as a USD layer', () => {
         const { text, unwritten } = poseLayer(session);
-        if (text) download('pose.usda', text, 'text/plain');
+        if (text) download(session.fileNamed('pose.usda'), text, 'text/plain');
         session.emit('saved');
         if (unwritten.length) say(`No animation drives ${unwritten.join(', ')}`);
       }),
@@ -337,7 +337,7 @@ export class Inspector {
     const save = make('button', {
       type: 'button',
       title: 'Download the changes as a partial layout for `usdrigui process --config`',
-      onclick: () => download('layout.toml', view.rearranging.toml(), 'application/toml'),
+      onclick: () => download(session.fileNamed('layout.toml'), view.rearranging.toml(), 'application/toml'),
     }, 'Save partial layout');
     const facts = [
       `${layout.elements.length} elements, ${session.controls.length} controls`,

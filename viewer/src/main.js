@@ -22,7 +22,7 @@ const ROOMY = 1200; // pixels of width from which the panel is open at first
 
 const SHORTCUTS = [
   ['Drag a handle', 'its control; Ctrl for fine steps'],
-  ['Touch', 'one finger drags, two pan, pinch and turn; handles under one finger move apart first'],
+  ['Touch', 'one finger drags, two pan, pinch and turn; handles under one finger move apart, a fan of them around it: touch one of these'],
   ['Drag the skin', 'best fit of the controls that act there'],
   ['Drag empty space, Alt-drag', 'orbit; right or middle button pans, wheel zooms'],
   ['Click the skin', 'list what acts there'],
@@ -37,7 +37,7 @@ const SHORTCUTS = [
   ['M', 'open the selected coarse element into its members, or close it'],
   ['0  R', 'zero, reset the selection'],
   ['K', 'key the selection and all that changed'],
-  ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection'],
+  ['1  2  3  4  F', 'front, three-quarter, side, back; F: closer, on the face or the selection, and back'],
   ['Space', 'play'],
   ['D', 'all keys in rows or as curves: drag moves (Ctrl: copies), a drag from an empty place picks, Delete takes away'],
   ['O', 'onion skin: the keys before and after as outlines'],
@@ -173,7 +173,7 @@ class App {
     const parts = [
       segmented('Where the controls are', [
         ['face', 'On face', 'Controls on the face'],
-        ['beside', 'Beside', 'Controls on a copy of the face, the clean face next to it'],
+        ['beside', 'On copy', 'Controls on a copy of the face, the clean face next to it'],
       ], () => session.options.arrangement, (value) => this.setArrangement(value)),
       option('symmetric', 'Symmetry', 'Both sides at once (S)'),
       option('handles', 'Handles', 'Show or hide the handles (H)'),

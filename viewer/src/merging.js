@@ -1,5 +1,5 @@
 // Two pages on one animation: what both have said since they last agreed, merged per control and frame.
-// Works are as `sayKeys` says them: {keys: {name: [[frame, ...]]}, standing: {name: value}}.
+// Works are as `sayKeys` says them: {keys: {name: [[frame, ...]]}, standing: {name: value}, span: [first, last] if set by hand}.
 
 /**
  * `base` is what both began from.  What one of them changed is taken from it; where both changed one thing differently
@@ -21,16 +21,17 @@ export function merged(base, mine, theirs) {
     return track.length ? track : undefined;
   });
   const standing = perName(base.standing, mine.standing, theirs.standing, (name, ...values) => chosen([name, null], ...values));
-  const work = { keys, standing };
+  const span = chosen(['frames', null], base.span, mine.span, theirs.span);
+  const work = { keys, standing, ...(span && { span }) };
   return { work, conflicts, taken: differing(mine, work) };
 }
 
 export const NOTHING = { keys: {}, standing: {} };
 
-/** Names of controls of which two works say different things. */
+/** Names of controls of which two works say different things; 'frames' where they do of the first and last one. */
 export function differing(one, other) {
   const names = (part) => union(one[part], other[part]).filter((name) => !same(one[part][name], other[part][name]));
-  return [...new Set([...names('keys'), ...names('standing')])];
+  return [...new Set([...names('keys'), ...names('standing'), ...(same(one.span, other.span) ? [] : ['frames'])])];
 }
 
 function perName(base, mine, theirs, merge) {

@@ -197,7 +197,7 @@ export class Review {
 
   save() {
     download('review.usda', reviewLayer(this.partsOf()), 'text/plain');
-    this.session.emit('saved');
+    for (const [session] of this.partsOf()) session.sent = session.notes;
     this.say(`Saved review.usda, ${counted(this.session.notes.length, 'note')}`);
   }
 

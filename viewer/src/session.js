@@ -53,6 +53,7 @@ export class Session {
     this.notes = []; // of a review (notes.js)
     this.arrived = this.notes; // those of them that came with the page
     this.received = []; // ids of all that came from others
+    this.sent = this.notes; // those of the last saved review
     this.note = null; // id of the note whose strokes are shown
     this.sound = null; // {name, start: the frame at which it begins, seconds}
     this.given = Float64Array.from(this.rest); // the values before any change at this frame
@@ -76,6 +77,11 @@ export class Session {
   on(event, listener) {
     if (!this.listeners.has(event)) this.listeners.set(event, new Set());
     this.listeners.get(event).add(listener);
+  }
+
+  /** A name for a file of this character. */
+  fileNamed(what) {
+    return `${this.character.root.split('/').at(-1) || 'character'}.${what}`;
   }
 
   emit(event) {
@@ -419,7 +425,7 @@ export class Session {
   }
 
   rebased(state, change) {
-    const own = { keys: state.keys, standing: this.stood(state) };
+    const own = { keys: state.keys, standing: this.stood(state), span: state.span };
     const next = change(own);
     const [before, after] = [own, next].map((work) => this.animation.at(state.frame, work).values);
     const isLoose = (index) => state.values[index] !== state.given[index] && this.animation.isAnimated(index, state.keys);

@@ -76,7 +76,7 @@ export class Shelf {
 
   save() {
     const { text, unwritten } = posesLayer(this.session, this.session.shelf);
-    download('poses.usda', text, 'text/plain');
+    download(this.session.fileNamed('poses.usda'), text, 'text/plain');
     this.session.emit('saved');
     if (unwritten.length) this.say(`No animation drives ${unwritten.join(', ')}`);
   }

@@ -82,7 +82,7 @@ export class Timeline {
     this.number.title = session.neutral ? 'The pose of the layout; the time line shows the animation' : 'Frame';
     Object.assign(this.slider, { min: first, max: last, value: this.frame });
     this.ends.forEach((input, i) => {
-      input.hidden = !session.animation.isFree || 'live' in document.body.dataset;
+      input.hidden = !session.animation.isFree;
       if (document.activeElement !== input) input.value = String([first, last][i]);
     });
     this.slider.style.setProperty('--at', along(this.frame));
@@ -232,11 +232,12 @@ export class Timeline {
       this.say('Nothing is keyed and no pose is set: there is no animation to save');
       return;
     }
-    download('animation.usda', text, 'text/plain');
+    const name = session.fileNamed('animation.usda');
+    download(name, text, 'text/plain');
     session.emit('saved');
     const lost = session.unkeyed();
     const notes = [
-      `Saved animation.usda, keys at ${counted(this.keyFrames().length, 'frame')}`,
+      `Saved ${name}, keys at ${counted(this.keyFrames().length, 'frame')}`,
       lost.length ? `Not keyed and not in it: ${named(session, lost)} of frame ${this.frame}` : '',
       unwritten.length ? `No animation drives ${unwritten.join(', ')}` : '',
       session.animation.clip?.thinned ? 'The clip was too long to show whole: the layer holds the frames kept' : '',

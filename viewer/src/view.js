@@ -36,6 +36,7 @@ export class View {
     this.gestures = new Gestures(this);
     this.kinds = null;
     this.say = null;
+    this.closeLook = null; // of frameClosely, as long as nothing else moves the camera
     this.showsInfluence = false; // while its key is held
     this.bare = false; // while all elements are hidden by theirs
     this.onInfluences = null;
@@ -179,15 +180,25 @@ export class View {
     this.changed('camera');
   }
 
-  /** Look more closely, from the same side: at the selected elements, else at those on the face. */
+  /** Look more closely, from the same side: at the selected elements, else at those on the face; done again, as before. */
   frameClosely() {
-    const { session } = this;
+    const { session, camera } = this;
+    const where = () => JSON.stringify([camera.target, camera.towards, camera.distance, [...session.selection]]);
+    if (this.closeLook?.where === where()) {
+      const { target, towards, distance } = this.closeLook.before;
+      camera.lookFrom(target, towards, distance);
+      this.closeLook = null;
+      this.changed('camera');
+      return;
+    }
+    const { target, towards, distance } = camera;
     const onFace = this.shownElements().filter((element) => !element.onBoard);
     const selected = session.selectedElements.filter((element) => !element.onBoard);
     const chosen = selected.length ? selected : onFace;
     const column = this.columns[0];
     const points = chosen.flatMap((element) => element.tracks.flat());
-    this.camera.frame(points, column.width, column.height, selected.length ? 3 : 1.2);
+    camera.frame(points, column.width, column.height, selected.length ? 3 : 1.2);
+    this.closeLook = { where: where(), before: { target, towards, distance } };
     this.changed('camera');
   }
 

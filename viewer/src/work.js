@@ -6,18 +6,20 @@ import { WAYS, wayOf } from './interpolation.js';
 import { joined, noteFrom, saidNote } from './notes.js';
 import { poseFrom } from './pose_library.js';
 
-/** Keys and standing values by names of controls, in the controls' order. */
-export function sayKeys({ controls }, { keys, standing }) {
+/** Keys and standing values by names of controls, in the controls' order, and the frames as set by hand. */
+export function sayKeys({ controls }, { keys, standing, span = null }) {
   const byNames = (map, say) => Object.fromEntries([...map].sort(([a], [b]) => a - b).map(([control, value]) => [controls[control].name, say(value)]));
   return {
     keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
     standing: byNames(standing, rounded),
+    ...(span && { span }),
   };
 }
 
 /** The opposite of `sayKeys`; controls that the character lacks and values that are none are left out. */
-export function keysFrom({ keys, standing }, { controls }) {
-  return { keys: byControl(keys, controls, isTrack), standing: byControl(standing, controls, Number.isFinite) };
+export function keysFrom({ keys, standing, span }, { controls, animation }) {
+  const own = animation.isFree && isSpan(span) ? span : null;
+  return { keys: byControl(keys, controls, isTrack), standing: byControl(standing, controls, Number.isFinite), span: own };
 }
 
 /** Values by names of controls, and back; what the character lacks and what is no number is left out. */
@@ -40,14 +42,13 @@ export function workOf(session) {
     notes: notes.map((note) => saidNote(session, note)),
     received,
     sound,
-    span,
     moved: [...moved].map(([index, entry]) => [elements.list[index].name, entry, elements.placement(elements.list[index])]),
   };
 }
 
 /** Whether keys and standing values say all of a session's work. */
 export const isAllKeys = (session) =>
-  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !session.span && !isReviewed(session);
+  !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !isReviewed(session);
 
 /** Whether notes are other than those that came with the page. */
 const isReviewed = ({ notes, arrived }) => notes !== arrived;
@@ -56,7 +57,7 @@ const isReviewed = ({ notes, arrived }) => notes !== arrived;
 export function resume(session, work) {
   const { controls, elements } = session;
   const before = session.snapshot();
-  const { keys, standing } = keysFrom(work, session);
+  const { keys, standing, span } = keysFrom(work, session);
   session.locks = new Set(controls.flatMap(({ name }, index) => (work.locks?.includes(name) ? [index] : [])));
   for (const [name, entry, placement] of work.moved ?? []) {
     const element = elements.list.find((each) => each.name === name && each.members.length === placement.members.length);
@@ -74,7 +75,6 @@ export function resume(session, work) {
   const since = session.notes.filter(({ id }) => !work.received?.includes(id)); // what came after this work was kept
   const notes = joined(since, (work.notes ?? []).map((note) => noteFrom(note, session)).filter(Boolean));
   session.received = [...new Set([...session.received, ...(work.received ?? [])])];
-  const span = session.animation.isFree && isSpan(work.span) ? work.span : null;
   session.restore({ frame, neutral, keys, standing, given, values, shelf, notes, sound, span });
   session.step('Restore work', before);
   session.emit('options');

@@ -22,3 +22,11 @@ test('where both changed one thing mine stands and is told, and a key stands ove
   assert.deepEqual(conflicts, [['brow', 3], ['jaw', 1], ['jaw', 5], ['lid', null]]);
   assert.deepEqual(differing(made, merged(BASE, made, theirs).work), []);
 });
+
+test('first and last frame set by hand are merged as one thing', () => {
+  const [mine, theirs] = [{ ...BASE, span: [1, 20] }, { ...BASE, span: [5, 30] }];
+  assert.deepEqual(merged(BASE, BASE, theirs), { work: theirs, conflicts: [], taken: ['frames'] });
+  assert.deepEqual(merged(BASE, mine, theirs).work, mine);
+  assert.deepEqual(merged(BASE, mine, theirs).conflicts, [['frames', null]]);
+  assert.deepEqual(merged(mine, mine, BASE).work, BASE);
+});
