@@ -147,7 +147,7 @@ def test_a_conflict_is_said_and_a_key_stays_over_its_removal(tmp_path):
 
 
 def test_characters_of_a_shot_and_the_frames_set_by_hand_share_one_file(tmp_path):
-    """Keys of each character, and the first and last frame, are with the other page, the other character's as they were."""
+    """Keys of each character and the first and last frame are with the other page; those of the others stay."""
     face = makers.face()
     other = replace(face, root="/Other")
     name = face.controls[0].name
