@@ -50,7 +50,8 @@ def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events)
     prepare_streams(machine=getattr(arguments, "json", False))
     screens = Screens()
     outcome = supervise(argv, screens.show, events, terminals=screens.terminals)
-    arguments.written = _account(outcome)
+    if account := _account(outcome):
+        arguments.written = account
     if outcome.death is not None:
         return _refusal(outcome.death, arguments)
     return outcome
