@@ -67,6 +67,18 @@ def solved(problem: LayoutProblem, settings: SolveSettings) -> Assignment | None
         return None
 
 
+def test_the_first_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest, costs = local_search.Incumbent.search, []
+
+    def told(incumbent: local_search.Incumbent, tries: int) -> None:
+        honest(incumbent, tries)
+        costs.append(incumbent.cost)
+
+    monkeypatch.setattr(local_search.Incumbent, "search", told)
+    solve(crowd(12, 40), SolveSettings(work_limit=1_000_000))
+    assert costs[0] > costs[-2] == costs[-1]
+
+
 def verdicts(seeds: range) -> list[str]:
     """Faults over many problems; both methods must agree on which are infeasible."""
     found = []

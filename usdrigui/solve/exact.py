@@ -30,7 +30,7 @@ HALVINGS = 6
 """The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every
 variable."""
 TRIES = 2
-"""Attempts of large-neighbourhood search per variable."""
+"""Attempts of large-neighbourhood search per variable, and again as long as they help."""
 HIGHS_SHARE = 0.01
 """Of the work allowed, before what it has not closed goes to branch and bound (decision 030)."""
 
@@ -129,7 +129,10 @@ def _first_layout(
         labels, chosen = _roughly(problem, labels, forbidden, budget)
         incumbent = Incumbent(problem, labels, forbidden, budget)
         incumbent.start_from(chosen)
-    incumbent.search(TRIES * len(problem.variables))
+    cost = np.inf
+    while incumbent.cost < cost and not (budget.stopped() or budget.closed()):
+        cost = incumbent.cost
+        incumbent.search(TRIES * len(problem.variables))
     return labels, incumbent
 
 

@@ -73,30 +73,20 @@ def refined(
     older: list[NearPairs],
     parent: Indices,
     budget: Budget,
-    same: Flags | None = None,
+    same: Flags,
 ) -> list[NearPairs]:
     """The near pairs after blocks were split or discarded; `parent` (n,) tells each block's old
     number.
 
     `same` (n,) tells for which blocks the costs of the old one will do: not for a single label that
-    is left of several, whose costs must be exact.  Without it, for all that are the only part of
-    the old one.
+    is left of several, whose costs must be exact.
     """
-    count = (
-        int(
-            max(
-                (each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)),
-                default=-1,
-            )
-        )
-        + 1
-    )
-    children = np.bincount(parent, minlength=count)
+    ends = [each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)]
+    children = np.bincount(parent, minlength=int(max(ends, default=-1)) + 1)
     child = np.full(len(children), -1, dtype=np.int64)
     child[parent[::-1]] = np.arange(len(parent))[::-1]
     kept = children == 1
-    if same is not None:
-        kept[parent[~same]] = False
+    kept[parent[~same]] = False
     return [_children(problem, label_set, pairs, children, child, kept, budget) for pairs in older]
 
 
