@@ -207,17 +207,17 @@ def _variable(
 
 
 def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings) -> float:
-    """Cost of sending the element and its images to the board; inf where they must stand on the
-    face."""
+    """Cost of sending the element and its images to the board, which takes all its controls off the
+    face; inf where they must stand on the face."""
     overrides = [requests.overrides[control] for control in group.controls]
     if not settings.off_face_allowed or any(
         each.place in ("face", "proxy") or each.anchor for each in overrides
     ):
         return float(np.inf)
     meanings = [requests.meaning(control) for control in group.controls]
-    needed = any(meaning is not None and meaning.action.is_needed for meaning in meanings)
+    needed = sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
     # Where the earlier layout had it on the board, nothing leaves the face.
-    leaves = not requests.prior.stood_on_board(group.controls)
+    leaves = len(meanings) * (not requests.prior.stood_on_board(group.controls))
     return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
 
 

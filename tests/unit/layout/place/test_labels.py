@@ -89,6 +89,17 @@ def test_costs_are_displacement_terms_and_own_overlap_of_both_copies():
     assert variable.off_face_cost == pytest.approx(2.0 * Settings().objective.off_face_penalty)
 
 
+def test_an_element_that_leaves_the_face_takes_all_its_controls_with_it():
+    gaze = [makers.bump(POINTS, (0.35, 0.3), way, 0.18, 0.05) for way in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))]
+    names = [f"eyeLook{way}_L" for way in ("Out", "In", "Up", "Down")]
+    line = chain.problem_of(makers.rig(POINTS, QUADS, SHAPES | dict(zip(names, gaze, strict=True))), Settings())
+    costs = {variable.name: variable.off_face_cost for variable in line.problem.variables}
+    joystick = next(name for name in costs if "eyeLookUp_L" in name)
+    assert all(name in joystick for name in names)
+    blinks = costs["blink_L"]  # of both sides
+    assert costs[joystick] == pytest.approx(4.0 * blinks / 2.0)
+
+
 def test_a_group_counts_its_worst_member():
     both = chain.settings(
         candidates={"occlusion_weight": 0.0},
