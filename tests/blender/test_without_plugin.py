@@ -99,7 +99,7 @@ def test_storm_draws_guides_on_demand_and_they_move(run_inside, usd_python, tmp_
     assert np.abs(shown["plain1"] - shown["plain24"]).max() > 60, "the character moves"
     for frame in (1, 24):
         only_guides = coloured[f"guides{frame}"] & ~coloured[f"plain{frame}"]
-        assert only_guides.sum() > 100
+        assert only_guides.sum() > 50
     assert (coloured["guides1"] != coloured["guides24"]).sum() > 100, "the guides move with it"
 
 
