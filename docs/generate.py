@@ -35,7 +35,12 @@ TEN = (
     "read.joints",
 )
 """What does nearly all that a rigger asks for; docs/rigger.md shows them in this order."""
-_FOR = {"user": "", "expert": "expert", "paper": "preset `paper`"}
+_TABLES = {
+    "user": "",
+    "expert": "## For experts\n\nLimits, weights and thresholds of the stages.\n\n",
+    "paper": "## Of the preset `paper`\n\n",
+}
+"""The level of the settings of each table, and its heading."""
 _TABLE = "<!-- The table is made by docs/generate.py; do not edit. -->\n\n"
 NOTE = "<!-- Made by docs/generate.py; do not edit. -->\n\n"
 
@@ -82,7 +87,7 @@ def settings_page() -> str:
             " that it was made with, as it says\nwhich controls the character has. They take the"
             " files of `--config`; without any that of the layout's\nown name (`looks/cfg.toml`"
             " for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\nthe"
-            " layout stands over, wherever the layout lies. For an asset, by itself or with its"
+            " layout sublayers, wherever the layout lies. For an asset, by itself or with its"
             " layout attached, it is\n`CHAR.rigui.toml` beside it. A layer over a layout"
             " (corrections) takes that of the layout if it has none.\n\n`usdrigui config-schema >"
             " usdrigui.schema.json` writes a JSON Schema of all of this. An editor with a"
@@ -90,15 +95,16 @@ def settings_page() -> str:
             " whose first line is\n`#:schema ./usdrigui.schema.json`.\n"
         ),
     ]
-    rows = dict(_settings_rows())
+    rows = {level: dict(_settings_rows(level)) for level in _TABLES}
     parts += [
         "\n## The ten\n\nWith pictures: [rigger.md](rigger.md#the-ten-settings).\n\n",
         _HEAD,
-        *(rows.pop(key) for key in TEN),
+        *(rows["user"].pop(key) for key in TEN),
     ]
     parts += ["\n## The rest\n\n"]
     parts += [f"- `[{name}]` {_first_sentences(part)}\n" for name, part in _parts()]
-    parts += [f"\n{_HEAD}", *rows.values()]
+    for level, heading in _TABLES.items():
+        parts += [f"\n{heading}{_HEAD}", *rows[level].values()]
     parts.append("\n## Presets\n\n")
     for name, values in PRESETS.items():
         changed = [
@@ -204,9 +210,7 @@ def _flat(text: str) -> str:
     return " ".join(text.split()).replace("|", "or")
 
 
-_HEAD = (
-    "| key | type | default | unit | from, to | for | meaning |\n|---|---|---|---|---|---|---|\n"
-)
+_HEAD = "| key | type | default | unit | from, to | meaning |\n|---|---|---|---|---|---|\n"
 
 
 def _parts() -> Iterator[tuple[str, Any]]:
@@ -216,11 +220,12 @@ def _parts() -> Iterator[tuple[str, Any]]:
         yield (f'{name}."NAME"', typing.get_args(hint)[1]) if free else (name, hint)
 
 
-def _settings_rows() -> Iterator[tuple[str, str]]:
-    """Each setting's key with its row of the table."""
+def _settings_rows(level: str) -> Iterator[tuple[str, str]]:
+    """Each setting's key with its row of the table of a level."""
     for name, part in _parts():
         for each, about in settings_in(part):
-            yield f"{name}.{each.name}", _row(f"{name}.{each.name}", each, about)
+            if about.level == level:
+                yield f"{name}.{each.name}", _row(f"{name}.{each.name}", each, about)
 
 
 def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
@@ -228,10 +233,7 @@ def _row(key: str, each: dataclasses.Field[Any], about: About) -> str:
     bounds = f"{about.bounds[0]:g}, {about.bounds[1]:g}" if about.bounds else ""
     kind, doc = (_flat(str(text)) for text in (each.type, about.doc))
     doc += f" Formerly `{about.was}`." if about.was else ""
-    return (
-        f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {_FOR[about.level]} |"
-        f" {doc} |\n"
-    )
+    return f"| `{key}` | `{kind}` | `{default}` | {about.unit} | {bounds} | {doc} |\n"
 
 
 def _differs(path: Path, text: str) -> bool:

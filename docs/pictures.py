@@ -538,11 +538,11 @@ SCENES: tuple[Scene, ...] = (
         (
             Panel(
                 "nothing keeps handles apart",
-                "[objective]\nhandle_size = 0.08\nhandle_crowd = 0\nseparation ="
+                "[objective]\nhandle_size = 0.08\nmax_neighbours = 0\nseparation ="
                 " false\ndisplacement_weight = 1.0",
             ),
-            Panel("kept apart", "[objective]\nhandle_size = 0.08\nhandle_crowd = 0"),
-            Panel("too large for all", "[objective]\nhandle_size = 0.16\nhandle_crowd = 0"),
+            Panel("kept apart", "[objective]\nhandle_size = 0.08\nmax_neighbours = 0"),
+            Panel("too large for all", "[objective]\nhandle_size = 0.16\nmax_neighbours = 0"),
         ),
         MOUTH,
         labels=False,
@@ -550,8 +550,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "double",
         "11 · Middle or double",
-        "Elements that are their own mirror image prefer the mid-plane, at a price; on request they"
-        " are doubled.",
+        "Elements that are their own mirror image prefer the mid-plane, at a penalty; on request"
+        " they are doubled.",
         (
             Panel("on the plane", '[symmetry]\ndouble_middle = "never"'),
             Panel("doubled", '[symmetry]\ndouble_middle = "always"'),
@@ -562,8 +562,8 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "tiny",
         "12 · Tiny trajectories",
-        "A trajectory too short to be used is drawn longer, with the gain recorded in the layer."
-        " These controls move a fifteenth of what they usually do.",
+        "A trajectory too short to be used is drawn longer, with the magnification recorded in the"
+        " layer. These controls move a fifteenth of what they usually do.",
         tuple(
             Panel(
                 title,

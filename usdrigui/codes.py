@@ -65,7 +65,7 @@ _CODES: dict[str, Code] = {
     "SOURCE_IS_LAYOUT": Code(
         "error",
         "What is to be laid out is a layout layer itself, not a character.",
-        "Process the character that it stands over; --previous keeps what the layer has.",
+        "Process the character that it sublayers; --previous keeps what the layer has.",
     ),
     "SOURCE_HAS_LAYOUT": Code(
         "error",
@@ -402,7 +402,7 @@ _CODES: dict[str, Code] = {
     "PREVIOUS_RENAMED": Code(
         "info",
         "The character stands at another path than in the layout given as --previous, which is"
-        " heeded all the same.",
+        " used all the same.",
         "Nothing, if it was renamed or moved; for the layout of another character use --like"
         " instead.",
     ),
@@ -647,7 +647,7 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_CYCLE": Code(
         "error",
-        "The layout already stands over the asset, so that each would contain the other.",
+        "The layout already sublayers the asset, so that each would contain the other.",
         "Write it with `usdrigui process --bare`, or detach it from the asset first.",
     ),
     # --- many assets ------------------------------------------------------------------------------
@@ -687,7 +687,7 @@ _CODES: dict[str, Code] = {
     # --- posing ----------------------------------------------------------------------------------
     "SOURCE_MISSING": Code(
         "error",
-        "The layout layer does not say which asset it stands over.",
+        "The layout layer does not sublayer any asset.",
         "Name the asset as its first sublayer, write the layer without --bare, or give a stage that"
         " composes both.",
     ),

@@ -475,7 +475,8 @@ def test_a_clip_that_starts_elsewhere_starts_at_the_base_pose(tmp_path):
 
 
 def test_a_pose_of_weights(tmp_path):
-    rig = read(head(tmp_path / "char.usda"), {"poses": {"smirk": {"weights": {"smile": 0.7}, "label": "Smirk"}}})
+    config = {"poses": {"smirk": {"weights": {"smile": 0.7}}}, "controls": {"smirk": {"label": "Smirk"}}}
+    rig = read(head(tmp_path / "char.usda"), config)
     assert (controls(rig)["smirk"].kind, controls(rig)["smirk"].label) == ("pose", "Smirk")
     assert channel_state(rig, [0.0, 0.0, 0.5])[0].tolist() == [0.35, 0.0]
 

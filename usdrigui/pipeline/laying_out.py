@@ -325,7 +325,7 @@ def _check_character(
     asset.
     """
     if source.layouts:
-        below = f"stands over {source.below}" if source.below else "stands over nothing else"
+        below = f"sublayers {source.below}" if source.below else "sublayers nothing else"
         raise refuse(
             "SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}"
         )

@@ -19,10 +19,10 @@ from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, Singles
-from usdrigui.pose.rigid import on_one_joint
+from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
 from usdrigui.pose.subset import subset
 from usdrigui.pose.tracks import carried, facing, slid
+from usdrigui.skinning import carrying_joint
 
 
 @dataclass(frozen=True, eq=False)
@@ -299,3 +299,29 @@ def _controls(names: Mapping[str, int], element: Element) -> Indices:
                 "LAYOUT_STALE", member.control, f"the control of {element.name} does not exist"
             )
     return np.array([names[member.control] for member in element.members], dtype=np.int64)
+
+
+# --- elements that do not deform ------------------------------------------------------------------
+
+
+def on_one_joint(rig: Rig, rows: Indices) -> Rig:
+    """The rig with all skinned meshes rigidly on the joint that carries the face, as in the written
+    layer.
+
+    The joint is `carrying_joint` of the points ``rows`` (q,); the rig comes back unchanged where it
+    has no joints or the points no skin.
+    """
+    joint = carrying_joint(rig, rows)
+    if joint < 0:
+        return rig
+    return replace(rig, meshes=tuple(_rigid(mesh, joint) for mesh in rig.meshes))
+
+
+def _rigid(mesh: RigMesh, joint: int) -> RigMesh:
+    if mesh.skin is None:
+        return mesh
+    count = len(mesh.points)
+    skin = replace(
+        mesh.skin, joints=np.full((count, 1), joint), weights=np.ones((count, 1)), rigid=True
+    )
+    return replace(mesh, skin=skin)

@@ -14,13 +14,15 @@ from typing import Any, Literal
 
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.settings.bounds import check_bounds
-from usdrigui.settings.parts import Settings
+from usdrigui.settings.parts import PoseSettings, Settings
 from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
 from usdrigui.settings.table import current_name
 
 _EARLIER_VALUES = {"beside": "board"}
 """What values were called in configurations of before (`place`)."""
+_MOVED = {(PoseSettings, "label"): "controls"}
+"""The part that holds what a setting of another part said before."""
 
 
 def load(
@@ -57,15 +59,18 @@ def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) ->
         path = f"{where}.{key}" if where else key
         with faults.collected():
             if key not in hints:
-                hint = meant(key, hints)
-                what = (
-                    f"there is no setting of this name{hint}"
-                    if hint
-                    else f"known here: {', '.join(hints)}"
-                )
-                raise refuse("CONFIG_UNKNOWN_KEY", path, what)
+                raise refuse("CONFIG_UNKNOWN_KEY", path, _unknown(type(base), key, where, hints))
             changed[key] = _converted(getattr(base, key), hints[key], value, path, faults)
     return replace(base, **changed)
+
+
+def _unknown(part: type, key: str, where: str, known: Mapping[str, Any]) -> str:
+    """What a key that is no setting of a part should be."""
+    if (part, key) in _MOVED:
+        table, _, name = where.partition(".")
+        return f"write {_MOVED[part, key]}.{name}.{key} instead of {table}.{name}.{key}"
+    hint = meant(key, known)
+    return f"there is no setting of this name{hint}" if hint else f"known here: {', '.join(known)}"
 
 
 def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -> Any:

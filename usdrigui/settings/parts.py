@@ -53,6 +53,7 @@ class ControlSettings:
         "Radius for `near` along the surface; 0 takes the default.",
         unit="face sizes",
         bounds=(0.0, 1000000.0),
+        level="expert",
     )
     anchor: str = setting("", "``MESH_PATH#POINT``: fixed anchor of a partial layout.")
     follow_twin: bool = setting(
@@ -99,7 +100,6 @@ class PoseSettings:
         "", "Prim path of the SkelAnimation; empty takes the bound one.", level="expert"
     )
     weights: Mapping[str, float] = setting({}, "Blend shape weights of the pose.")
-    label: str = setting("", "Text beside its element; empty takes the name.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +230,7 @@ class TrajectorySettings:
 class SymmetrySettings:
     """Mirror plane, twins and what is held to the plane."""
 
-    enabled: bool = setting(True, "Look for a mirror plane at all.")
+    enabled: bool = setting(True, "Look for a mirror plane at all.", level="expert")
     tolerance: float = setting(
         0.01,
         "Largest distance of a mirror partner.",
@@ -314,7 +314,9 @@ class CandidateSettings:
         " two three-quarter views.",
     )
     space: Literal["object", "view"] = setting(
-        "object", "``view`` projects elements to the view plane before spacing them (paper fig. 7)."
+        "object",
+        "``view`` projects elements to the view plane before spacing them (paper fig. 7).",
+        level="expert",
     )
     global_coverage: float = setting(
         0.6,
@@ -387,7 +389,10 @@ class ObjectiveSettings:
     """What a good layout is (paper eq. 1 and 2)."""
 
     displacement_weight: float = setting(
-        0.85, "Weight of displacement against overlap; paper: lambda.", bounds=(0.0, 1.0)
+        0.85,
+        "Weight of displacement against overlap; paper: lambda.",
+        bounds=(0.0, 1.0),
+        level="expert",
     )
     relative_displacement: float = setting(
         0.5,
@@ -464,6 +469,7 @@ class ObjectiveSettings:
         " is large and its own. At `displacement_weight` nothing of it counts any more.",
         unit="cost",
         bounds=(0.0, 1.0),
+        level="expert",
     )
     off_face_penalty: float = setting(
         1.0,
@@ -491,6 +497,7 @@ class ObjectiveSettings:
         (),
         "Names of further terms of the objective, from installed packages (entry points"
         " ``usdrigui.terms``).",
+        level="expert",
     )
     scene_units: bool = setting(
         False,
@@ -508,7 +515,10 @@ class SolveSettings:
         "highs", "Solver of what dual bounds and tests leave of the layout problem.", level="expert"
     )
     gap: float = setting(
-        0.0001, "Relative gap at which a solution is called optimal.", bounds=(0.0, 1.0)
+        0.0001,
+        "Relative gap at which a solution is called optimal.",
+        bounds=(0.0, 1.0),
+        level="expert",
     )
     work_limit: int = setting(
         60_000_000,
@@ -615,6 +625,7 @@ class AnimationSettings:
         "How much use counts: a control that is never used has the importance 1 - weight, one of"
         " the mean use 1, one used twice as much 1 + weight; three times is the most that counts.",
         bounds=(0.0, 1.0),
+        level="expert",
     )
     together: float = setting(
         0.8,

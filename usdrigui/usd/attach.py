@@ -201,7 +201,7 @@ def _check_bare(asset: Path, layer: Path, settings: ReadSettings) -> None:
         raise refuse("ATTACH_CYCLE", str(layer), "is the asset itself")
     opened = read_layer_isolated(layer, settings)
     if any(same_file(asset, Path(found)) for found in opened.needed):
-        raise refuse("ATTACH_CYCLE", str(layer), f"stands over {asset} already")
+        raise refuse("ATTACH_CYCLE", str(layer), f"sublayers {asset} already")
     if opened.sublayers:
         raise refuse("ATTACH_NOT_BARE", str(layer), f"has the sublayer {opened.sublayers[0]}")
 

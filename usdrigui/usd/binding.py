@@ -26,14 +26,14 @@ def why_unbound(prim: Usd.Prim) -> str:
     named = [each for each in chain if each.GetRelationship(_SKELETON).HasAuthoredTargets()]
     if not named:
         return ""
-    heeded = next((each for each in named if each.HasAPI(UsdSkel.BindingAPI)), None)
-    if heeded is None:
+    chosen = next((each for each in named if each.HasAPI(UsdSkel.BindingAPI)), None)
+    if chosen is None:
         faults = [
             f"{_SKELETON} is authored on {named[0].GetPath()}, but {_API} is not applied there:"
             " apply it"
         ]
     else:
-        faults = [_without_skeleton(heeded)]
+        faults = [_without_skeleton(chosen)]
     faults.append(_cut_off(chain[1:]))
     return "; ".join(filter(None, faults))
 

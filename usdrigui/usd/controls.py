@@ -54,7 +54,6 @@ class NamedPose:
     """A pose or clip to make a control of, as keys from 0 (base pose) to 1."""
 
     name: str
-    label: str
     values: Floats
     """(k,) ascending from 0 to 1."""
     states: State
@@ -153,7 +152,7 @@ def _turn_drive(tree: Tree, turn: Turn, weights: int) -> Drive:
     values = np.union1d(np.linspace(low, high, steps + 1), [0.0])
     states = State(np.zeros((len(values), weights)), posed_locals(tree, turn, values))
     base = State(np.zeros(weights), np.array([joint.base for joint in tree.joints]))
-    return pose_drives([NamedPose(turn.name, "", values, states)], base)[0]
+    return pose_drives([NamedPose(turn.name, values, states)], base)[0]
 
 
 def ignored_motion(root: str, joints: tuple[Joint, ...], clip: Clip | None) -> tuple[Issue, ...]:
@@ -182,7 +181,7 @@ def pose_drafts(
         name = pose.name if pose.name not in taken else f"{pose.name}:pose"
         if len(drive.channels) or len(drive.joints):
             span = Range(0.0, 0.0, 1.0, "default")
-            drafts.append(Draft(name, pose.label, "pose", pose.name, span, drive))
+            drafts.append(Draft(name, "", "pose", pose.name, span, drive))
         else:
             left_off.append(LeftOff(name, "read", "the pose equals the base pose"))
     return drafts, left_off

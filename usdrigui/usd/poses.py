@@ -88,7 +88,7 @@ def named_poses(
     """
     source = _Source(armatures, joints, channels, base)
     poses = [
-        NamedPose(frame.name, "", np.array([0.0, 1.0]), source.keys([frame.time]))
+        NamedPose(frame.name, np.array([0.0, 1.0]), source.keys([frame.time]))
         for frame in frames[1:]
         if frame.name not in configured
     ]
@@ -153,12 +153,10 @@ def _configured(name: str, configured: PoseSettings, source: _Source) -> NamedPo
             for token, weight in configured.weights.items()
             for index in by_token[token]
         }
-        return NamedPose(name, configured.label, np.array([0.0, 1.0]), source.weighted(chosen))
+        return NamedPose(name, np.array([0.0, 1.0]), source.weighted(chosen))
     armatures = _animated_by(configured.animation, source.armatures, where)
     if configured.frame is not None:
-        return NamedPose(
-            name, configured.label, np.array([0.0, 1.0]), source.keys([configured.frame], armatures)
-        )
+        return NamedPose(name, np.array([0.0, 1.0]), source.keys([configured.frame], armatures))
     return _clip(name, configured, source, armatures, where)
 
 
@@ -186,7 +184,7 @@ def _clip(
     else:
         start = first - (last - first) / len(times)
     spread = np.array(times if len(states.weights) == len(times) else [start, *times])
-    return NamedPose(name, configured.label, (spread - start) / (last - start), states)
+    return NamedPose(name, (spread - start) / (last - start), states)
 
 
 def _animated_by(

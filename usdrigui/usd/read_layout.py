@@ -160,7 +160,7 @@ def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
 
 
 def source_of(path: Path) -> str:
-    """The asset that a layout layer stands over; empty if it has none.
+    """The asset that a layout layer sublayers; empty if it has none.
 
     That is its first sublayer, anchored; or, where the layout itself is in a sublayer (attached to
     the asset), the file.  Raises FILE_NOT_FOUND and FILE_NOT_USD.

@@ -48,7 +48,7 @@ class ReadResult(Record):
     layouts: tuple[str, ...] = ()
     """Scopes of the layouts that its root layer authors itself."""
     below: str = ""
-    """The asset that such a root layer stands over; empty if it has none."""
+    """The asset that such a root layer sublayers; empty if it has none."""
     composed_from: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, the file of the layout that another layer of it brings in."""
     variant_paths: Mapping[str, str] = field(default_factory=dict)
@@ -93,7 +93,7 @@ class LayoutsResult(Record):
 
     layouts: tuple[Layout, ...]
     source: str
-    """The asset it stands over; empty if it has none."""
+    """The asset it sublayers; empty if it has none."""
     sources: tuple[SourceFile, ...]
     prims: tuple[ExistingPrim, ...] = ()
     composed_from: Mapping[str, str] = field(default_factory=dict)

@@ -36,16 +36,12 @@ def judge(asset: Path, layer: Path) -> tuple[Issue, ...]:
     """Everything that is wrong with the layout of an asset; empty when it may be published.
 
     Errors of `usdrigui check`, its warnings (a control without slider, two handles on one spot),
-    and the refusal if the layer cannot be read, is missing, or stands over another asset.
+    and the refusal if the layer cannot be read, is missing, or sublayers another asset.
     """
     try:
         loaded = pipeline.load_layer(layer, settings_of(asset))
         if Path(loaded.source).resolve() != asset.resolve():
-            return (
-                _issue(
-                    "LAYOUT_STALE", str(layer), f"stands over {loaded.source}, not over {asset}"
-                ),
-            )
+            return (_issue("LAYOUT_STALE", str(layer), f"sublayers {loaded.source}, not {asset}"),)
         found = pipeline.check(layer, settings_of(asset)).issues
     except RigUIError as error:
         return (error.issue,)

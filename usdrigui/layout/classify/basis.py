@@ -69,29 +69,29 @@ class Basis(Record):
 
 
 def choose_basis(
-    cosine: Floats, prices: Floats, twins: Indices, pairs: Sequence[tuple[int, int]] = ()
+    cosine: Floats, costs: Floats, twins: Indices, pairs: Sequence[tuple[int, int]] = ()
 ) -> Basis:
     """The cheapest set of atoms that explains all other motions.
 
-    `cosine` (m, m) of the motions as vectors over the surface; `prices` (m,) of being an atom,
+    `cosine` (m, m) of the motions as vectors over the surface; `costs` (m,) of being an atom,
     negative for those that are to be one in any case; `twins` (m,) the mirror motion of each,
     itself or -1; `pairs` of motions of which the first repeats the second although they are not
-    parallel (steps of one shape).  Deterministic; where prices tie, the earlier motion is the atom.
+    parallel (steps of one shape).  Deterministic; where costs tie, the earlier motion is the atom.
     """
     known = [
         (i, Explanation(np.array([j]), np.ones(1), 1.0))
-        for i, j in (*pairs, *_parallel(cosine, prices))
+        for i, j in (*pairs, *_parallel(cosine, costs))
     ]
     # What stands in any case explains first: beside it an atom that explains dear ones may not be
     # needed.
-    known += _explained(prices, prices < 0.0, cosine)
-    # Ties are broken by order, by less than any difference of prices that is meant.
-    ranked = prices + 1e-7 * np.arange(len(prices))
+    known += _explained(costs, costs < 0.0, cosine)
+    # Ties are broken by order, by less than any difference of costs that is meant.
+    ranked = costs + 1e-7 * np.arange(len(costs))
     for _ in range(_ROUNDS):
         atoms = _cheapest(ranked, twins, known)
         new = [
             (i, each)
-            for i, each in _explained(prices, atoms, cosine)
+            for i, each in _explained(costs, atoms, cosine)
             if not _is_known(i, each, known)
         ]
         if not new:
@@ -99,15 +99,15 @@ def choose_basis(
         known += new
     return Basis(
         atoms,
-        tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(prices))),
+        tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(costs))),
     )
 
 
-def _explained(prices: Floats, atoms: Flags, cosine: Floats) -> list[tuple[int, Explanation]]:
+def _explained(costs: Floats, atoms: Flags, cosine: Floats) -> list[tuple[int, Explanation]]:
     """The motions that need not be atoms and that these `atoms` (m,) explain."""
     return [
         (i, each)
-        for i in np.flatnonzero(prices > 0.0).tolist()
+        for i in np.flatnonzero(costs > 0.0).tolist()
         if (each := explain(i, atoms, cosine))
     ]
 
@@ -152,17 +152,17 @@ def least_squares(index: int, among: Flags, cosine: Floats) -> tuple[Indices, Fl
     return parts, np.asarray(root.T), np.asarray(np.linalg.solve(root, cosine[parts, index]))
 
 
-def _parallel(cosine: Floats, prices: Floats) -> list[tuple[int, int]]:
+def _parallel(cosine: Floats, costs: Floats) -> list[tuple[int, int]]:
     """Ordered pairs of parallel motions: either may repeat the other."""
-    atoms = np.outer(prices < 0.0, prices < 0.0)
+    atoms = np.outer(costs < 0.0, costs < 0.0)
     parallel = cosine > np.where(atoms, _PARALLEL_ATOMS, PARALLEL)
     np.fill_diagonal(parallel, val=False)
     return [(int(i), int(j)) for i, j in np.argwhere(parallel)]
 
 
-def _cheapest(prices: Floats, twins: Indices, known: Sequence[tuple[int, Explanation]]) -> Flags:
+def _cheapest(costs: Floats, twins: Indices, known: Sequence[tuple[int, Explanation]]) -> Flags:
     """(m,) atoms of the cheapest basis for the explanations that are `known`."""
-    count, columns = len(prices), len(prices) + len(known)
+    count, columns = len(costs), len(costs) + len(known)
     rows: list[tuple[dict[int, float], float, float]] = []
     for i in range(count):
         covers = {i: 1.0, **{count + k: 1.0 for k, (who, _) in enumerate(known) if who == i}}
@@ -178,7 +178,7 @@ def _cheapest(prices: Floats, twins: Indices, known: Sequence[tuple[int, Explana
     table = coo_array((values, (r, c)), shape=(len(rows), columns)).tocsr()
     limits = LinearConstraint(table, [low for _, low, _ in rows], [high for _, _, high in rows])
     answer = milp(
-        np.concatenate([prices, np.full(len(known), 1e-9)]),
+        np.concatenate([costs, np.full(len(known), 1e-9)]),
         integrality=np.ones(columns),
         bounds=Bounds(0.0, 1.0),
         constraints=limits,

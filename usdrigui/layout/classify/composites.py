@@ -2,7 +2,7 @@
 
 Rigs keep visemes, emotions, both-sided copies and flattened in-betweens beside the atomic controls
 from which they were sculpted.  On the face they would only crowd the atoms.  Which controls are
-atoms is decided for all at once (`basis`), at prices that say what a rigger would keep:
+atoms is decided for all at once (`basis`), at costs that say what a rigger would keep:
 
 * a control with the name of an atomic action, and most of all one without which no face can be
   animated, is one;
@@ -37,10 +37,10 @@ _NAMED = 3
 _STEP = 0.75
 """Cosine from which a control repeats the one of which its name calls it a step: a flattened
 in-between lies off the straight line."""
-_FAMILY_PRICE = 3.0
-_BOTH_SIDES_PRICE = 2.0
+_FAMILY_COST = 3.0
+_BOTH_SIDES_COST = 2.0
 _TWIN_DISCOUNT = 0.2
-"""Prices of being an atom, in units of what a control costs whose name says nothing."""
+"""Costs of being an atom, in units of what a control costs whose name says nothing."""
 _LOCAL_COSINE = 0.6
 _LOCAL_AMOUNT = 0.25
 """A control contains another when, where that one acts, it goes the same way by this share of
@@ -129,25 +129,25 @@ def _prices(
     coverage: Floats,
     families: Sequence[Family],
 ) -> Floats:
-    """(m,) price of being an atom; negative for one that is to be one in any case."""
+    """(m,) cost of being an atom; negative for one that is to be one in any case."""
     sides: dict[str, set[str]] = {}
     for each in meaning:
         if each is not None:
             sides.setdefault(each.action.name, set()).add(each.side)
     in_family = {i for family in families for i in family.members}
-    prices = 1.0 + coverage - _TWIN_DISCOUNT * (twins != np.arange(len(names))) * (twins >= 0)
+    costs = 1.0 + coverage - _TWIN_DISCOUNT * (twins != np.arange(len(names))) * (twins >= 0)
     for i, each in enumerate(meaning):
         if i in in_family:
-            prices[i] += _FAMILY_PRICE
+            costs[i] += _FAMILY_COST
         elif (
             each is not None
             and not (each.side or each.middle)
             and {"left", "right"} <= sides[each.action.name]
         ):
-            prices[i] += _BOTH_SIDES_PRICE
+            costs[i] += _BOTH_SIDES_COST
         elif each is not None:
-            prices[i] = -each.action.importance
-    return np.asarray(np.round(prices, 6))
+            costs[i] = -each.action.importance
+    return np.asarray(np.round(costs, 6))
 
 
 def _steps(names: Sequence[str], cosine: Floats) -> list[tuple[int, int]]:

@@ -232,7 +232,7 @@ def with_decisions(
     carried.
 
     `asked` is what the configuration says of controls before any layout fixed more, `groups` its
-    groups, `overrides` (controls,) what was heeded in the end; `rest` (n, 3) the points at rest.
+    groups, `overrides` (controls,) what was applied in the end; `rest` (n, 3) the points at rest.
     """
     decided = dict(_from_configuration(layout, asked, groups))
     for element, pin in _of_pins(layout, pins):
