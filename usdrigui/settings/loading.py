@@ -21,7 +21,7 @@ from usdrigui.settings.table import current_name
 
 _EARLIER_VALUES = {"beside": "board"}
 """What values were called in configurations of before (`place`)."""
-_MOVED = {(PoseSettings, "label"): "controls"}
+_MOVED: dict[tuple[type, str], str] = {(PoseSettings, "label"): "controls"}
 """The part that holds what a setting of another part said before."""
 
 
