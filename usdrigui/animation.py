@@ -23,7 +23,7 @@ from usdrigui.layout.motion.activity import (
 )
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Candidates, Performance, Rig, Symmetry
+from usdrigui.model import Candidates, Control, Performance, Rig, Symmetry
 from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
 
@@ -54,7 +54,7 @@ def weighted(
     """
     if not clips:
         return overrides
-    found = importances(activity(rig, clips), _twins(rig, symmetry), weight)
+    found = importances(activity(rig, clips), _twins(rig.controls, symmetry), weight)
     return with_importances(rig, overrides, found)
 
 
@@ -68,7 +68,7 @@ def animation_facts(
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
     """What the animations say of a character, and what is odd about them; raises as `weighted`."""
     rig = face.rig
-    done, twins = activity(rig, clips), _twins(rig, face.symmetry)
+    done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry)
     worth = importances(done, twins, settings.animation.weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
@@ -88,13 +88,17 @@ def animation_facts(
         for controls, agreement in together(done, twins, settings.animation.together)
     ]
     text = "\n".join(
-        [*_group_lines(sets, twins), *_pose_lines(sets, done, rig), *_importance_lines(uses)]
+        [
+            *_group_lines(sets, twins),
+            *_pose_lines(sets, done, rig.controls),
+            *_importance_lines(uses),
+        ]
     )
     return AnimationFacts(done.clips, len(done.values), tuple(uses), tuple(sets), text), done.issues
 
 
-def _twins(rig: Rig, symmetry: Symmetry) -> dict[str, str]:
-    names = [control.name for control in rig.controls]
+def _twins(controls: tuple[Control, ...], symmetry: Symmetry) -> dict[str, str]:
+    names = [control.name for control in controls]
     return {names[i]: names[twin] for i, twin in enumerate(symmetry.twins.tolist()) if twin >= 0}
 
 
@@ -140,13 +144,13 @@ def _group_lines(sets: Sequence[TogetherFacts], twins: Mapping[str, str]) -> Ite
         yield ""
 
 
-def _pose_lines(sets: Sequence[TogetherFacts], done: Activity, rig: Rig) -> Iterator[str]:
+def _pose_lines(
+    sets: Sequence[TogetherFacts], done: Activity, controls: tuple[Control, ...]
+) -> Iterator[str]:
     """A pose for each set, as in the frame in which it moves most, and its controls as the
     members."""
     poses = [each for each in sets if each.suggestion == "pose"]
-    shapes = {
-        control.name: control.source for control in rig.controls if control.kind == "blendShape"
-    }
+    shapes = {control.name: control.source for control in controls if control.kind == "blendShape"}
     for each in poses:
         columns = {name: done.controls.index(name) for name in each.controls if name in shapes}
         frame = int(done.amounts[:, list(columns.values())].sum(axis=1).argmax())

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.model import Drive, Floats, Indices, Record, Rig, RigMesh, Shape, Singles
+from usdrigui.model import Drive, Floats, Indices, Joint, Record, Rig, RigMesh, Shape, Singles
 from usdrigui.rotation import rotation_part, rotations
 from usdrigui.skinning import (
     SAME,
@@ -47,7 +47,7 @@ def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
     defaults."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
+    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves[None])[0])
     points = [skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
     return np.concatenate(points) if points else np.zeros((0, 3))
 
@@ -56,7 +56,7 @@ def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig), moves[None])[0])
+    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves[None])[0])
     blended = [_blended(mesh, weights) for mesh in rig.meshes]
     maps = tuple(point_maps(rig, mesh, skinning) for mesh in rig.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
@@ -71,7 +71,7 @@ def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Fl
     scales are added before they are applied, so that the order of the controls does not matter.
     """
     weights, moves = _driven(rig, values)
-    return weights, _moved_joints(_base_locals(rig), moves[None])[0]
+    return weights, _moved_joints(_base_locals(rig.joints), moves[None])[0]
 
 
 def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
@@ -141,8 +141,8 @@ def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:
     return np.asarray((1.0 - share) * table[i] + share * table[i + 1], dtype=np.float64)
 
 
-def _base_locals(rig: Rig) -> Floats:
-    return np.array([joint.base for joint in rig.joints], dtype=np.float64).reshape(-1, 4, 4)
+def _base_locals(joints: tuple[Joint, ...]) -> Floats:
+    return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
 
 
 def _moved_joints(base: Floats, moves: Floats) -> Floats:
@@ -299,7 +299,7 @@ def _sweep_joints(
     for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
         moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
     moves = np.concatenate([base.moves[None], moves])
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig), moves))
+    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves))
     turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
     weights = np.repeat(base.weights[None], len(at), axis=0)
     weights[:, drive.channels] += added

@@ -200,7 +200,10 @@ def rows_of(
 ) -> tuple[ControlRow, ...]:
     """Account for every control: `peaks` are the largest arc lengths, `explained_by` the controls
     that do together what one does, by control name."""
-    carried = {member.control: (element, member.arc_length) for element, member in _members(layout)}
+    carried = {
+        member.control: (element, member.arc_length)
+        for element, member in _members(layout.elements)
+    }
     reasons = {left.control: left.reason for left in (*rig.left_off, *layout.left_off)}
     rows = []
     for control in rig.controls:
@@ -280,10 +283,8 @@ def _difference(found: Any) -> dict[str, Any]:
     return {"root": found.root, **counts, "changes": changes}
 
 
-def _members(layout: Layout) -> Iterator[tuple[Element, Any]]:
-    for element in reversed(
-        outer_first(layout.elements)
-    ):  # what a control has on the first level counts
+def _members(elements: tuple[Element, ...]) -> Iterator[tuple[Element, Any]]:
+    for element in reversed(outer_first(elements)):  # what a control has on the first level counts
         for member in element.members:
             yield element, member
 

@@ -142,7 +142,7 @@ def _middle_of_names(
     sides: dict[tuple[str, str], Floats] = {}
     for motion, each in placed:
         if each is not None and each.side:
-            weight = _weights(trajectories, visible, motion)
+            weight = _weights(trajectories.areas, visible, motion)
             sides[each.action.name, each.side] = weight @ trajectories.base[motion.points]
     pairs = [
         (left, sides[action, "right"])
@@ -163,7 +163,7 @@ def _middle_of_names(
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
     two lobes of a symmetric motion that of one) and height, scene units."""
-    weight = _weights(trajectories, views.anywhere, motion)
+    weight = _weights(trajectories.areas, views.anywhere, motion)
     points = trajectories.base[motion.points]
     apart = plane_distance(points, symmetry)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
@@ -171,10 +171,8 @@ def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])
 
 
-def _weights(trajectories: Trajectories, visible: Flags, motion: Motion) -> Floats:
+def _weights(areas: Floats, visible: Flags, motion: Motion) -> Floats:
     """(p,) of the points of a motion for its middle; their sum is 1."""
     seen = visible[motion.points]
-    weight = (
-        trajectories.areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
-    )
+    weight = areas[motion.points] * np.square(motion.arc_length) * np.where(seen, 1.0, 1e-6)
     return np.asarray(weight / max(float(weight.sum()), 1e-300))

@@ -12,7 +12,7 @@ from usdrigui.examples import ExampleLayers, read_examples
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
-from usdrigui.model import CandidateSet, Motion, Rig
+from usdrigui.model import CandidateSet, Control, Motion
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import (
     Divided,
@@ -103,7 +103,9 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         joints=len(rig.joints),
         symmetric=float((symmetric.partner >= 0).mean()),
         controls=tuple(
-            _control(rig, index, of_control.get(index), found[0], remarks.get(control.name, ()))
+            _control(
+                rig.controls, index, of_control.get(index), found[0], remarks.get(control.name, ())
+            )
             for index, control in enumerate(rig.controls)
         ),
         groups=tuple(line for inputs in parts for line in _group_lines(inputs)),
@@ -116,10 +118,14 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
 
 
 def _control(
-    rig: Rig, index: int, own: _Found | None, first: _Found, remarks: Sequence[str]
+    controls: tuple[Control, ...],
+    index: int,
+    own: _Found | None,
+    first: _Found,
+    remarks: Sequence[str],
 ) -> ControlFacts:
     """One control; without a motion it is told of by the `first` part, and is of none."""
-    control, told = rig.controls[index], own or first
+    control, told = controls[index], own or first
     chosen, motion, symmetry = (
         told.sets.get(index),
         told.motions.get(index),

@@ -104,7 +104,7 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         base,
         still,
         still_base or base,
-        _board(rig, layout, owned),
+        _board(rig, layout.elements, owned),
     )
 
 
@@ -281,10 +281,10 @@ def _anchor_point(rig: Rig, element: Element) -> int:
     )
 
 
-def _board(rig: Rig, layout: Layout, owned: Sequence[Indices]) -> Indices:
+def _board(rig: Rig, elements: tuple[Element, ...], owned: Sequence[Indices]) -> Indices:
     """Controls of the elements on the board that drive joints."""
     on_board = [
-        own for element, own in zip(layout.elements, owned, strict=True) if element.anchor.on_board
+        own for element, own in zip(elements, owned, strict=True) if element.anchor.on_board
     ]
     controls = sorted({control for own in on_board for control in own.tolist()})
     return np.array(

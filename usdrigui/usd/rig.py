@@ -452,7 +452,8 @@ def _check_names(readings: list[_Reading], controls: Iterable[str], joints: Iter
     for name in joints:
         if all(name in reading.unknown_joints for reading in readings):
             hint = meant(
-                name, (each for reading in readings for each in _names_of_joints(reading.rig))
+                name,
+                (each for reading in readings for each in _names_of_joints(reading.rig.joints)),
             )
             known = hint or "".join(map(_joints_told, readings))
             with faults.collected():
@@ -464,9 +465,9 @@ def _check_names(readings: list[_Reading], controls: Iterable[str], joints: Iter
     faults.raise_all()
 
 
-def _names_of_joints(rig: Rig) -> list[str]:
+def _names_of_joints(joints: tuple[Joint, ...]) -> list[str]:
     """What the configuration may call them: by their last names as well as by their paths."""
-    return [*joint_names(rig.joints), *(joint.path for joint in rig.joints)]
+    return [*joint_names(joints), *(joint.path for joint in joints)]
 
 
 def _joints_told(reading: _Reading) -> str:

@@ -21,6 +21,7 @@ from usdrigui.model import (
     Element,
     Floats,
     Indices,
+    Joint,
     Layout,
     Record,
     Rig,
@@ -306,7 +307,7 @@ def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tup
     more. Returns the very `influences` when nothing has to change.
     """
     joints, weights = influences
-    moved = {int(joint): _free_ancestor(rig, int(joint), own) for joint in joints}
+    moved = {int(joint): _free_ancestor(rig.joints, int(joint), own) for joint in joints}
     if all(joint == target for joint, target in moved.items()):
         return influences
     shares: dict[int, float] = {}
@@ -323,14 +324,14 @@ def _without(rig: Rig, influences: tuple[Indices, Floats], own: set[int]) -> tup
     )
 
 
-def _free_ancestor(rig: Rig, joint: int, own: set[int]) -> int:
+def _free_ancestor(joints: tuple[Joint, ...], joint: int, own: set[int]) -> int:
     """The joint itself if no joint from it up to the root is in `own`, else the parent of the
     topmost that is."""
     found, step = joint, joint
     while step >= 0:
         if step in own:
-            found = rig.joints[step].parent
-        step = rig.joints[step].parent
+            found = joints[step].parent
+        step = joints[step].parent
     return found
 
 

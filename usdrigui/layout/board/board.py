@@ -20,7 +20,7 @@ from usdrigui.layout.glyph_fitting import fitted_glyph
 from usdrigui.layout.names import common_label, element_name
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import screen
-from usdrigui.model import Anchor, Element, Floats, Group, Member, Rig, Side
+from usdrigui.model import Anchor, Control, Element, Floats, Group, Member, Side
 
 CATEGORIES = (
     "global", "hidden", "interior", "composite", "viseme",
@@ -59,7 +59,7 @@ def board_elements(
     """Elements of the board, in the reading order of its rows."""
     if not board:
         return []
-    rows = _rows(face.rig, board)
+    rows = _rows(face.rig.controls, board)
     width, height = face.handle_width, _TALL * face.trajectories.face_size
     middle = face_middle(face.trajectories, face.symmetry)
     frame = screen(face.views)
@@ -70,11 +70,13 @@ def board_elements(
     drawing = _Drawing(face, requests, frame, anchor_point(face, middle), adapt)
     elements = []
     for column in columns:
-        cells = _cell_widths(face.rig, [row for _, row in column])
+        cells = _cell_widths(face.rig.controls, [row for _, row in column])
         for line, row in column:
             down = 0.5 * height - (line + 0.5) * _ROW * width
             for cell, entry in enumerate(row):
-                across = left + (sum(cells[:cell]) + _TRACK * _start(face.rig, entry)) * width
+                across = (
+                    left + (sum(cells[:cell]) + _TRACK * _start(face.rig.controls, entry)) * width
+                )
                 place = middle + frame[0] * (across - middle @ frame[0]) + frame[1] * down
                 elements.append(_element(drawing, entry, row, place))
         left += sum(cells) * width
@@ -100,7 +102,7 @@ def _right_end(element: Element, frame: Floats, width: float) -> float:
     return across + (2.0 + _LETTER * len(element.label)) * width
 
 
-def _cell_widths(rig: Rig, rows: list[tuple[BoardEntry, ...]]) -> list[float]:
+def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...]]) -> list[float]:
     """Widths of the cells of a column, in handle widths: sliders with the longest label below each
     other.
 
@@ -111,21 +113,21 @@ def _cell_widths(rig: Rig, rows: list[tuple[BoardEntry, ...]]) -> list[float]:
     for cell in range(count):
         for row in rows:
             if len(row) > cell + 1 or (len(row) == count and cell == count - 1):
-                widths[cell] = max(widths[cell], _width(rig, row[cell]))
-    lone = max((_width(rig, row[0]) for row in rows if len(row) == 1), default=0.0)
+                widths[cell] = max(widths[cell], _width(controls, row[cell]))
+    lone = max((_width(controls, row[0]) for row in rows if len(row) == 1), default=0.0)
     widths[-1] += max(0.0, lone - sum(widths))
     return widths
 
 
-def _width(rig: Rig, entry: BoardEntry) -> float:
-    return _TRACK + 2.0 + _LETTER * len(_label(rig, entry))
+def _width(controls: tuple[Control, ...], entry: BoardEntry) -> float:
+    return _TRACK + 2.0 + _LETTER * len(_label(controls, entry))
 
 
-def _label(rig: Rig, entry: BoardEntry) -> str:
-    return common_label([rig.controls[control].label for control in entry.controls])
+def _label(controls: tuple[Control, ...], entry: BoardEntry) -> str:
+    return common_label([controls[control].label for control in entry.controls])
 
 
-def _rows(rig: Rig, board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
+def _rows(controls: tuple[Control, ...], board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
     """Rows of one element or of a pair, sorted by category and then by name."""
     ranked = sorted(
         board,
@@ -137,7 +139,7 @@ def _rows(rig: Rig, board: list[BoardEntry]) -> list[tuple[BoardEntry, ...]]:
     )
     rows = []
     for _, members in groupby(ranked, key=lambda each: (each.category, each.group.name)):
-        rows.append(tuple(sorted(members, key=lambda each: rig.controls[each.controls[0]].name)))
+        rows.append(tuple(sorted(members, key=lambda each: controls[each.controls[0]].name)))
     return rows
 
 
@@ -202,7 +204,7 @@ def _element(
     flipped = face.symmetry.reversed
     return Element(
         name=names[own],
-        label=_label(face.rig, entry),
+        label=_label(face.rig.controls, entry),
         kind=group.kind,
         members=members,
         opposed=group.opposed,
@@ -219,11 +221,11 @@ def _element(
     )
 
 
-def _start(rig: Rig, entry: BoardEntry) -> float:
+def _start(controls: tuple[Control, ...], entry: BoardEntry) -> float:
     """Where the handle rests along its cell's slider, from 0 to 1."""
     if len(entry.controls) > 1:
         return 0.5
-    control = rig.controls[entry.controls[0]]
+    control = controls[entry.controls[0]]
     return (control.default - control.minimum) / (control.maximum - control.minimum)
 
 

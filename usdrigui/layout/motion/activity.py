@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.errors import Issue, issue, refuse
-from usdrigui.model import Control, Floats, Performance, Record, Rig
+from usdrigui.model import Control, Floats, Joint, Performance, Record, Rig
 from usdrigui.rotation import rotation_part, rotation_vectors
 from usdrigui.settings import ControlSettings
 
@@ -178,14 +178,14 @@ def _values(rig: Rig, clip: Performance, rest: Floats) -> Floats:
         elif control.kind == "pose":
             values[:, i] = np.nan
         elif control.kind == "joint":
-            turned = _turned(rig, control, clip)
+            turned = _turned(rig.joints, control, clip)
             values[:, i] = rest[i] if turned is None else turned
     return values
 
 
-def _turned(rig: Rig, control: Control, clip: Performance) -> Floats | None:
+def _turned(joints: tuple[Joint, ...], control: Control, clip: Performance) -> Floats | None:
     """(frames,) rotation about the control's axis, in its own units, from the base pose."""
-    joint = rig.joints[int(control.drive.joints[0])]
+    joint = joints[int(control.drive.joints[0])]
     leaf = joint.path.rpartition("/")[2]
     column = next((i for i, path in enumerate(clip.joints) if path == joint.path), None)
     alike = [i for i, path in enumerate(clip.joints) if path.rpartition("/")[2] == leaf]

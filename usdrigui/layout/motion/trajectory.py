@@ -11,7 +11,18 @@ from usdrigui.deform import Posed, knots, posed, sweep
 from usdrigui.errors import Issue, issue
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
-from usdrigui.model import Flags, Floats, Indices, LeftOff, Motion, Rig, Singles, Trajectories
+from usdrigui.model import (
+    Control,
+    Flags,
+    Floats,
+    Indices,
+    LeftOff,
+    Motion,
+    Rig,
+    RigMesh,
+    Singles,
+    Trajectories,
+)
 from usdrigui.settings import CandidateSettings, TrajectorySettings
 from usdrigui.surface import faces_inward, mesh_triangles, point_areas, vertex_normals, weld
 
@@ -117,8 +128,8 @@ def of_controls(
         typical_length=scale.typical_length,
         issues=(
             *(each for each in found.issues if each.code == "NORMALS_INWARD"),
-            *_tiny(rig, motions, scale.face_size, settings),
-            *_duplicates(rig, motions),
+            *_tiny(rig.controls, motions, scale.face_size, settings),
+            *_duplicates(rig.controls, motions),
         ),
         excluded=left_out,
     )
@@ -217,12 +228,10 @@ def _arc_lengths(offsets: Singles) -> Floats:
     return np.asarray(lengths.sum(axis=0, dtype=np.float64), dtype=np.float64)
 
 
-def _apart(rig: Rig, motion: Floats) -> Floats:
+def _apart(meshes: tuple[RigMesh, ...], motion: Floats) -> Floats:
     """(n, 4) what keeps points at one position apart: moving unlike, or lying on a mesh that is not
     shown."""
-    shown = np.repeat(
-        [mesh.visible for mesh in rig.meshes], [len(mesh.points) for mesh in rig.meshes]
-    )
+    shown = np.repeat([mesh.visible for mesh in meshes], [len(mesh.points) for mesh in meshes])
     scale = float(np.abs(motion).max(initial=0.0)) or 1.0
     return np.column_stack([motion, np.where(shown, scale, 0.0)])
 
@@ -236,7 +245,7 @@ def _assembled(
     settings: TrajectorySettings,
 ) -> Trajectories:
     corners = mesh_triangles(rig.meshes)
-    places = weld(base, _apart(rig, total_motion(motions, len(base)).astype(np.float64)))
+    places = weld(base, _apart(rig.meshes, total_motion(motions, len(base)).astype(np.float64)))
     areas = point_areas(base, corners, places)
     normals = vertex_normals(base, corners, weld(base))
     inward = faces_inward(base, corners)
@@ -251,9 +260,9 @@ def _assembled(
         typical_length=scale.typical_length,
         left_off=left_off,
         issues=(
-            *_inward(rig, inward),
-            *_tiny(rig, motions, scale.face_size, settings),
-            *_duplicates(rig, motions),
+            *_inward(rig.root, inward),
+            *_tiny(rig.controls, motions, scale.face_size, settings),
+            *_duplicates(rig.controls, motions),
         ),
         excluded=excluded,
     )
@@ -284,9 +293,9 @@ class _Scale:
         return _Scale(size, float(np.median(peaks[local])) if local.any() else size)
 
 
-def _inward(rig: Rig, inward: bool) -> list[Issue]:
+def _inward(root: str, inward: bool) -> list[Issue]:
     found = "the faces enclose a negative volume; normals are taken the other way round"
-    return [issue("NORMALS_INWARD", rig.root, found)] if inward else []
+    return [issue("NORMALS_INWARD", root, found)] if inward else []
 
 
 def _local(motions: tuple[Motion, ...], excluded: tuple[Motion, ...], areas: Floats) -> Flags:
@@ -313,13 +322,16 @@ def _face_size(motions: list[Motion], heights: Floats) -> float:
 
 
 def _tiny(
-    rig: Rig, motions: tuple[Motion, ...], face_size: float, settings: TrajectorySettings
+    controls: tuple[Control, ...],
+    motions: tuple[Motion, ...],
+    face_size: float,
+    settings: TrajectorySettings,
 ) -> list[Issue]:
     found = []
     for motion in motions:
         share = float(motion.arc_length.max()) / face_size
         if share < settings.tiny:
-            name = rig.controls[motion.control].name
+            name = controls[motion.control].name
             found.append(
                 issue(
                     "CONTROL_TINY",
@@ -330,7 +342,7 @@ def _tiny(
     return found
 
 
-def _duplicates(rig: Rig, motions: tuple[Motion, ...]) -> list[Issue]:
+def _duplicates(controls: tuple[Control, ...], motions: tuple[Motion, ...]) -> list[Issue]:
     """Controls that do the same as an earlier one, perhaps in another measure."""
     found: list[Issue] = []
     seen: dict[tuple[int, int, int], list[Motion]] = {}
@@ -341,7 +353,7 @@ def _duplicates(rig: Rig, motions: tuple[Motion, ...]) -> list[Issue]:
         for other in bucket:
             factor = _same_up_to_scale(motion, other)
             if factor:
-                name, first = rig.controls[motion.control].name, rig.controls[other.control].name
+                name, first = controls[motion.control].name, controls[other.control].name
                 times = f"{factor:.3g}"
                 how = f"the same as {first}" + (f", {times} times as far" if times != "1" else "")
                 found.append(issue("CONTROL_DUPLICATE", name, f"moves every point {how}"))

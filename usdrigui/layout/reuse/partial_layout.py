@@ -15,7 +15,7 @@ from usdrigui.errors import refuse
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.levels import outer_first
-from usdrigui.model import Element, Floats, Layout, Motion, Rig, Symmetry
+from usdrigui.model import Element, Floats, Layout, Motion, Rig, RigMesh, Symmetry
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
@@ -48,7 +48,7 @@ def fixed_by(
             name = renamed.get(member.control, member.control)
             override = found.get(name, ControlSettings())
             if name in placed:
-                found[name] = _anchored_again(override, element, rig)
+                found[name] = _anchored_again(override, element, rig.meshes)
                 continue
             if override.anchor or override.place:
                 continue
@@ -56,7 +56,7 @@ def fixed_by(
             found[name] = (
                 replace(override, place="board")
                 if element.anchor.on_board
-                else _anchored(override, element, rig)
+                else _anchored(override, element, rig.meshes)
             )
     return found
 
@@ -131,21 +131,25 @@ def _region(override: ControlSettings) -> tuple[str, str, float]:
     return override.place, override.near.removeprefix(MIRROR), override.within
 
 
-def _anchored(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
+def _anchored(
+    override: ControlSettings, element: Element, meshes: tuple[RigMesh, ...]
+) -> ControlSettings:
     anchor = element.anchor
-    mesh = next((each for each in rig.meshes if each.path == anchor.mesh), None)
+    mesh = next((each for each in meshes if each.path == anchor.mesh), None)
     if mesh is None or (anchor.topology_hash and anchor.topology_hash != mesh.topology_hash):
         change = "is gone" if mesh is None else "has other points or faces by now"
         raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
     return replace(override, anchor=f"{anchor.mesh}#{anchor.point}")
 
 
-def _anchored_again(override: ControlSettings, element: Element, rig: Rig) -> ControlSettings:
+def _anchored_again(
+    override: ControlSettings, element: Element, meshes: tuple[RigMesh, ...]
+) -> ControlSettings:
     """The override with the anchor of the slider that the control has of its own under a coarse
     element."""
     if override.inner_anchor or element.anchor.on_board:
         return override
-    return replace(override, inner_anchor=_anchored(override, element, rig).anchor)
+    return replace(override, inner_anchor=_anchored(override, element, meshes).anchor)
 
 
 def _fixed_in_mirror(

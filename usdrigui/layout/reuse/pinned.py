@@ -234,8 +234,8 @@ def with_decisions(
     `asked` is what the configuration says of controls before any layout fixed more, `groups` its
     groups, `overrides` (controls,) what was applied in the end; `rest` (n, 3) the points at rest.
     """
-    decided = dict(_from_configuration(layout, asked, groups))
-    for element, pin in _of_pins(layout, pins):
+    decided = dict(_from_configuration(layout.elements, asked, groups))
+    for element, pin in _of_pins(layout.elements, pins):
         still = [
             each for each in pin.decisions if each != "anchor" or _place(element) == pin.anchor
         ]
@@ -247,19 +247,25 @@ def with_decisions(
         other = decided.get(element.mirror, frozenset())
         if "anchor" in other and element.controls & anchored:
             decided[element.name] = decided.get(element.name, frozenset()) | {"anchor"}
-    before = {element.name: pin.position for element, pin in _of_pins(layout, pins) if pin.anchor}
+    before = {
+        element.name: pin.position for element, pin in _of_pins(layout.elements, pins) if pin.anchor
+    }
     return replace(
         layout,
-        elements=tuple(_pinned(e, decided, before, layout, rig, rest) for e in layout.elements),
+        elements=tuple(
+            _pinned(e, decided, before, layout.handle_width, rig, rest) for e in layout.elements
+        ),
     )
 
 
 def _from_configuration(
-    layout: Layout, asked: Mapping[str, ControlSettings], groups: Mapping[str, Sequence[str]]
+    elements: tuple[Element, ...],
+    asked: Mapping[str, ControlSettings],
+    groups: Mapping[str, Sequence[str]],
 ) -> Iterator[tuple[str, frozenset[Decision]]]:
     renamed = {each.rename: each for each in asked.values() if each.rename}
     together = [frozenset(members) for members in groups.values()]
-    for element in layout.elements:
+    for element in elements:
         said = [
             renamed.get(name) or asked.get(name, ControlSettings()) for name in element.controls
         ]
@@ -270,9 +276,9 @@ def _from_configuration(
             yield element.name, frozenset(found)
 
 
-def _of_pins(layout: Layout, pins: Pins) -> Iterator[tuple[Element, Pin]]:
+def _of_pins(elements: tuple[Element, ...], pins: Pins) -> Iterator[tuple[Element, Pin]]:
     """The elements that have the controls of a pin, each on its level."""
-    for element, inner in _levels(layout):
+    for element, inner in _levels(elements):
         yield from (
             (element, pin)
             for pin in pins.pins
@@ -280,9 +286,9 @@ def _of_pins(layout: Layout, pins: Pins) -> Iterator[tuple[Element, Pin]]:
         )
 
 
-def _levels(layout: Layout) -> Iterator[tuple[Element, bool]]:
+def _levels(elements: tuple[Element, ...]) -> Iterator[tuple[Element, bool]]:
     held: set[str] = set()
-    for element in outer_first(layout.elements):
+    for element in outer_first(elements):
         yield element, bool(held & element.controls)
         held |= element.controls
 
@@ -291,7 +297,7 @@ def _pinned(
     element: Element,
     decided: Mapping[str, frozenset[Decision]],
     before: Mapping[str, tuple[float, float, float]],
-    layout: Layout,
+    handle_width: float,
     rig: Rig,
     rest: Floats,
 ) -> Element:
@@ -309,7 +315,7 @@ def _pinned(
     then = np.array(before.get(element.name, (np.nan,) * 3))
     # The place that was decided stays on record while it is the same place: carrying it on adds up
     # no errors.
-    near = float(np.linalg.norm(here - then)) <= _NEAR * layout.handle_width
+    near = float(np.linalg.norm(here - then)) <= _NEAR * handle_width
     x, y, z = (then if near else here).tolist()
     return replace(element, pinned=kept, pinned_position=(x, y, z))
 

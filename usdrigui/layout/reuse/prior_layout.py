@@ -73,7 +73,7 @@ def of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
     """An earlier layout of the same character as a prior; no prior at a penalty of 0."""
     if penalty <= 0.0:
         return NO_PRIOR
-    return PriorLayout(kept_groups(layout, rig), *_places(layout, rig), penalty)
+    return PriorLayout(kept_groups(layout, rig), *_places(layout.elements, rig), penalty)
 
 
 def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
@@ -150,15 +150,15 @@ def _penalty_share(
     return np.where(here, 0.0, 1.0)
 
 
-def _places(layout: Layout, rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
+def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], dict[int, Place]]:
     """The places of the controls, and those of the sliders that some have besides under a coarse
     element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
     meshes = points_of_meshes(rig)
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
-    inner = inner_names(layout.elements)
-    for element in outer_first(layout.elements):
+    inner = inner_names(elements)
+    for element in outer_first(elements):
         place = Place(same_point(element, meshes), element.anchor.position, element.anchor.on_board)
         for control in (
             index[member.control] for member in element.members if member.control in index

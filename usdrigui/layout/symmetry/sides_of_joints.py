@@ -11,7 +11,7 @@ import numpy as np
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
-from usdrigui.model import Floats, Rig, Trajectories
+from usdrigui.model import Floats, Joint, Rig, Trajectories
 
 _PAIRS = 2
 """Pairs of joints whose names tell their sides, at least."""
@@ -30,7 +30,7 @@ def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
     right, at the base pose; None where too few do or they do not agree."""
     places, last = joint_places(rig), [joint.path.rsplit("/", 1)[-1] for joint in rig.joints]
     pairs = []
-    for i, other in _twins(rig, last).items():
+    for i, other in _twins(rig.joints, last).items():
         if side_of(last[i]) == "left" and (places[i] != places[other]).any():
             pairs.append((places[i], places[other]))
     if len(pairs) < _PAIRS:
@@ -45,14 +45,12 @@ def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
     return normal, float(np.median(0.5 * (left + right) @ normal))
 
 
-def _twins(rig: Rig, names: list[str]) -> dict[int, int]:
+def _twins(joints: tuple[Joint, ...], names: list[str]) -> dict[int, int]:
     """Joints whose names are those of others with the sides swapped, to these; a number at the end,
     by which exporters count joints, may differ where the name is the only one of its kind."""
     found: dict[int, int] = {}
     for told in (names, [_COUNT.sub("", name) for name in names]):
-        keys = [
-            (joint.skeleton, name.lower()) for joint, name in zip(rig.joints, told, strict=True)
-        ]
+        keys = [(joint.skeleton, name.lower()) for joint, name in zip(joints, told, strict=True)]
         counts = Counter(keys)
         alone = {key: i for i, key in enumerate(keys) if counts[key] == 1}
         for (skeleton, name), i in alone.items():
