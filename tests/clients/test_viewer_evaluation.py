@@ -31,7 +31,7 @@ def rigs(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", ["mask", "skinned"])
-def test_points_and_handles_equal_the_library(browser, rigs, tmp_path, name):
+def test_points_handles_and_tracks_equal_the_library(browser, rigs, tmp_path, name):
     rig, layout = rigs[name]
     path = tmp_path / "page.html"
     path.write_text(page_html([(rig, layout)], name))
@@ -48,5 +48,9 @@ def test_points_and_handles_equal_the_library(browser, rigs, tmp_path, name):
         assert np.abs(points - posed.points)[shown].max() <= TOLERANCE * diagonal
         handles = np.array([each["world"] for each in viewer.page.evaluate("usdrigui.elements()")])
         assert np.abs(handles - [each.handle for each in posed.elements]).max() <= TOLERANCE * diagonal
+        drawn = viewer.page.evaluate("usdrigui.app.view.overlay.drawn.map(({ element }) => element.tracks)")
+        for tracks, each in zip(drawn, posed.elements, strict=True):
+            for track, wanted in zip(tracks, each.tracks, strict=True):
+                assert np.abs(np.array(track) - wanted).max() <= TOLERANCE * diagonal
     assert viewer.trouble == []
     viewer.close()

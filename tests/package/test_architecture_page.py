@@ -40,4 +40,5 @@ def test_each_paragraph_names_one_file_by_its_noun():
 
 def test_it_is_one_page_with_one_figure():
     assert len(PAGE.splitlines()) < 100
+    assert len(PAGE.replace("|", " ").split()) <= 800
     assert PAGE.count("```") == 2

@@ -598,7 +598,7 @@ def test_skeletons_that_contradict(tmp_path, capfd, edit, code, path):
         ({"controls": {"smirk": {"exclude": True}}}, "CONFIG_UNKNOWN_CONTROL", 'controls."smirk"'),
         ({"joints": {"neck/nose": {"axes": ["x"]}}}, "CONFIG_UNKNOWN_CONTROL", 'joints."neck/nose"'),
         ({"poses": {"p": {"weights": {"smirk": 1.0}}}}, "CONFIG_UNKNOWN_CONTROL", 'poses."p".weights'),
-        ({"poses": {"p": {"animation": "/nothing/else"}}}, "CONFIG_VALUE", 'poses."p"'),
+        ({"poses": {"p": {}}}, "CONFIG_VALUE", 'poses."p"'),
         ({"poses": {"p": {"clip": [3.0, 1.0]}}}, "CONFIG_VALUE", 'poses."p"'),
         ({"poses": {"p": {"frame": 1.0, "animation": "/No"}}}, "CONFIG_VALUE", 'poses."p".animation'),
         ({"controls": {"smile": {"minimum": 2.0, "maximum": 1.0}}}, "CONFIG_VALUE", 'controls."smile"'),

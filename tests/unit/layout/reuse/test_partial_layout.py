@@ -64,9 +64,18 @@ def test_what_is_said_of_one_twin_holds_for_it_and_for_it_alone():
     assert not categories[other]
 
 
-@pytest.mark.parametrize(("apart", "own"), [(0.5, False), (0.75, True)])
-def test_twins_whose_places_were_mirror_images_within_half_a_handle_are_one_decision(apart, own):
+@pytest.mark.parametrize(
+    ("apart", "boards", "own"),
+    [
+        (0.5, (False, False), False),
+        (0.75, (False, False), True),
+        (0.0, (True, False), True),
+        (0.75, (True, True), False),
+    ],
+)
+def test_twins_whose_places_were_mirror_images_within_half_a_handle_are_one_decision(apart, boards, own):
     plane = SimpleNamespace(twins=[1, 0], origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0]))
-    places = {0: Place(-1, np.array([2.0, 0, 0]), False), 1: Place(-1, np.array([-2.0, apart, 0]), False)}
+    positions = np.array([2.0, 0, 0]), np.array([-2.0, apart, 0])
+    places = {i: Place(-1, position, boards[i]) for i, position in enumerate(positions)}
     requests = Requests((ControlSettings(), ControlSettings()), PriorLayout(places=places))
     assert has_own_place(None, None, plane, requests, 1.0, 0) is own
