@@ -72,8 +72,8 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
             of_joint[joint] = of_skin[joint] = name
     if not _has_limb(tree, {i for i, name in enumerate(of_skin) if name == BODY} - set(spine)):
         rest = FACE if heads else next((of_skin[fan.joint] for fan in ends), BODY)
-        of_joint = [rest if name == BODY else name for name in of_joint]
-        of_skin = [rest if name == BODY else name for name in of_skin]
+        of_joint = [rest if name in (BODY, EYES) else name for name in of_joint]
+        of_skin = [rest if name in (BODY, EYES) else name for name in of_skin]
     return JointRegions(tuple(of_joint), tuple(of_skin))
 
 

@@ -108,6 +108,15 @@ def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
     assert {name.partition(":")[0] for name in found.get("props", ("w:",))} == {"w"}
 
 
+def test_a_head_without_a_body_keeps_its_eyes():
+    rig = equipped(shared=True)
+    limb = [i for i, joint in enumerate(rig.joints) if "/a" in joint.path or "/b0" in joint.path or "l0" in joint.path]
+    own = rig.meshes[0].skin
+    trunk = replace(own, joints=np.where(np.isin(own.joints, limb), 0, own.joints))
+    bust = replace(rig, meshes=(replace(rig.meshes[0], skin=trunk), *rig.meshes[1:3]))
+    assert list(named(limbs.with_default_controls(bust))) == ["face"]
+
+
 def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop():
     rig = equipped(shared=True)
     _, _, ball, stick = rig.meshes
