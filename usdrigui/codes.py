@@ -501,6 +501,18 @@ _CODES: dict[str, Code] = {
         "The control does the same as another one.",
         "Exclude one of the two in the configuration.",
     ),
+    "PLACE_KEEPS_LITTLE": Code(
+        "warning",
+        "A control stands where the configuration asks, and hardly moves there.",
+        "Ask for a place that it moves, or a larger `within`; `usdrigui check` tells what each"
+        " element keeps.",
+    ),
+    "HANDLES_NARROWER": Code(
+        "warning",
+        "Handles are narrower than the configuration asks, since many controls crowd the part.",
+        "Send some controls to the board, or raise `objective.max_neighbours` (8) little by little:"
+        " wide handles take longer to solve and leave fewer controls on the part.",
+    ),
     # --- viewer ----------------------------------------------------------------------------------
     "VIEW_MISMATCH": Code(
         "error",

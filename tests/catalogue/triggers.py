@@ -595,6 +595,9 @@ TRIGGERS: Mapping[str, Trigger] = {
         code: (lambda folder, _, setting=setting: process(folder, "", "--set", setting))
         for code, setting in minimal_assets.CONFIGURED.items()
     },
+    "HANDLES_NARROWER": lambda folder, _: process(
+        folder, "", "--set", "objective.handle_size=0.9", "--set", "objective.max_neighbours=1"
+    ),
     "SOURCE_TIME_LIMIT": _made("SOURCE_TIME_LIMIT", "--set", "read.time_limit=1"),
     "SOURCE_MEMORY_LIMIT": _made("SOURCE_MEMORY_LIMIT", "--set", "read.memory_limit=24"),
     "SOURCE_READER_LOST": _impostor("kill -KILL $$"),

@@ -26,6 +26,7 @@ from usdrigui.examples import (
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
+from usdrigui.layout.review.shortfalls import shortfalls
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.progress import Clock, Watch
@@ -413,6 +414,13 @@ def _account(
     rows = rows_of(rig, layout, peaks, twins, explained_by)
     added = _added(existing, layout)
     nothing = () if existing is None or added else (_nothing_added(layout),)
+    short = (
+        found
+        for each in laid
+        for found in shortfalls(
+            each.inputs.face, each.layout, each.inputs.asked or each.inputs.settings
+        )
+    )
     return CharacterReport(
         root=rig.root,
         rig=rig,
@@ -426,7 +434,7 @@ def _account(
                 note for each in parts for note in each.left_off if note.control in layout.controls
             )
         ),
-        issues=(*issues_of(parts), *unexplained, *nothing),
+        issues=(*issues_of(parts), *dict.fromkeys(short), *unexplained, *nothing),
         difference=changes,
         added=added,
         matchings=parts[0].matchings,

@@ -1,0 +1,38 @@
+"""What the configuration asks for and the layout does not give."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from usdrigui.errors import Issue, issue
+from usdrigui.layout.face import Face
+from usdrigui.model import Layout
+from usdrigui.settings import ObjectiveSettings, Settings
+
+
+def shortfalls(face: Face, layout: Layout, asked: Settings) -> tuple[Issue, ...]:
+    """PLACE_KEEPS_LITTLE where a control stands where it was asked to and hardly moves there,
+    HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
+    return (*_still_places(face, layout, asked), *_narrow_handles(face, layout, asked.objective))
+
+
+def _still_places(face: Face, layout: Layout, asked: Settings) -> Iterator[Issue]:
+    peaks = {face.control_name(each.control): each.peak for each in face.trajectories.motions}
+    least = asked.candidates.least_kept
+    for element in layout.elements:
+        for member in element.members:
+            said, peak = asked.controls.get(member.control), peaks.get(member.control, 0.0)
+            if said is None or not (said.near or said.anchor) or element.anchor.on_board:
+                continue
+            if member.arc_length < least * peak:
+                key = f'controls."{member.control}".{"anchor" if said.anchor else "near"}'
+                kept = f"keeps {member.arc_length / peak:.0%} of its peak displacement there"
+                yield issue("PLACE_KEEPS_LITTLE", key, f"{member.control} {kept}")
+
+
+def _narrow_handles(face: Face, layout: Layout, asked: ObjectiveSettings) -> Iterator[Issue]:
+    size = layout.handle_width / max(face.trajectories.face_size, 1e-300)
+    if asked.handle_size > max(ObjectiveSettings().handle_size, 1.001 * size):
+        limit = f"{asked.max_neighbours:g} controls within four handle widths on average"
+        found = f"handles of {size:.3g} instead of {asked.handle_size:g}, for no more than {limit}"
+        yield issue("HANDLES_NARROWER", "objective.handle_size", found)
