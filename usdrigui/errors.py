@@ -29,6 +29,7 @@ __all__ = [
     "failure_json",
     "issue",
     "meant",
+    "of_character",
     "refuse",
     "sentences",
     "visible",
@@ -54,6 +55,16 @@ class Issue:
     """USD prim path, or the file or settings key when there is no prim; may be empty."""
     message: str
     repair: str
+    character: str = ""
+    """SkelRoot that it is about, with the variants looked at; empty for what is about a file or a
+    whole stage."""
+
+    @property
+    def where(self) -> str:
+        """`path` behind the character that it belongs to, unless it lies below that anyway."""
+        if not self.character or f"{self.path}/".startswith(f"{self.character}/"):
+            return self.path
+        return f"{self.character} {self.path}".rstrip()
 
 
 class RigUIError(Exception):
@@ -94,10 +105,15 @@ class Faults:
             raise RigUIError(first.issue, first.exit_code, others)
 
 
-def issue(code: str, path: str, message: str) -> Issue:
+def issue(code: str, path: str, message: str, character: str = "") -> Issue:
     """Record a finding; `code` must stand in `CODES`."""
     entry = CODES[code]
-    return Issue(code, entry.severity, path, message, entry.repair)
+    return Issue(code, entry.severity, path, message, entry.repair, character)
+
+
+def of_character(character: str, found: Iterable[Issue]) -> tuple[Issue, ...]:
+    """The findings as those of one character; what says already whose it is keeps that."""
+    return tuple(each if each.character else replace(each, character=character) for each in found)
 
 
 def refuse(code: str, path: str, message: str) -> RigUIError:
@@ -137,11 +153,11 @@ def sentences(found: Issue) -> str:
 
 
 def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
-    """One issue for each cause, in the order given: the paths of those of one code and message are
-    told as one."""
-    causes: dict[tuple[str, str], list[Issue]] = {}
+    """One issue for each cause, in the order given: the paths of those of one character, code and
+    message are told as one."""
+    causes: dict[tuple[str, str, str], list[Issue]] = {}
     for each in found:
-        causes.setdefault((each.code, each.message), []).append(each)
+        causes.setdefault((each.character, each.code, each.message), []).append(each)
     return tuple(
         replace(same[0], path=_listed([each.path for each in same])) for same in causes.values()
     )

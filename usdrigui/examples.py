@@ -13,7 +13,7 @@ from pathlib import Path
 
 from usdrigui.animation import performances
 from usdrigui.deform import posed
-from usdrigui.errors import issue, meant, refuse
+from usdrigui.errors import issue, meant, of_character, refuse
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
@@ -134,7 +134,7 @@ def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple
         return examples, rigs
     renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
     return replace(examples, previous={rig.root: layout}), (
-        replace(rig, issues=(*rig.issues, renamed)),
+        replace(rig, issues=(*rig.issues, *of_character(rig.character, (renamed,)))),
     )
 
 

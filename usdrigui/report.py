@@ -166,7 +166,7 @@ class Report:
         """For notebooks: a table of the controls of every character, and the issues."""
         tables = "".join(_html_table(each) for each in self.characters)
         issues = "".join(
-            f"<li>{markup(f'{each.severity}: {each.code} {each.path} {each.message}')}</li>"
+            f"<li>{markup(f'{each.severity}: {each.code} {each.where} {each.message}')}</li>"
             for each in self.issues
         )
         return f"<p>{markup(repr(self)[1:-1])}</p>{tables}<ul>{issues}</ul>"

@@ -289,7 +289,7 @@ class Screen:
 
     def _issues(self, issues: Sequence[Issue]) -> None:
         for found in issues:
-            where = f" {found.path}:" if found.path else ""
+            where = f" {found.where}:" if found.where else ""
             self._say(f"{found.severity}: {found.code}{where} {sentences(found)}")
 
     def _seconds(self, seconds: Sequence[tuple[str, float]]) -> None:

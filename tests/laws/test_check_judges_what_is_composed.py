@@ -230,7 +230,7 @@ def verdict(path):
         found = check(path, Settings())
     except RigUIError as error:
         return {(error.issue.code, error.issue.severity)}, ()
-    issues = {(each.code, each.severity, each.path.replace(str(path), ""), each.message) for each in found.issues}
+    issues = {(each.code, each.severity, each.where.replace(str(path), ""), each.message) for each in found.issues}
     return issues, tuple((root, review.cost, review.elements) for root, review in found.characters)
 
 
@@ -266,6 +266,24 @@ def test_any_shot_and_its_flattened_copy_get_one_verdict(seed, folder):
             edit(stage, above)
     path = saved(stage)
     assert verdict(path) == verdict(flattened(stage, folder))
+
+
+def test_every_finding_says_whose_it_is(folder, capsys):
+    """Two characters with one fault each, of elements and controls of the same name."""
+    stage = shot(folder, "A", "B")
+    for above in ("/Shot/A", "/Shot/B"):
+        collide(stage, above)
+        take_shape(stage, above)
+    path = saved(stage)
+    roots = ["/Shot/A/Char", "/Shot/B/Char"]
+    found = check(path, Settings()).issues
+    assert [each.character for each in found] == sorted(each.character for each in found)
+    told = [[(each.code, each.path) for each in found if each.character == root] for root in roots]
+    assert told[0]
+    assert told[0] == told[1]
+    main(["check", str(path)])
+    said = " ".join(capsys.readouterr().out.split())
+    assert all(f"LAYOUT_CONTROL_GONE {root} sneer_L: " in said for root in roots)
 
 
 def test_viewers_show_every_character_of_a_shot_as_it_is_there(folder):

@@ -50,7 +50,7 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
 
         worker.print_now("\n".join(openjd.failure_lines(found)))
     for each in error.issues:
-        where = f" {each.path}:" if each.path else ""
+        where = f" {each.where}:" if each.where else ""
         _complain(f"usdrigui: {each.code}{where} {each.message}")
         _complain(f"  repair: {each.repair}")
     verdict = (

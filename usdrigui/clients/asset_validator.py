@@ -70,7 +70,7 @@ class Rules:
 
 def _tell(rule: Any, found: Issue, at: Any, suggestion: Any) -> None:
     """One finding by its severity; the validator has no notes, so infos are warnings."""
-    message = f"{found.code} {found.path}: {sentences(found)}"
+    message = f"{found.code} {found.where}: {sentences(found)}"
     # Rules report in this way.
     tell = rule._AddFailedCheck if found.severity == "error" else rule._AddWarning  # noqa: SLF001
     tell(message, at=at, suggestion=suggestion)

@@ -84,7 +84,7 @@ def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
 
 def failure_lines(found: Issue) -> Iterator[str]:
     """What a farm is told of a refusal: one line, whatever the message holds."""
-    text = f"{found.code} {found.path}: {sentences(found)}"
+    text = f"{found.code} {found.where}: {sentences(found)}"
     yield f"openjd_fail: {' '.join(text.split())}"
 
 

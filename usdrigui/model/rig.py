@@ -45,6 +45,11 @@ class Rig(Record):
     """Path of the SkelRoot with the variants in which the layout is to stand, ``/Char{LOD=low}``;
     empty without."""
 
+    @property
+    def character(self) -> str:
+        """What findings call it: its SkelRoot, with the variants in which the layout stands."""
+        return self.variant_path or self.root
+
     @cached_property
     def control_names(self) -> frozenset[str]:
         """The names of all controls."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from usdrigui import animation
-from usdrigui.errors import Issue
+from usdrigui.errors import Issue, of_character
 from usdrigui.examples import ExampleLayers, read_examples
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
@@ -64,7 +64,7 @@ def inspect(
                 clips,
             )
             facts = replace(facts, animation=uses)
-            issues += odd
+            issues += of_character(rig.character, odd)
         characters.append(facts)
     return Inspection(str(asset), tuple(characters), tuple(issues), clock.seconds)
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.errors import Issue, explained, issue, refuse
+from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.examples import (
     ExampleLayers,
     Examples,
@@ -434,7 +434,10 @@ def _account(
                 note for each in parts for note in each.left_off if note.control in layout.controls
             )
         ),
-        issues=(*issues_of(parts), *dict.fromkeys(short), *unexplained, *nothing),
+        issues=(
+            *issues_of(parts),
+            *of_character(rig.character, (*dict.fromkeys(short), *unexplained, *nothing)),
+        ),
         difference=changes,
         added=added,
         matchings=parts[0].matchings,

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
@@ -119,7 +119,8 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
     gone = sorted(layouts.keys() - {rig.root for rig, _ in characters})
     stale = tuple(
-        issue("LAYOUT_STALE", root, f"{layer} has no such character any more") for root in gone
+        issue("LAYOUT_STALE", root, f"{layer} has no such character any more", root)
+        for root in gone
     )
     files = tuple(Path(each.path) for each in read.sources)
     return Loaded(characters, found.source, read.cameras, files, read.without_layout), stale
@@ -180,11 +181,11 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        reviews.append(
-            (rig.variant_path or rig.root, _reviewed(rig, layout, settings, clock, loaded.cameras))
-        )
+        found = _reviewed(rig, layout, settings, clock, loaded.cameras)
+        own = replace(found, issues=of_character(rig.character, found.issues))
+        reviews.append((rig.character, own))
     bare = tuple(
-        issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one")
+        issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one", root)
         for root in loaded.without_layout
     )
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *bare))

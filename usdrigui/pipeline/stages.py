@@ -16,7 +16,7 @@ import numpy as np
 from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.deform import posed
-from usdrigui.errors import Issue, RigUIError, meant, refuse
+from usdrigui.errors import Issue, RigUIError, meant, of_character, refuse
 from usdrigui.examples import (
     Examples,
     OwnExamples,
@@ -123,13 +123,9 @@ class ProblemInputs:
             for which, each in self.matchings.items()
             for found in matching_issues(which, each)
         )
-        return (
-            *self.face.rig.issues,
-            *self.face.trajectories.issues,
-            *unexplained,
-            *renamed,
-            *self.pins.issues,
-        )
+        rig, odd = self.face.rig, self.face.trajectories.issues
+        own = of_character(rig.character, (*odd, *unexplained, *renamed, *self.pins.issues))
+        return (*rig.issues, *own)
 
     @property
     def explained_by(self) -> dict[str, tuple[tuple[str, float], ...]]:

@@ -91,12 +91,16 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                         "LAYOUT_MESH_GONE",
                         element.name,
                         f"is anchored to {anchor.mesh or 'no mesh'}",
+                        layout.root,
                     )
                 )
             elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
                 found.append(
                     issue(
-                        "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces"
+                        "LAYOUT_TOPOLOGY",
+                        element.name,
+                        f"{anchor.mesh} has other points or faces",
+                        layout.root,
                     )
                 )
     return tuple(found)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, refuse
+from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, of_character, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
@@ -204,9 +204,11 @@ def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
     drafts, left_off, issues = _drafts(root, scene, settings)
     controls, excluded, unused = settled(drafts, settings.controls)
     lost = (*left_off, *unused, *scene.names.left_off)
+    path = with_sets(variant_path(root), settings.read.variants)
+    found = (*scene.found.issues, *scene.names.issues, *issues)
     rig = Rig(
         root=str(root.GetPath()),
-        variant_path=with_sets(variant_path(root), settings.read.variants),
+        variant_path=path,
         meshes=scene.meshes,
         skeletons=tuple(armature.record for armature in scene.armatures),
         joints=scene.joints,
@@ -217,7 +219,7 @@ def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
         up=_up(root),
         metres_per_unit=metres_per_unit(root.GetStage().GetRootLayer()) or 0.01,
         left_off=lost,
-        issues=(*scene.found.issues, *scene.names.issues, *issues),
+        issues=of_character(path or str(root.GetPath()), found),
         excluded=excluded,
     )
     unknown = unknown_names(drafts, list(lost), settings.controls)

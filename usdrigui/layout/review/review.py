@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import Faults, Issue, by_cause, issue, refuse
+from usdrigui.errors import CODES, Faults, Issue, RigUIError, by_cause, issue, of_character
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
@@ -115,10 +115,11 @@ def refuse_stale(
 ) -> None:
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
-    for found in by_cause(_stale(rig, trajectories, layout, settings)):
+    stale = of_character(rig.character, _stale(rig, trajectories, layout, settings))
+    for found in by_cause(stale):
         with faults.collected():
             if found.severity == "error":
-                raise refuse(found.code, found.path, found.message)
+                raise RigUIError(found, CODES[found.code].exit)
     faults.raise_all()
 
 

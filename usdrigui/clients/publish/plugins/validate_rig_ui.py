@@ -38,9 +38,9 @@ class ValidateRigUI(pyblish.api.InstancePlugin, OptionalPyblishPluginMixin):
         found = hook.judge(asset, layer)
         causes = by_cause(found)
         for each in causes:
-            self.log.error("%s %s: %s", each.code, each.path, sentences(each))
+            self.log.error("%s %s: %s", each.code, each.where, sentences(each))
         if causes:
-            first = f"{causes[0].code} {causes[0].path}: {causes[0].message}"
+            first = f"{causes[0].code} {causes[0].where}: {causes[0].message}"
             raise PublishValidationError(
                 first, title=hook.TITLE, description=hook.described(asset, found)
             )
