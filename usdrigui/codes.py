@@ -761,7 +761,8 @@ _CODES: dict[str, Code] = {
         "warning",
         "A control of the earlier layout may have another name now, but that is not sure: it counts"
         " as gone.",
-        "If it is the same control, call it as before, or give the earlier layout the new name.",
+        "If it is the same control, say so in the configuration: the name before as"
+        " `controls.NAME.rename` of the control as it is called now.",
     ),
     "PIN_CARRIED": Code(
         "warning",

@@ -279,10 +279,7 @@ class Screen:
             f"  {which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}"
         )
         if found.unsure:
-            pairs = (
-                f"{each.before} may be {each.after} ({each.confidence:.0%} sure)"
-                for each in found.unsure
-            )
+            pairs = (f"{each.before} may be {each.after} ({each.sure})" for each in found.unsure)
             self._say(f"    unsure: {', '.join(pairs)}")
         if found.left_before:
             self._say(f"    without a counterpart: {', '.join(found.left_before)}")

@@ -64,6 +64,27 @@ def test_an_unknown_option_is_answered_with_its_commands_usage_and_what_was_mean
     assert hint in " ".join(told.split())
 
 
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        ('place = "bord"', "did you mean 'board'?"),
+        ('near = "joint:Jew"', "did you mean 'Jaw'?"),
+        ('near = "Jaw"', "did you mean 'joint:Jaw'?"),
+        ('near = "nowhere"', "; its meshes are /"),
+    ],
+)
+def test_a_value_that_is_misspelt_is_answered_with_what_was_meant(line, hint, layer, capsys):
+    layer.with_name("char.rigui.toml").write_text(f"[controls.smile_L]\n{line}\n")
+    (found,) = run(capsys, "process", layer.with_name("char.usda"), expected=2)
+    assert hint in found["message"]
+
+
+def test_a_command_that_is_misspelt_is_answered_with_what_was_meant(capsys):
+    with pytest.raises(SystemExit):
+        parser().parse_args(["procces"])
+    assert "did you mean 'process'?" in " ".join(capsys.readouterr().err.split())
+
+
 def test_every_option_of_another_command_is_answered_with_a_hint():
     every = {command: options_of(each) for command, each in parser().commands.items()}
     unanswered = {

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -22,7 +23,7 @@ from usdrigui.cli.outcomes import broken, prepare_streams, refused
 from usdrigui.cli.reviewing import add_check, add_convert, add_diff
 from usdrigui.cli.showing import add_flat_picker, add_picture, add_study, add_view
 from usdrigui.cli.unknown_options import hint, options_of
-from usdrigui.errors import Exit, RigUIError, refuse, sentences
+from usdrigui.errors import Exit, RigUIError, meant, refuse, sentences
 from usdrigui.text_lines import columns, wrapped
 from usdrigui.version import __version__
 
@@ -101,6 +102,8 @@ class CommandLine(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Exit with 2: usage and error."""
         self.print_usage(sys.stderr)
+        misspelt = re.search(r"argument COMMAND: invalid choice: '([^']*)'", message)
+        message += meant(misspelt[1], self.commands) if misspelt else ""
         lines = wrapped(f"{self.prog}: error: {message}", columns(sys.stderr))
         self.exit(int(Exit.USAGE), "\n".join(lines) + "\n")
 

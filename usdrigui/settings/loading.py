@@ -92,7 +92,8 @@ def _converted(current: Any, hint: Any, value: Any, path: str, faults: Faults) -
             raise refuse(
                 "CONFIG_VALUE",
                 path,
-                f"expected one of {', '.join(map(repr, arguments))}, got {value!r}",
+                f"expected one of {', '.join(map(repr, arguments))}, got {value!r}"
+                f"{meant(str(value), filter(None, map(str, arguments)))}",
             )
         return value
     if origin in (types.UnionType, typing.Union):

@@ -231,7 +231,7 @@ class _Grouping:
             pairs = group.opposed if whole else ()
             ends = set().union(*pairs)
             axes = sorted((*pairs, *((i,) for i in range(len(motions)) if i not in ends)), key=min)
-            reason = "as in the earlier layout" if len(motions) > 1 else ""
+            reason = "as in the layout given" if len(motions) > 1 else ""
             found.append(_Merged(motions, tuple(axes), reason, group.name if whole else ""))
         return found
 

@@ -8,7 +8,7 @@ import re
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
@@ -85,10 +85,14 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
         for subset in mesh.subsets:
             if subset.path == near:
                 return np.asarray(start + subset.points)
+    meshes = [mesh.path for mesh in rig.meshes]
+    subsets = [subset.path for mesh in rig.meshes for subset in mesh.subsets]
+    joints = [f"joint:{joint.path.rpartition('/')[2]}" for joint in rig.joints]
+    like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {', '.join(meshes[:5])}"
     raise refuse(
         "CONFIG_VALUE",
         where,
-        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}",
+        f"{near!r} is no joint:NAME, mesh, GeomSubset or MESH.point[i] of {rig.root}{like}",
     )
 
 
@@ -104,4 +108,5 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             return np.asarray(
                 (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    raise refuse("CONFIG_VALUE", where, f"there is no joint {name!r}")
+    names = [joint.path.rpartition("/")[2] for joint in rig.joints]
+    raise refuse("CONFIG_VALUE", where, f"there is no joint {name!r}{meant(name, names)}")

@@ -10,6 +10,7 @@ lose without a pair is how sure that pair is.
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -52,6 +53,11 @@ class Match:
     reason: str
     """What speaks for it: ``configuration``, ``name``, ``spelling``, ``meaning`` or ``motion``, the
     first that does."""
+
+    @property
+    def sure(self) -> str:
+        """The confidence in words; rounded down, so that none below `SURE` reads as it."""
+        return f"{math.floor(100.0 * self.confidence + 1e-6)}% sure"
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,10 +160,7 @@ def matching_issues(which: str, found: Matching) -> Iterator[Issue]:
                 if each.confidence >= SURE
                 else ("CONTROL_UNSURE", "may be")
             )
-            told = (
-                f"of the {which} layout {verb} {each.after} now (by {each.reason},"
-                f" {each.confidence:.0%} sure)"
-            )
+            told = f"of the {which} layout {verb} {each.after} now (by {each.reason}, {each.sure})"
             yield issue(code, each.before, told)
 
 
@@ -169,8 +172,11 @@ def names_draft(found: Matching) -> str:
         if each.before != each.after:
             mark = "" if each.confidence >= SURE else "# "
             pair = f"{_quoted(each.before)} = {_quoted(each.after)}"
-            lines.append(f"{mark}{pair}  # {each.reason}, {each.confidence:.0%} sure")
+            lines.append(f"{mark}{pair}  # {each.reason}, {each.sure}")
     lines += [f'# {_quoted(name)} = ""  # no counterpart found' for name in found.left_before]
+    if found.left_after:
+        lines.append("# of this character without a counterpart:")
+        lines += [f"#   {_quoted(name)}" for name in found.left_after]
     return "\n".join(lines) + "\n"
 
 

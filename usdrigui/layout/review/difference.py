@@ -144,9 +144,7 @@ def _added(held: _Membership) -> Change:
 
 
 def _removed(held: _Membership, matching: Matching) -> Change:
-    may_be = {
-        each.before: f"may be {each.after} ({each.confidence:.0%} sure)" for each in matching.unsure
-    }
+    may_be = {each.before: f"may be {each.after} ({each.sure})" for each in matching.unsure}
     why = (may_be[held.control],) if held.control in may_be else ()
     return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", why)
 

@@ -94,6 +94,13 @@ def test_unsure_matches_stand_in_the_draft_as_comments_only(face):
     assert {each.code for each in matching_issues("previous", doubted)} == {"CONTROL_UNSURE"}
     assert {each.code for each in matching_issues("previous", found)} == {"CONTROL_RENAMED"}
     assert not list(matching_issues("like", doubted))
+    barely = replace(found.matches[0], confidence=SURE - 0.001)
+    assert (barely.sure, replace(barely, confidence=SURE).sure) == ("89% sure", "90% sure")
+
+
+def test_the_draft_names_the_controls_of_this_character_that_have_no_counterpart(face):
+    left = replace(match_rigs(with_motions(face), with_motions(face)), left_after=("ear.wiggle",))
+    assert '#   "ear.wiggle"' in names_draft(left).splitlines()
 
 
 def test_a_renamed_control_is_no_loss_and_no_gain(line):
