@@ -543,6 +543,11 @@ _CODES: dict[str, Code] = {
         "The layer holds no layout.",
         "Make one with `usdrigui process`, and name the layer that it wrote.",
     ),
+    "LAYOUT_OFF": Code(
+        "info",
+        "The characters of the stage have layouts, all of which are switched off.",
+        "Select `rigUI = ui` on the prims named, or give `--variant rigUI=ui`.",
+    ),
     "LAYOUT_INVALID": Code(
         "error",
         "A layout in the layer contradicts itself.",

@@ -19,6 +19,7 @@ from usdrigui.codes import CODES, Exit, Severity
 
 __all__ = [
     "CODES",
+    "NO_LAYOUT",
     "Exit",
     "Faults",
     "Issue",
@@ -28,6 +29,7 @@ __all__ = [
     "explained",
     "failure_json",
     "issue",
+    "listed",
     "meant",
     "of_character",
     "refuse",
@@ -37,6 +39,10 @@ __all__ = [
 
 _SLIP = 0.85
 """Likeness (difflib) from which a name is another with a slip of a letter."""
+
+
+NO_LAYOUT = ("LAYOUT_MISSING", "LAYOUT_OFF")
+"""What a stage without a layout is refused for by all that need one."""
 
 
 REPORT_FORMAT, REPORT_VERSION = "usdrigui.report", 1
@@ -159,11 +165,11 @@ def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
     for each in found:
         causes.setdefault((each.character, each.code, each.message), []).append(each)
     return tuple(
-        replace(same[0], path=_listed([each.path for each in same])) for same in causes.values()
+        replace(same[0], path=listed([each.path for each in same])) for same in causes.values()
     )
 
 
-def _listed(paths: Sequence[str]) -> str:
+def listed(paths: Sequence[str]) -> str:
     """At most three paths and the number of others."""
     more = f" and {len(paths) - 3} more" if len(paths) > 3 else ""
     return ", ".join(paths[:3]) + more

@@ -157,10 +157,12 @@ class Screen:
             severity: sum(each.severity == severity for each in found.issues)
             for severity in ("error", "warning")
         }
+        off = any(each.code == "LAYOUT_OFF" for each in found.issues)
+        bare = "has its layouts switched off" if off else "has no layout"
         fits = (
             ("fits its rig", "does not fit its rig")
             if found.characters
-            else ("has no layout; the asset is sound", "has no layout; the asset has faults")
+            else (f"{bare}; the asset is sound", f"{bare}; the asset has faults")
         )
         state = fits[bool(counts["error"])]
         told = ", ".join(

@@ -289,6 +289,16 @@ def _no_layout(folder: Path) -> Path:
     return minimal_assets.character(folder)
 
 
+def _switched_off(folder: Path) -> Path:
+    from pxr import Sdf
+
+    found = _laid_out(folder)
+    layer = Sdf.Layer.FindOrOpen(str(found))
+    layer.GetPrimAtPath("/Char").variantSelections["rigUI"] = "none"
+    layer.Save()
+    return found
+
+
 def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Trigger:
     from usdrigui.usd.attach import attach
 
@@ -644,6 +654,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "SCHEMA_TOO_LATE": _schema_late,
     "VIEW_MISMATCH": _empty_page,
     "LAYOUT_MISSING": _viewed(_no_layout),
+    "LAYOUT_OFF": _checked(_switched_off),
     "TOKEN_ORDER": lambda folder, _: command("check", minimal_assets.character(folder, "TOKEN_ORDER")),
     "WEIGHTS_BEYOND_LIMITS": lambda folder, _: command(
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")

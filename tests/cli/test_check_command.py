@@ -79,8 +79,20 @@ def test_a_character_whose_layout_is_not_composed_is_no_layout_that_fits(layer, 
     (root,) = (each for each in shot.Traverse() if each.IsA(UsdSkel.Root))
     root.GetVariantSet("rigUI").SetVariantSelection(variant)
     shot.Save()
-    assert main(["check", str(layer.with_name("shot.usda"))]) == 0
-    assert "has no layout; the asset is sound" in " ".join(capsys.readouterr().out.split())
+    path = str(layer.with_name("shot.usda"))
+    assert main(["check", path, "--strict"]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "has its layouts switched off; the asset is sound" in said
+    assert f"1 layout is switched off, by rigUI = {variant} on {root.GetPath()}. Select `rigUI = ui`" in said
+    for command in (
+        ["picture", "-o", path + ".png"],
+        ["view", "--html", path + ".html"],
+        ["picker", "--svg", path + ".svg"],
+    ):
+        assert main([*command, path]) == 1
+        assert "LAYOUT_OFF" in capsys.readouterr().err
+    assert main(["check", path, "--variant", "rigUI=ui"]) == 0
+    assert "fits its rig" in capsys.readouterr().out
 
 
 def test_what_only_reads_does_not_say_that_it_wrote_nothing(capsys):

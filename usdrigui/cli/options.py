@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
-from usdrigui.errors import Exit, RigUIError, refuse
+from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
     from usdrigui.settings import Settings
@@ -269,7 +269,7 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
             *([layer.with_suffix(".toml")] if layer.stem.endswith(".rigui") else []),
         ]
         named = [path for guess in guesses for path in _existing(guess)]
-        if not named and error.issue.code != "LAYOUT_MISSING":
+        if not named and error.issue.code not in NO_LAYOUT:
             raise
         yield from named
         return

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdrigui.errors import Issue, RigUIError, issue, of_character, refuse
+from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
@@ -231,8 +231,10 @@ def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
 def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tuple[Issue, ...]:
     """What is wrong with a source asset; raises the refusal of its layout again if it holds nothing
     at all."""
-    if refusal.issue.code != "LAYOUT_MISSING":
+    missing = refusal.issue
+    if missing.code not in NO_LAYOUT:
         raise refusal
+    off = [] if missing.code == "LAYOUT_MISSING" else [replace(missing, severity="info")]
     found = read_faults_isolated(asset, settings.read)
     if found.empty:
         raise refusal
@@ -243,7 +245,7 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     except RigUIError as error:
         issues = (error.issue,)
     known = {(each.code, each.path) for each in found.issues}
-    return (*found.issues, *(each for each in issues if (each.code, each.path) not in known))
+    return (*off, *found.issues, *(each for each in issues if (each.code, each.path) not in known))
 
 
 def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import TypeVar
 
-from usdrigui.errors import Issue, RigUIError, issue
+from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.settings import Settings
 from usdrigui.usd.variant_paths import unknown_set
 
 T = TypeVar("T")
 
-_PLAIN = ("SKELROOT_MISSING", "CONTROLS_MISSING", "LAYOUT_MISSING", "VARIANT_UNKNOWN")
+_PLAIN = ("SKELROOT_MISSING", "CONTROLS_MISSING", *NO_LAYOUT, "VARIANT_UNKNOWN")
 """What a variant without a character, or without a layout, is refused for; combinations need not
 all be there."""
 

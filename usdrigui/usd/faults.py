@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Issue, RigUIError, issue
+from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.model import Floats
 from usdrigui.usd.arrays import (
     check_range,
@@ -73,7 +73,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
     try:
         layouts = read_layout(stage)
     except RigUIError as error:
-        return () if error.issue.code == "LAYOUT_MISSING" else (error.issue,)
+        return () if error.issue.code in NO_LAYOUT else (error.issue,)
     found: list[Issue] = []
     hashes: dict[str, str] = {}
     for layout in layouts:

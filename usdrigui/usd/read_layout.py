@@ -16,7 +16,7 @@ from typing import Any, get_args
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom, Vt
 
-from usdrigui.errors import refuse
+from usdrigui.errors import RigUIError, listed, refuse
 from usdrigui.model import (
     Element,
     Floats,
@@ -64,14 +64,31 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
     which the layer names the controls (`base_controls`).
 
     Raises RigUIError FILE_NOT_FOUND, FILE_NOT_USD, LAYER_MISSING, LAYER_UNREADABLE, LAYOUT_MISSING
-    (no prim has RigUILayoutAPI), LAYOUT_INVALID (a property contradicts another) and
-    LAYOUT_VERSION.
+    (no prim has RigUILayoutAPI), LAYOUT_OFF (variant selections leave all of them out),
+    LAYOUT_INVALID (a property contradicts another) and LAYOUT_VERSION.
     """
     stage, name = _stage(source)
     layouts = tuple(_layout(scope) for scope in layout_scopes(stage))
     if not layouts:
-        raise refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
+        raise _without(stage, name)
     return layouts
+
+
+def _without(stage: Usd.Stage, name: str) -> RigUIError:
+    """Why a stage has no layout: LAYOUT_OFF where a selection leaves them out, else
+    LAYOUT_MISSING."""
+    off: dict[str, list[str]] = {}
+    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
+        choice = prim.GetVariantSets().GetVariantSet(schema.VARIANTS)
+        selected = choice.GetVariantSelection()
+        if selected != schema.WITH and choice.HasAuthoredVariant(schema.WITH):
+            off.setdefault(selected, []).append(str(prim.GetPath()))
+    if not off:
+        return refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
+    told = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
+    count = sum(map(len, off.values()))
+    layouts = "1 layout is" if count == 1 else f"{count} layouts are"
+    return refuse("LAYOUT_OFF", name, f"{layouts} switched off, by {' and '.join(told)}")
 
 
 def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:
