@@ -544,8 +544,9 @@ _CODES: dict[str, Code] = {
         "Make one with `usdrigui process`, and name the layer that it wrote.",
     ),
     "LAYOUT_OFF": Code(
-        "info",
-        "The characters of the stage have layouts, all of which are switched off.",
+        "error",
+        "The characters of the stage have layouts, all of which are switched off; of `check`, which"
+        " looks at the asset then, an info.",
         "Select `rigUI = ui` on the prims named, or give `--variant rigUI=ui`.",
     ),
     "LAYOUT_INVALID": Code(

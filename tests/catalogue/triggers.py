@@ -654,7 +654,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "SCHEMA_TOO_LATE": _schema_late,
     "VIEW_MISMATCH": _empty_page,
     "LAYOUT_MISSING": _viewed(_no_layout),
-    "LAYOUT_OFF": _checked(_switched_off),
+    "LAYOUT_OFF": _viewed(_switched_off),
     "TOKEN_ORDER": lambda folder, _: command("check", minimal_assets.character(folder, "TOKEN_ORDER")),
     "WEIGHTS_BEYOND_LIMITS": lambda folder, _: command(
         "check", minimal_assets.character(folder, "WEIGHTS_BEYOND_LIMITS")
