@@ -783,8 +783,9 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_MESH_GONE": Code(
         "error",
-        "An element is anchored to a mesh that the character does not have.",
-        "Run `usdrigui process` again.",
+        "Elements are anchored to a mesh that the character does not have.",
+        "In a shot, activate the mesh, or select `rigUI = none` for the character; if the asset has"
+        " lost the mesh, run `usdrigui process` again.",
     ),
     "LAYOUT_TOPOLOGY": Code(
         "error",

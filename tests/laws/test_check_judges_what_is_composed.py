@@ -4,6 +4,7 @@ The table says which verdict each stage deserves; the law says that a stage and 
 """
 
 import random
+import re
 import shutil
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from usdrigui.cli import main
 from usdrigui.errors import RigUIError
 from usdrigui.pipeline import check, load_layer
 from usdrigui.settings import Settings
+from usdrigui.usd.read_layout import read_layout
 
 CHAR, FACE = "World/Char", "World/Char/face0"
 
@@ -121,7 +123,7 @@ EDITS = {
     nothing: set(),
     animate: set(),
     hide: {"LAYOUT_ANCHOR_HIDDEN"},
-    deactivate: {"LAYOUT_MESH_GONE", "LAYOUT_CONTROL_GONE"},
+    deactivate: {"LAYOUT_MESH_GONE"},
     displace: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_ANCHOR_HIDDEN"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
     regrab: {"LAYOUT_ANCHOR_MOVED"},
@@ -284,6 +286,17 @@ def test_every_finding_says_whose_it_is(folder, capsys):
     main(["check", str(path)])
     said = " ".join(capsys.readouterr().out.split())
     assert all(f"LAYOUT_CONTROL_GONE {root} sneer_L: " in said for root in roots)
+
+
+def test_a_mesh_that_is_gone_is_told_once_with_all_that_it_takes_along(folder):
+    found = check(saved(edited(over(folder), deactivate)), Settings()).issues
+    (told,) = (each for each in found if each.severity == "error")
+    elements = read_layout(folder / "char.rigui.usda")[0].elements
+    lost = sum(each.anchor.mesh == f"/{FACE}" for each in elements)
+    assert told.path == f"/{FACE}"
+    assert f"{lost} elements of the layout" in told.message
+    assert re.search(r"; [1-9][0-9]* controls", told.message)
+    assert "activate the mesh" in told.repair
 
 
 def test_viewers_show_every_character_of_a_shot_as_it_is_there(folder):

@@ -203,7 +203,7 @@ def _reviewed(
             own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
             found.append(
                 review_stage.review(
-                    inputs.face, inputs.candidates, inputs.requests, inputs.settings, own
+                    inputs.face, inputs.candidates, inputs.requests, inputs.settings, own, layout
                 )
             )
     return review_stage.joined(found)

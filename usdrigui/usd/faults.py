@@ -15,6 +15,7 @@ import numpy as np
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
+from usdrigui.levels import mesh_gone
 from usdrigui.model import Floats
 from usdrigui.usd.arrays import (
     check_range,
@@ -68,8 +69,8 @@ def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 
 def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
-    """LAYOUT_MESH_GONE and LAYOUT_TOPOLOGY of every element, or why the layouts cannot be read;
-    none without layout."""
+    """LAYOUT_MESH_GONE of every mesh and LAYOUT_TOPOLOGY of every element, or why the layouts
+    cannot be read; none without layout."""
     try:
         layouts = read_layout(stage)
     except RigUIError as error:
@@ -86,14 +87,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                         stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None
                     )
             if not hashes[anchor.mesh]:
-                found.append(
-                    issue(
-                        "LAYOUT_MESH_GONE",
-                        element.name,
-                        f"is anchored to {anchor.mesh or 'no mesh'}",
-                        layout.root,
-                    )
-                )
+                found.append(mesh_gone(layout, anchor.mesh))
             elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
                 found.append(
                     issue(
@@ -103,7 +97,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                         layout.root,
                     )
                 )
-    return tuple(found)
+    return tuple(dict.fromkeys(found))
 
 
 # --- the pairs of names and targets, and how to repair them ---------------------------------------

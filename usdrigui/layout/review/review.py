@@ -18,7 +18,7 @@ from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.levels import inner_names, states
+from usdrigui.levels import inner_names, mesh_gone, states
 from usdrigui.model import (
     Candidates,
     CandidateSet,
@@ -77,11 +77,19 @@ class Review:
 
 
 def review(
-    face: Face, candidates: Candidates, requests: Requests, settings: Settings, layout: Layout
+    face: Face,
+    candidates: Candidates,
+    requests: Requests,
+    settings: Settings,
+    layout: Layout,
+    whole: Layout | None = None,
 ) -> Review:
-    """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated."""
+    """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated.
+
+    `whole`: the layout of the character, where `layout` is that of one part.
+    """
     faults = [
-        *_stale(face.rig, face.trajectories, layout, settings.read),
+        *_stale(face.rig, face.trajectories, layout, settings.read, whole or layout),
         *_unplaced(face, layout, requests),
         *_crowded(layout, layout.handle_width or face.handle_width),
     ]
@@ -115,7 +123,7 @@ def refuse_stale(
 ) -> None:
     """Raise every error for which a layout does not fit the rig any more (LAYOUT_...), by cause."""
     faults = Faults()
-    stale = of_character(rig.character, _stale(rig, trajectories, layout, settings))
+    stale = of_character(rig.character, _stale(rig, trajectories, layout, settings, layout))
     for found in by_cause(stale):
         with faults.collected():
             if found.severity == "error":
@@ -127,20 +135,24 @@ def refuse_stale(
 
 
 def _stale(
-    rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings
+    rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings, whole: Layout
 ) -> Iterator[Issue]:
     comparable = not _custom_base(layout, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = rig.control_names
     gone = not known.issuperset(layout.controls)
     renamed = match_layout(layout, rig, trajectories).renamed if gone else {}
+    anchored = dict.fromkeys(element.anchor.mesh for element in whole.elements)
+    lost = [path for path in anchored if path not in meshes]
+    for path in lost:
+        yield mesh_gone(whole, path, len(whole.controls - known))
+    # Controls go with the mesh that has their shapes; one that was renamed is told by itself.
+    along = layout.controls - renamed.keys() if lost else frozenset[str]()
     for element in layout.elements:
         anchor = element.anchor
         mesh = meshes.get(anchor.mesh)
         if mesh is None:
-            yield issue(
-                "LAYOUT_MESH_GONE", element.name, f"is anchored to {anchor.mesh or 'no mesh'}"
-            )
+            pass
         elif anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
             change = f"{anchor.point_count} points then, {len(mesh.points)} now"
             yield issue(
@@ -158,7 +170,7 @@ def _stale(
                 "LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was"
             )
         for member in element.members:
-            if member.control not in known:
+            if member.control not in known | along:
                 now = (
                     f"; {renamed[member.control]!r} does what it did"
                     if member.control in renamed
