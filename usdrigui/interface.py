@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 from usdrigui import pipeline
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.examples import ExampleLayers
 from usdrigui.inspection import Inspection
 from usdrigui.markup import markup
@@ -60,6 +60,7 @@ def process(
     bound and gap); `stop` is polled meanwhile, and once it is true the best layout so far is taken.
     Raises `RigUIError`; then nothing has been written.
     """
+    _check_kind(asset)
     if not isinstance(asset, (str, Path)):
         if output or previous or fixed or like or base or animations or dry_run:
             raise refuse(
@@ -121,6 +122,7 @@ def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noq
     `settings`: by default those of the environment and of the configuration beside the file.
     Raises `RigUIError`.
     """
+    _check_kind(layout)
     if isinstance(layout, (str, Path)):
         path = Path(layout)
         settings = settings or load_beside(path)
@@ -128,6 +130,17 @@ def open(layout: Source, settings: Settings | None = None) -> OpenLayout:  # noq
     settings = settings or Settings()
     root = layout.GetRootLayer() if hasattr(layout, "GetRootLayer") else layout
     return OpenLayout(root.GetDisplayName(), pipeline.open_layouts(layout, settings), settings)
+
+
+def _check_kind(source: Source) -> None:
+    """Raise TypeError for what is neither a path nor a stage nor a layer."""
+    if isinstance(source, (str, Path)):
+        return
+    from pxr import Sdf, Usd
+
+    if not isinstance(source, (Usd.Stage, Sdf.Layer)):
+        kind = type(source).__name__
+        raise TypeError(f"expected a path, a Usd.Stage or an Sdf.Layer, not {kind}")
 
 
 def _path(file: File | None) -> Path | None:
@@ -205,6 +218,9 @@ class OpenLayout:
         `values` by control name, the others at the base pose; `root` names the SkelRoot where there
         are several. Raises `RigUIError` POSE_CONTROL, POSE_VALUE, SKELROOT_UNKNOWN.
         """
+        if not isinstance(values, Mapping):
+            kind = type(values).__name__
+            raise TypeError(f"expected a mapping of control names to values, not {kind}")
         rig, layout = self._character(root)
         return evaluate(prepare(rig, layout), values_of(rig, values, layout.base_values))
 
@@ -231,7 +247,9 @@ class OpenLayout:
         found = [each for each in self.characters if not root or each[0].root == root]
         if len(found) != 1:
             known = ", ".join(rig.root for rig, _ in self.characters)
-            raise refuse("SKELROOT_UNKNOWN", root, f"name one of the characters: {known}")
+            hint = meant(root, [rig.root for rig, _ in self.characters]) if root else ""
+            told = f"name one of the characters: {known}{hint}"
+            raise refuse("SKELROOT_UNKNOWN", root, told)
         return found[0]
 
     def __repr__(self) -> str:

@@ -8,6 +8,7 @@ import pytest
 from pxr import Sdf, Usd
 
 import usdrigui
+from usdrigui import RigUIError
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"solve": {"gap": 5e-2}}
@@ -69,6 +70,22 @@ def test_a_layout_on_an_open_stage_is_opened_posed_seen_and_checked(folder):
     with pytest.raises(usdrigui.RigUIError) as refused:
         usdrigui.open(stage)
     assert refused.value.issue.code == "CONTROLS_MISSING"
+
+
+def test_wrong_arguments_are_told_in_the_words_of_the_interface(folder):
+    for take in (usdrigui.process, usdrigui.check, usdrigui.open):
+        with pytest.raises(TypeError, match=r"expected a path, a Usd\.Stage or an Sdf\.Layer, not int"):
+            take(3)
+    usdrigui.process(folder / "char.usda")
+    layout = usdrigui.open(folder / "char.rigui.usda")
+    name = layout.controls[0].name
+    with pytest.raises(TypeError, match="a mapping of control names"):
+        layout.pose([1.0])
+    for value in ("x", None, [1.0, 2.0]):
+        with pytest.raises(RigUIError, match=f"POSE_VALUE {name}: .* is not a number"):
+            layout.pose({name: value})
+    with pytest.raises(RigUIError, match=f"POSE_CONTROL .*did you mean '{name}'"):
+        layout.pose({name + "x": 1.0})
 
 
 def test_a_stage_that_has_a_layout_is_not_laid_out_again(folder):

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
 from usdrigui.pose.subset import subset
 from usdrigui.pose.tracks import carried, facing, slid
@@ -141,9 +141,17 @@ def values_of(rig: Rig, pose: Mapping[str, float], base: ArrayLike | None = None
     names = {control.name: index for index, control in enumerate(rig.controls)}
     for name, value in pose.items():
         if name not in names:
-            raise refuse("POSE_CONTROL", name, "the character has no control of this name")
-        values[names[name]] = value
+            what = f"the character has no control of this name{meant(str(name), names)}"
+            raise refuse("POSE_CONTROL", str(name), what)
+        values[names[name]] = _number(name, value)
     return checked_values(rig, values)
+
+
+def _number(name: str, value: float) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise refuse("POSE_VALUE", name, f"{value!r} is not a number") from None
 
 
 def checked_values(rig: Rig, values: ArrayLike) -> Floats:
