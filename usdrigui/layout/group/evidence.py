@@ -32,8 +32,9 @@ TWINS_OPPOSED = -0.4
 """The same for twins of each other (jaw left, jaw right): what they do upward they do alike."""
 _SAME_REGION = 0.5
 """Least overlap of the regions of a pair of the convention."""
-_HELD = 0.4
-"""Share of both peaks that one visible place must keep."""
+_HELD = 1.0 / 3.0
+"""Share of both peaks that one visible place must keep: the third that any control keeps where it
+stands."""
 _LIKE_AMOUNT = 0.25
 """Least amount of one end in shares of the other's, where no convention pairs them."""
 

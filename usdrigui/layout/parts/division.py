@@ -59,7 +59,8 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     stay together.
     """
     regions = joint_regions(rig, found)
-    tell = _Names(rig, found, regions).of if regions is not None else _face
+    whole = settings.candidates.global_coverage
+    tell = _Names(rig, found, regions, whole).of if regions is not None else _face
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
@@ -151,8 +152,8 @@ def _together(names: dict[int, str], bound: list[list[int]]) -> dict[int, str]:
 class _Names:
     """Tells the part of each control by the regions of the joints."""
 
-    def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions) -> None:
-        self.rig, self.found, self.regions = rig, found, regions
+    def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions, whole: float) -> None:
+        self.rig, self.found, self.regions, self.whole = rig, found, regions, whole
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
         self.skin = self._skin(owner_of_points(rig))
         self.near_face = (
@@ -172,6 +173,9 @@ class _Names:
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
         prop = most == PROPS and float(masses.max()) >= _MOST * total
+        if prop and self._all_props(motion):
+            # It hides or carries them: among controls of props alone it would stand nowhere.
+            prop, most = False, BODY
         near = (
             not prop
             and self.near_face is not None
@@ -179,6 +183,12 @@ class _Names:
         )
         # One direction of a gaze moves the lids, another one does not: they stay together.
         return FACE if near or most == EYES else most
+
+    def _all_props(self, motion: Motion) -> bool:
+        """Whether a motion takes along what the props are made of."""
+        areas, props = self.found.areas, self.skin == self.known.index(PROPS)
+        moved = motion.points[props[motion.points]]
+        return float(areas[moved].sum()) >= self.whole * float(areas[props].sum())
 
     def _skin(self, owners: Indices) -> Indices:
         """(n,) index into `known` of the part of each point; that of the nearest skin where nothing

@@ -117,14 +117,18 @@ def test_a_head_without_a_body_keeps_its_eyes():
     assert list(named(limbs.with_default_controls(bust))) == ["face"]
 
 
-def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop():
+@pytest.mark.parametrize(("moved", "part"), [(0.5, "props"), (1.0, "body")])
+def test_a_shape_of_an_eye_stays_with_the_face_and_one_of_a_prop_with_the_prop(moved, part):
+    """What takes all props along, as one that hides them, is no control of theirs."""
     rig = equipped(shared=True)
     _, _, ball, stick = rig.meshes
-    shapes = [makers.shape(i, np.tile([0.0, 0.0, 0.01], (len(mesh.points), 1))) for i, mesh in enumerate((ball, stick))]
+    offsets = [np.tile([0.0, 0.0, 0.01], (len(mesh.points), 1)) for mesh in (ball, stick)]
+    offsets[1][int(moved * len(stick.points)) :] = 0.0
+    shapes = [makers.shape(i, each) for i, each in enumerate(offsets)]
     meshes = (*rig.meshes[:2], replace(ball, shapes=(shapes[0],)), replace(stick, shapes=(shapes[1],)))
     named_shapes = makers.rig_of_meshes(meshes, ["look", "glow"])
     made = replace(named_shapes, joints=rig.joints, skeletons=rig.skeletons)
-    assert named(made) == {"face": {"look"}, "props": {"glow"}}
+    assert named(made) == {"face": {"look"}, part: {"glow"}}
 
 
 def test_a_body_does_not_change_the_scale_of_its_face():
