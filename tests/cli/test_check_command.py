@@ -95,6 +95,17 @@ def test_a_character_whose_layout_is_not_composed_is_no_layout_that_fits(layer, 
     assert "fits its rig" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("turn", [(-90, 0, 0), (90, 0, 40), (0, 20, 90)])
+def test_a_character_that_lies_down_in_a_shot_is_judged_as_it_stands(layer, turn, capsys):
+    """A Z-up asset in a Y-up shot lies on its back: the views turn with it."""
+    shot = Usd.Stage.CreateNew(str(layer.with_name("shot.usda")))
+    place = UsdGeom.Xform.Define(shot, "/Hero")
+    place.GetPrim().GetReferences().AddReference(layer.name)
+    place.AddRotateXYZOp().Set(turn)
+    shot.Save()
+    assert codes(layer.with_name("shot.usda"), capsys) == set()
+
+
 def test_what_only_reads_does_not_say_that_it_wrote_nothing(capsys):
     for command in (["check", "no.usda"], ["diff", "no.usda", "no.usda"], ["inspect", "no.usda"]):
         assert main(command) != 0

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue, of_character, refuse
 from usdrigui.layout.parts.division import Part
 from usdrigui.layout.review import difference as difference_stage
@@ -29,6 +31,12 @@ from usdrigui.usd.reader_process import (
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
+
+
+_SIDEWAYS = 0.5
+"""Sine of the angle between the view and the left below which they tell nothing of up."""
+_LYING = 0.7
+"""Cosine of the angle to the up axis from which a character lies."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,7 +203,7 @@ def _reviewed(
     rig: Rig, layout: Layout, settings: Settings, clock: Clock, cameras: Mapping[str, Floats]
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
-    character = divided(rig, settings, clock, cameras)
+    character = divided(_upright(rig, layout), settings, clock, cameras)
     found = []
     for part in character.parts:
         inputs = part_problem(character, part, (), clock)
@@ -207,6 +215,37 @@ def _reviewed(
                 )
             )
     return review_stage.joined(found)
+
+
+def _upright(rig: Rig, layout: Layout) -> Rig:
+    """The character with the up direction that its layout was made for, where it lies down in the
+    stage or comes from one with another up axis.
+
+    The layout's view and the left of the character tell that direction up to the tilt of the view.
+    """
+    left = _left(layout)
+    up = np.cross(layout.view, left / max(float(np.linalg.norm(left)), 1e-300))
+    length = float(np.linalg.norm(up))
+    ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
+    if layout.view @ ahead <= _LYING * np.linalg.norm(ahead):
+        return rig  # a view from above or aside tells nothing
+    if length < _SIDEWAYS or abs(float(up @ rig.up)) > _LYING * length:
+        return rig
+    axis = int(np.abs(up).argmax())
+    straight = np.sign(up[axis]) * np.eye(3)[axis]
+    return replace(rig, up=straight if abs(up[axis]) > _LYING * length else up / length)
+
+
+def _left(layout: Layout) -> Floats:
+    """(3,) to the left of the character: the plane's normal, else from the elements of the right
+    to those of the left; 0 where nothing tells."""
+    if layout.plane_normal.any():
+        return layout.plane_normal
+    left, right = (
+        [each.anchor.position for each in layout.elements if each.side == side]
+        for side in ("left", "right")
+    )
+    return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)
 
 
 def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
