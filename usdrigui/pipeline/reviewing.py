@@ -203,7 +203,8 @@ def _reviewed(
     rig: Rig, layout: Layout, settings: Settings, clock: Clock, cameras: Mapping[str, Floats]
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
-    character = divided(_upright(rig, layout), settings, clock, cameras)
+    front = settings.candidates.view in ("", "front")  # others are named by the up of the stage
+    character = divided(_upright(rig, layout) if front else rig, settings, clock, cameras)
     found = []
     for part in character.parts:
         inputs = part_problem(character, part, (), clock)
