@@ -202,8 +202,7 @@ def at_frame(viewer, frame):
 def test_the_pose_goes_to_the_clipboard(viewer):
     viewer.set(brow_L=0.25)
     viewer.page.get_by_role("button", name="Copy JSON").click()
-    viewer.until("!document.querySelector('.notice').hidden")
-    assert viewer.page.locator(".notice").inner_text() == "Pose copied"
+    viewer.until("document.querySelector('.notice').innerText === 'Pose copied'")
     copied = json.loads(viewer.page.evaluate("navigator.clipboard.readText()"))
     assert copied["values"] == {"brow_L": 0.25}
 

@@ -46,6 +46,7 @@ _RIGS = {
     "Meta and Unified Expressions": {
         "EyesLookRightL": ("eyeLookRight", "left"),
         "EyesLookLeftL": ("eyeLookLeft", "left"),
+        "LeftEyeturnRight": ("eyeLookRight", "left"),
         "LipPressorL": ("mouthPress", "left"),
         "LowerLipDepressorR": ("mouthLowerDown", "right"),
         "LipSuckLB": ("mouthSuck", "left"),

@@ -32,7 +32,7 @@ Region = Literal[
 
 _WORD = re.compile(r"[A-Z]{2,}(?=[a-z][A-Z])|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
-_GAZE = frozenset({"look", "gaze"})
+_GAZE = frozenset({"look", "gaze", "turn"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
 _SHARED = 0.8
 """Share of a rig's names that begin (or end) with a word from which the word says nothing."""
