@@ -1,12 +1,13 @@
 """What each element of the layout beyond the paper is good for: a table of rigs by what is left
 out.
 
-    python benchmarks/elements.py ASSET... --judge SCRIPT [--rows WORD...] [--seconds 8]
+    python benchmarks/elements.py ASSET... --judge SCRIPT --folder FOLDER [--rows WORD...]
+        [--seconds 8]
 
 SCRIPT is a program that prints how many controls of a layer stand where an animator expects them
 (``43/45 placed`` or ``joint axes 70/72``), and ``FAIL`` with the reasons where that does not do.
 Each cell has its count, the mean displacement kept on the face, the controls there, and the
-reasons.  The layers stay in the folder, one subfolder a row.
+reasons.  The layers stay in FOLDER, one subfolder a row.
 """
 
 from __future__ import annotations
@@ -98,7 +99,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--judge", type=Path, required=True)
     parser.add_argument("--rows", nargs="*", default=[], help="only rows with one of these words")
     parser.add_argument("--seconds", type=float, default=8.0, help="limit of every solve")
-    parser.add_argument("--folder", type=Path, default=Path("without"))
+    parser.add_argument("--folder", type=Path, required=True)
     return parser.parse_args()
 
 

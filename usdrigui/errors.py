@@ -169,10 +169,10 @@ def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
     )
 
 
-def listed(paths: Sequence[str]) -> str:
-    """At most three paths and the number of others."""
-    more = f" and {len(paths) - 3} more" if len(paths) > 3 else ""
-    return ", ".join(paths[:3]) + more
+def listed(names: Sequence[str]) -> str:
+    """At most three names or paths and the number of others."""
+    more = f" and {len(names) - 3} more" if len(names) > 3 else ""
+    return ", ".join(names[:3]) + more
 
 
 def meant(name: str, known: Iterable[str]) -> str:

@@ -69,6 +69,6 @@ def _edited(state: str, what: str, issues: Sequence[Issue], arguments: argparse.
         }
         print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
     for each in () if arguments.quiet else issues:
-        say(f"{each.severity}: {each.code} {each.path} {sentences(each)}", arguments)
+        say(f"{each.severity}: {each.code} {each.where}: {sentences(each)}", arguments)
     say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)
     return code

@@ -20,7 +20,7 @@ from typing import Literal
 
 from pxr import Sdf, Tf
 
-from usdrigui.errors import Issue, RigUIError, issue, refuse
+from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
@@ -37,8 +37,6 @@ from usdrigui.usd.variant_paths import asset_selections
 
 Outcome = Literal["written", "unchanged"]
 
-_TOLD = 3
-"""Controls in one message."""
 _BLOCK = "(\n    subLayers = [\n        @{path}@\n    ]\n)\n"
 """What a text layer without any metadata gets after its first line."""
 _FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
@@ -169,9 +167,7 @@ def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[I
     for layout in layouts:
         gone = sorted(layout.controls.difference(known[layout.root]))
         if gone:
-            more = f" and {len(gone) - _TOLD} more" if len(gone) > _TOLD else ""
-            told = f"has no control {', '.join(gone[:_TOLD])}{more}"
-            yield issue("ATTACH_CONTROLS_GONE", layout.root, told)
+            yield issue("ATTACH_CONTROLS_GONE", layout.root, f"has no control {listed(gone)}")
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:

@@ -79,7 +79,7 @@ export function shownValue(value, range = 1) {
   return value.toFixed(digits);
 }
 
-const SNAP = 32; // pixels of the page: canvases begin and end at multiples
+export const SNAP = 32; // pixels of the page: canvases begin and end at multiples
 const ROOMY = 2; // times what is needed: a larger canvas shrinks
 
 /**

@@ -8,12 +8,11 @@ import { COLOURS, Overlay } from './overlay.js';
 import { ScreenSurface } from './pick.js';
 import { Rearranging } from './rearrange.js';
 import { Stage } from './stage.js';
-import { make, shownValue } from './dom.js';
+import { make, shownValue, SNAP } from './dom.js';
 
 const SLOW = 45; // milliseconds per frame above which the picture is drawn coarser while it changes
 const SETTLE = 180; // milliseconds of rest before the picture is drawn sharp again
 const MOST_PIXELS = 0.7e6; // that the processor draws while the picture changes
-const GRAIN = 32; // its canvas begins and ends at multiples of so many pixels of the page, which are whole pixels of it
 const SMOOTH = 2; // how much finer the processor draws at rest, for smooth outlines
 const MOST_SMOOTHED = 150000; // triangles up to which it does
 
@@ -291,7 +290,7 @@ export class View {
   get brisk() {
     if (this.stage.drawnBy !== 'processor') return 1;
     const most = Math.sqrt(MOST_PIXELS / (this.width * this.height));
-    return Math.min(1, Math.floor(GRAIN * most) / GRAIN / this.ratio);
+    return Math.min(1, Math.floor(SNAP * most) / SNAP / this.ratio);
   }
 
   /** Share of the screen's resolution at which the picture is drawn when nothing moves. */

@@ -98,7 +98,7 @@ def composites(
     families = find_families(names, meaning, similarity.cosine, coverage)
     basis = choose_basis(
         similarity.cosine,
-        _prices(names, meaning, twins, coverage, families),
+        _costs(names, meaning, twins, coverage, families),
         twins,
         _steps(names, similarity.cosine),
     )
@@ -122,7 +122,7 @@ def composites(
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
 
-def _prices(
+def _costs(
     names: Sequence[str],
     meaning: Sequence[Meaning | None],
     twins: Indices,

@@ -21,6 +21,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.model import Control, Rig
 from usdrigui.rotation import rotation_part
+from usdrigui.settings import CandidateSettings
 
 Relation = Literal["convention", "open", ""]
 """What the names of two controls say: they belong together, nothing, or that they do not."""
@@ -32,9 +33,8 @@ TWINS_OPPOSED = -0.4
 """The same for twins of each other (jaw left, jaw right): what they do upward they do alike."""
 _SAME_REGION = 0.5
 """Least overlap of the regions of a pair of the convention."""
-_HELD = 1.0 / 3.0
-"""Share of both peaks that one visible place must keep: the third that any control keeps where it
-stands."""
+_HELD = CandidateSettings().least_kept
+"""Share of both peaks that one visible place must keep: what any control keeps where it stands."""
 _LIKE_AMOUNT = 0.25
 """Least amount of one end in shares of the other's, where no convention pairs them."""
 
@@ -42,9 +42,11 @@ _ALIKE = 1e-3
 """Radians within which two joints of one parent turn alike: single precision leaves less."""
 
 
-def degrees(cosine: float) -> float:
-    """The angle of a cosine, the same on every processor."""
-    return math.degrees(math.acos(min(max(round(cosine, 6), -1.0), 1.0)))
+def alike(cosine: float, shared: float) -> str:
+    """How two motions compare, in words, the same on every processor: the `cosine` of their
+    directions and the share of their regions that is `shared`."""
+    apart = math.degrees(math.acos(min(max(round(cosine, 6), -1.0), 1.0)))
+    return f"their directions are {apart:.0f} degrees apart, their regions share {shared:.0%}"
 
 
 class Evidence:
@@ -118,12 +120,10 @@ class Evidence:
 
     def words(self, a: int, b: int) -> str:
         """The evidence for or against two opposed controls."""
-        apart = degrees(float(self.similarity.direction[a, b]))
-        return (
-            f"their directions are {apart:.0f} degrees apart, their regions share"
-            f" {float(self.similarity.shared[a, b]):.0%}, both keep {self.held((a, b)):.0%} of"
-            " their largest motion at one place"
+        compared = alike(
+            float(self.similarity.direction[a, b]), float(self.similarity.shared[a, b])
         )
+        return f"{compared}, both keep {self.held((a, b)):.0%} of their largest motion at one place"
 
     def _specific(self, index: int) -> bool:
         meaning = self.meanings[index]
@@ -147,9 +147,8 @@ def _joints(rig: Rig, control: Control) -> frozenset[int]:
     joints, turns = control.drive.joints.tolist(), control.drive.rotations
     parents = [rig.joints[joint].parent for joint in joints]
     bases = [rotation_part(rig.joints[joint].base) for joint in joints]
-    own = [
-        turns[:, i] @ base for i, base in enumerate(bases)
-    ]  # about the axes of the joints' parents
+    # About the axes of the joints' parents.
+    own = [turns[:, i] @ base for i, base in enumerate(bases)]
     return frozenset(
         joint
         for i, joint in enumerate(joints)

@@ -18,7 +18,7 @@ from usdrigui.conventions.sides import has_side
 from usdrigui.errors import meant, refuse
 from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.face import Face
-from usdrigui.layout.group.evidence import Evidence, Relation, degrees
+from usdrigui.layout.group.evidence import Evidence, Relation, alike
 from usdrigui.layout.motion.similarity import Similarity, bidirectional
 from usdrigui.layout.names import element_name
 from usdrigui.layout.reuse.partial_layout import has_own_place
@@ -413,9 +413,8 @@ class _Grouping:
             if self.evidence.crossing(first.motions, second.motions) == "convention"
             else ""
         )
-        apart = f"their directions are {degrees(across):.0f} degrees apart"
-        words = f"{apart}, their regions share {shared:.0%}"
-        return _Merged(motions, axes, f"two axes of one region: a joystick{by} ({words})")
+        words = f"two axes of one region: a joystick{by} ({alike(across, shared)})"
+        return _Merged(motions, axes, words)
 
     def _uprightness(self, axis: _Merged) -> float:
         fields = self.similarity.fields

@@ -175,7 +175,7 @@ class _Names:
         prop = most == PROPS and float(masses.max()) >= _MOST * total
         if prop and self._all_props(motion):
             # It hides or carries them: among controls of props alone it would stand nowhere.
-            prop, most = False, BODY
+            prop, most = False, BODY if BODY in self.known else main_part(self.known)
         near = (
             not prop
             and self.near_face is not None

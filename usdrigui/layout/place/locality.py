@@ -87,7 +87,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
                 return np.asarray(start + subset.points)
     meshes = [mesh.path for mesh in rig.meshes]
     subsets = [subset.path for mesh in rig.meshes for subset in mesh.subsets]
-    joints = [f"joint:{joint.path.rpartition('/')[2]}" for joint in rig.joints]
+    joints = [f"joint:{name}" for name in _joint_names(rig)]
     like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {', '.join(meshes[:5])}"
     raise refuse(
         "CONFIG_VALUE",
@@ -108,5 +108,11 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             return np.asarray(
                 (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    names = [joint.path.rpartition("/")[2] for joint in rig.joints]
-    raise refuse("CONFIG_VALUE", where, f"there is no joint {name!r}{meant(name, names)}")
+    raise refuse(
+        "CONFIG_VALUE", where, f"there is no joint {name!r}{meant(name, _joint_names(rig))}"
+    )
+
+
+def _joint_names(rig: Rig) -> list[str]:
+    """The last parts of the paths of all joints."""
+    return [joint.path.rpartition("/")[2] for joint in rig.joints]

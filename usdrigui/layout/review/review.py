@@ -30,6 +30,7 @@ from usdrigui.model import (
     Layout,
     LayoutProblem,
     Rig,
+    RigMesh,
     Trajectories,
 )
 from usdrigui.overlap import pair_costs, total_cost
@@ -149,26 +150,9 @@ def _stale(
     # Controls go with the mesh that has their shapes; one that was renamed is told by itself.
     along = layout.controls - renamed.keys() if lost else frozenset[str]()
     for element in layout.elements:
-        anchor = element.anchor
-        mesh = meshes.get(anchor.mesh)
-        if mesh is None:
-            pass
-        elif anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
-            change = f"{anchor.point_count} points then, {len(mesh.points)} now"
-            yield issue(
-                "LAYOUT_TOPOLOGY",
-                element.name,
-                f"{anchor.mesh} has other points or faces: {change}",
-            )
-        elif not 0 <= anchor.point < len(mesh.points):
-            yield issue(
-                "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}"
-            )
-        elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
-            off = f"{_off(rig, trajectories, element):.1%} of the face"
-            yield issue(
-                "LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was"
-            )
+        mesh = meshes.get(element.anchor.mesh)
+        if mesh is not None:
+            yield from _anchor_faults(rig, trajectories, element, mesh, comparable=comparable)
         for member in element.members:
             if member.control not in known | along:
                 now = (
@@ -181,6 +165,24 @@ def _stale(
                     element.name,
                     f"{rig.root} has no control {member.control!r}{now}",
                 )
+
+
+def _anchor_faults(
+    rig: Rig, trajectories: Trajectories, element: Element, mesh: RigMesh, *, comparable: bool
+) -> Iterator[Issue]:
+    """What is wrong with an anchor on a `mesh` that is there; where it is, only if base poses are
+    `comparable`."""
+    anchor = element.anchor
+    if anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
+        change = f"{anchor.point_count} points then, {len(mesh.points)} now"
+        yield issue(
+            "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces: {change}"
+        )
+    elif not 0 <= anchor.point < len(mesh.points):
+        yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
+    elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
+        off = f"{_off(rig, trajectories, element):.1%} of the face"
+        yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
 
 
 def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:

@@ -39,7 +39,7 @@ def _as_error(found: Issue, stage: Usd.Stage, owner: Sdf.Path) -> Any:
     sites = [UsdValidation.ValidationErrorSite(stage, owner)]
     if found.path.startswith("/") and found.path != str(owner) and stage.GetPrimAtPath(found.path):
         sites.append(UsdValidation.ValidationErrorSite(stage, Sdf.Path(found.path)))
-    message = f"{found.path}: {sentences(found)}"
+    message = f"{found.where}: {sentences(found)}"
     return UsdValidation.ValidationError(found.code, _KINDS[found.severity], sites, message)
 
 
