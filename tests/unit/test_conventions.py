@@ -75,6 +75,7 @@ _RIGS = {
         "jawopen": ("jawOpen", ""),
         "eyelookinleft": ("eyeLookIn", "left"),
         "mouthrolllower": ("mouthRollLower", ""),
+        **dict.fromkeys(("visemee", "visemeoh"), ("viseme", "")),
         "lowercase": None,
     },
     "Faceshift": {
@@ -90,7 +91,22 @@ _RIGS = {
         "eCTRLMouthSideL": ("mouthLeft", ""),
     },
     "VRChat": {"vrc.v_aa": ("viseme", ""), "vrc.blink_left": ("eyeBlink", "left")},
-    "MikuMikuDance": {"まばたき": ("eyeBlink", ""), "ウィンク右": ("eyeBlink", "right"), "あ": ("viseme", "")},
+    "MikuMikuDance": {
+        "まばたき": ("eyeBlink", ""),
+        "まばたき左": ("eyeBlink", "left"),
+        "ウィンク右": ("eyeBlink", "right"),
+        "ｳｨﾝｸ２右": ("eyeBlink", "right"),
+        **dict.fromkeys(("あ", "あ２", "お"), ("viseme", "")),
+        "なごみ": ("eyeMood", ""),
+        "にやり２": ("mouthSmile", ""),
+    },
+    "an alphabet that the table does not know": {"закрыть_L": None, "眼_L": None},
+    "Preston Blair": dict.fromkeys(("AI", "W_Q", "CDGKNRSThYZ", "Rest"), ("viseme", "")),
+    "deformers of several meshes": {
+        "blendShape1_jawOpen": ("jawOpen", ""),
+        "blendShape12_eyeBlinkLeft": ("eyeBlink", "left"),
+        "shape_012": ("identity", ""),
+    },
     "MakeHuman": {
         "eye-left-slit": ("eyeSquint", "left"),
         "mouth-corner-puller": ("mouthSmile", ""),

@@ -15,6 +15,7 @@ from __future__ import annotations
 import itertools
 import re
 import tomllib
+import unicodedata
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +31,9 @@ Region = Literal[
     "mouth", "mouthCorner", "upperLip", "lowerLip", "ear", "neck", "head", "interior", "face",
 ]  # fmt: skip
 
-_WORD = re.compile(r"[A-Z]{2,}(?=[a-z][A-Z])|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+")
+_WORD = re.compile(
+    r"[A-Z]{2,}(?=[a-z][A-Z])|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[左右]|[^\W\d_A-Za-z左右]+"
+)
 _MIDDLES = frozenset({"m", "mid", "middle", "c", "center", "centre"})
 _GAZE = frozenset({"look", "gaze", "turn"})
 """Words behind which the first side is where the eyes turn: EyesLookRightL, Eye_L_Look_R."""
@@ -174,19 +177,37 @@ def words(name: str) -> tuple[str, ...]:
     apart alike."""
     codes = _table("codes")
     found: list[str] = []
-    for word in _WORD.findall(codes["japanese"].get(name, name)):
+    for word in _WORD.findall(_in_english(unicodedata.normalize("NFKC", name))):
         # A side is glued to the front of a word that is known: LbrowUp.
         glued = word[0] in "LR" and word[1:] in _vocabulary() and word.lower() not in _vocabulary()
         found += [word[0], word[1:]] if glued else _unglued(word.lower())
     return tuple(codes["abbreviations"].get(word.lower(), word.lower()) for word in found)
 
 
+def _in_english(name: str) -> str:
+    """A name with the Japanese words in it that are known translated."""
+    japanese = _table("codes")["japanese"]
+    if name.isascii() or name in japanese:
+        return str(japanese.get(name, name))
+    return _WORD.sub(lambda word: f"{japanese[word[0]]} " if word[0] in japanese else word[0], name)
+
+
 @cache
 def _unglued(word: str) -> tuple[str, ...]:
     """The known words of which a word without capitals consists, the longest first: ``jawopen``,
-    ``eyeblinkleft``; the word itself where it is known or they do not make it up."""
-    found = None if word in _known() else _pieces(word)
+    ``eyeblinkleft``, ``visemee``; the word itself where it is known or they do not make it up."""
+    found = None if word in _known() else _said(word) or _pieces(word)
     return found or (word,)
+
+
+def _said(word: str) -> tuple[str, ...] | None:
+    """`word` as a word for visemes and the phoneme behind it, which may be one letter."""
+    visemes = _table("codes")["visemes"]
+    heads = (head for head in visemes["words"] if len(head) > 2 and word.startswith(head))
+    return next(
+        ((head, word[len(head) :]) for head in heads if word[len(head) :] in visemes["phonemes"]),
+        None,
+    )
 
 
 def _pieces(word: str) -> tuple[str, ...] | None:
@@ -353,6 +374,8 @@ def _coded(each: tuple[str, ...]) -> Action | None:
     ):
         return _actions()[parts[mood[0]] if len(mood) == 2 else "emotion"]
     numbered = plain[0] in codes["identities"]["prefixes"] and len(plain) < len(each)
+    # A deformer's name in front of that of an action: blendShape1_jawOpen.
+    numbered = numbered and not _acts(tuple(plain[1:]))
     if numbered or plain[0] in codes["identities"]["words"]:
         return _actions()["identity"]
     return None

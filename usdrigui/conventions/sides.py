@@ -13,11 +13,12 @@ from typing import Literal
 
 Side = Literal["left", "right", ""]
 _WORDS = re.compile(
-    r"[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+|[^A-Za-z\d]+"
+    r"[a-z]{3,}?(?=(?:left|right)(?![a-z]))|[A-Z]+(?![a-z])|[A-Z][a-z]*|[a-z]+|\d+"
+    r"|[左右]|[^A-Za-z\d左右]+"
 )
 _NAMES: tuple[Side, Side] = ("left", "right")
-_PAIRS = (("left", "right"), ("l", "r"), ("lf", "rt"), ("lt", "rt"), ("lb", "rb"))
-"""Words for the sides; the last two are quarters of a mouth: left top, right bottom."""
+_PAIRS = (("left", "right"), ("l", "r"), ("lf", "rt"), ("lt", "rt"), ("lb", "rb"), ("左", "右"))
+"""Words for the sides; ``lt`` and ``lb`` are quarters of a mouth: left top, left bottom."""
 SIDES: Mapping[str, Side] = {
     word: side for pair in _PAIRS for word, side in zip(pair, _NAMES, strict=True)
 }
