@@ -74,8 +74,9 @@ class Motion(Record):
         """Largest arc length where the control may stand."""
         return float(self.arc_length[self.stands_on()].max(initial=0.0))
 
-    def stands_on(self, among: Flags | None = None) -> Flags:
-        """(p,) the points where the control may stand: those that its joint owns most, or all.
+    def stands_on(self, among: Flags | None = None, share: float = _STANDS) -> Flags:
+        """(p,) the points where the control may stand: those that its joint owns most, by a
+        `share` of the most, or all.
 
         `among` (p,) are the points that count; none of them is of the joint where its skin is
         hidden: then all may.
@@ -83,7 +84,16 @@ class Motion(Record):
         among = np.ones(len(self.points), dtype=bool) if among is None else among
         if self.owned is None or not among.any() or float(self.owned[among].max()) <= 0.0:
             return among
-        return among & (self.owned >= _STANDS * float(self.owned[among].max()))
+        return among & (self.owned >= share * float(self.owned[among].max()))
+
+    def missing(self, points: Indices) -> Floats:
+        """(q,) the share that is missing at each of `points`, of those that move, of what the joint
+        of the control owns where it may stand; zero for other controls."""
+        if self.owned is None or not len(points):
+            return np.zeros(len(points))
+        owned = self.owned[np.searchsorted(self.points, points)]
+        should = max(_STANDS * float(owned.max()), 1e-300)
+        return np.asarray(1.0 - np.minimum(owned / should, 1.0))
 
     def on_own_skin(self) -> Motion:
         """The motion of the skin that the joint of the control owns, by how much it owns of each

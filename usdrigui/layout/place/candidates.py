@@ -15,6 +15,7 @@ from usdrigui.layout.place.locality import kept_near, proxies
 from usdrigui.layout.place.terms import linear_cost
 from usdrigui.layout.reuse.partial_layout import fixed_anchor, moves
 from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.symmetry.lobes import in_the_middle
 from usdrigui.layout.visibility import mostly_hidden
 from usdrigui.model import Candidates, CandidateSet, Flags, Indices, LeftOff, Motion
 from usdrigui.settings import CandidateSettings, ObjectiveSettings
@@ -25,6 +26,9 @@ SHARED_LEAST = 0.2
 """Share of the peak at which a control may stand where it shares an element that has no better
 place."""
 
+_OWN_IN_THE_MIDDLE = 0.45
+"""Share of the most that it owns anywhere that a joint owns in the middle, at least, if its handle
+is to stand there."""
 _NOTABLE = 1.0 / 3.0
 """Share of its visible peak that a control must reach in the region where it is expected for that
 to hold."""
@@ -183,7 +187,17 @@ def _allowed(
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, requests, motion.points, first, settings.near_radius)
-    return motion.stands_on(near)
+    return motion.stands_on(near) | _in_the_middle(face, motion, near, settings)
+
+
+def _in_the_middle(face: Face, motion: Motion, near: Flags, settings: CandidateSettings) -> Flags:
+    """(p,) those `near` in the middle where the handle of a joint that is its own mirror image
+    stands: on skin that the joint owns, with enough of the displacement."""
+    middle = near & in_the_middle(face.trajectories, face.symmetry, motion, face.handle_width)
+    if not middle.any():
+        return middle
+    enough = motion.arc_length >= _kept(motion, near, settings.least_kept)
+    return middle & motion.stands_on(near, _OWN_IN_THE_MIDDLE) & enough
 
 
 def _with_clear_handles(
@@ -240,7 +254,9 @@ def _pruned(
     arc = motion.arc_length
     peak = float(arc[seen].max())
     large = arc >= max(settings.peak_share * peak, _kept(motion, seen, settings.least_kept))
-    moving = large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))
+    middle = _in_the_middle(face, motion, seen, settings)
+    moving = (large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))) | middle
+    large |= middle
     for kept in (seen & moving, seen & large):
         if settings.occlusion:
             kept = _without_occluded(face, motion, kept, samples)

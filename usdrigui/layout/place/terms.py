@@ -11,6 +11,7 @@ import numpy as np
 
 from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
+from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Floats, Indices, Motion
 from usdrigui.settings import ObjectiveSettings
@@ -20,6 +21,14 @@ _MIDDLE = 1e-3
 _TIE = 1e-5
 """What the character's right costs a symmetric element that stands off the plane: enough to decide
 between two mirror images, negligible against any other cost."""
+
+_BESIDE = 0.5
+"""What it costs a joint's element that it stands beside the plane: more than its place there gains
+in displacement, less than leaving the character."""
+
+_LOOSE = 1.0
+"""What it costs a control, by the share that is missing, that its joint owns less of the skin where
+it stands than it should."""
 
 
 def linear_cost(
@@ -31,7 +40,7 @@ def linear_cost(
 ) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
     own = occlusion(face.trajectories.normals, motion, points, occlusion_weight)
-    own = own + common(face, motion, points, settings)
+    own = own + common(face, motion, points, settings) + _LOOSE * motion.missing(points)
     return own + user_linear_cost(face, motion, points, settings.terms)
 
 
@@ -75,15 +84,16 @@ def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSetting
     return float(typical ** (1.0 - share) * own**share)
 
 
-def off_plane(face: Face, points: Indices, weight: float) -> Floats:
+def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = False) -> Floats:
     """(p,) An element symmetric about the mirror plane should lie on it (paper section 3.3,
     symmetric deformations): the weight times the distance in handle widths, counted from the
     nearest of `points`, so that an element with none on the plane is not driven off the face; of
-    two mirror images it then takes the one on the character's left."""
-    apart = plane_distance(face.trajectories.base[points], face.symmetry)
-    cost = weight * np.abs(apart) / face.handle_width + np.where(
-        apart < -_MIDDLE * face.handle_width, _TIE, 0.0
-    )
+    two mirror images it then takes the one on the character's left.  An element of a joint, which
+    moves its own skin much alike, is more firmly held to the plane."""
+    apart = plane_distance(face.trajectories.base[points], face.symmetry) / face.handle_width
+    cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
+    if of_joint and weight:
+        cost += _BESIDE * (np.abs(apart) > ON_PLANE)
     return np.asarray(cost - cost.min(initial=np.inf) if len(cost) else cost)
 
 

@@ -13,6 +13,8 @@ import numpy as np
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.model import Flags, Indices, Motion, Symmetry, Trajectories
 
+ON_PLANE = 0.5
+"""Distance from the plane, in handle widths, up to which a handle covers it."""
 _MIDDLE = 0.01
 """Distance from the plane, in face sizes, up to which a point lies in the middle."""
 _KEPT = 0.75
@@ -58,3 +60,13 @@ def two_lobed(
     middle = length[apart <= _MIDDLE * trajectories.face_size].max(initial=0.0)
     least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
     return bool(middle < least * length.max())
+
+
+def in_the_middle(
+    trajectories: Trajectories, symmetry: Symmetry, motion: Motion, handle_width: float
+) -> Flags:
+    """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
+    turned about itself that is its own mirror image; none for another control."""
+    own = motion.owned is not None and int(symmetry.twins[motion.control]) == motion.control
+    apart = np.abs(plane_distance(trajectories.base[motion.points], symmetry))
+    return own & symmetry.normal.any() & (apart <= ON_PLANE * handle_width)

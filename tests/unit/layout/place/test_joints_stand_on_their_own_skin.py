@@ -62,3 +62,16 @@ def test_near_asks_before_pruning_does():
 def test_the_spine_does_not_leave_the_character_for_what_it_carries():
     found = chain.with_candidates(limbs.chain_rig(4))
     assert [each.category for each in found.candidates.sets] == [""] * 12
+
+
+def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():
+    """The sides of a trunk, wider than deep, move twice as far when it twists as its belly does."""
+    rig = limbs.chain_rig(4)
+    points = rig.meshes[0].points * [2.0, 1.0, 1.0]
+    wide = replace(rig.meshes[0], points=points * np.where(points[:, 2:] < 0.0, [1.0, 1.0, 0.8], 1.0))
+    line = chain.lay_out(replace(rig, meshes=(wide,)))
+    symmetry, anchors = line.face.symmetry, [each.anchor.point for each in line.layout.elements]
+    assert symmetry.twins.tolist() == list(range(len(rig.controls)))
+    assert min(anchors) >= 0
+    apart = (line.face.trajectories.base[anchors] - symmetry.origin) @ symmetry.normal
+    assert np.abs(apart).max() <= 0.5 * line.face.handle_width
