@@ -97,10 +97,11 @@ def test_eyes_share_joysticks_and_opposites_share_sliders():
     assert poses["ChinLeft"] is poses["ChinRight"]
 
 
-def test_tongue_and_pupils_are_hidden():
+@pytest.mark.parametrize(("category", "start"), [("hidden", "Pupil"), ("interior", "Tongue")])
+def test_tongue_and_pupils_are_hidden(category, start):
     vitruvian = homes(line_of("vitruvian"))
-    assert {name for name, element in vitruvian.items() if element.category == "hidden"} == {
-        name for name in vitruvian if name.startswith(("Tongue", "Pupil"))
+    assert {name for name, element in vitruvian.items() if element.category == category} == {
+        name for name in vitruvian if name.startswith(start)
     }
 
 

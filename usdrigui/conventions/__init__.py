@@ -73,6 +73,11 @@ class Action:
         return self.category == "atom" and self.importance >= _CORE
 
     @property
+    def is_central(self) -> bool:
+        """Whether it is one action of both sides, as a pucker is, and halves of it refine it."""
+        return not self.vague and self.place is not None and self.place[0] == 0.0
+
+    @property
     def in_family(self) -> bool:
         """Whether it is one of a set that is used as a set, not an end or an axis of something."""
         return self.category in ("viseme", "emotion", "identity")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,6 +80,8 @@ def classify(
         coverage_of_smaller(every, visible_areas),
         shares_of_face(every, visible_areas),
     )
+    told = [requests.names.meanings[motion.control] for motion in trajectories.motions]
+    covered = _of_families(covered[: len(told)], told)
     vanish = visibility_shapes(rig, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
     repeated = composites(
@@ -126,6 +129,15 @@ def _category(
     override = requests.overrides[control]
     if override.place in ("face", "proxy") or override.anchor:
         return "", ""
+    # A control that stands on the face already is not sent away because another one was added.
+    composite = (
+        evidence.composite
+        if settings.board_composite and not requests.prior.stood_on_face((control,))
+        else None
+    )
+    if composite is not None and composite.kind == "family":
+        # All of it under one heading, whatever else speaks against some of its members.
+        return composite.category, ""
     if settings.board_global:
         if evidence.vanishes:
             return "global", "makes parts of the character disappear"
@@ -137,16 +149,22 @@ def _category(
         return "hidden", "only affects geometry hidden in all views"
     if settings.board_hidden and evidence.kept < settings.least_kept and not evidence.essential:
         return "hidden", f"no visible place keeps more than {evidence.kept:.0%} of its displacement"
-    # A control that stands on the face already is not sent away because another one was added.
-    if (
-        settings.board_composite
-        and evidence.composite
-        and not requests.prior.stood_on_face((control,))
-    ):
-        return evidence.composite.category, ""
+    if composite is not None:
+        return composite.category, ""
     if override.place == "board":
         return "requested", "placed on the board by the configuration"
     return "", ""
+
+
+def _of_families(covered: Floats, told: Sequence[Meaning | None]) -> Floats:
+    """(motions,) shares of the face with the median of its family for each member: a family leaves
+    the face as a whole."""
+    found = covered.copy()
+    names = [each.action.name if each and each.action.in_family else "" for each in told]
+    for name in sorted({*names} - {""}):
+        members = [i for i, own in enumerate(names) if own == name]
+        found[members] = np.median(covered[members])
+    return found
 
 
 def _kept(trajectories: Trajectories, symmetry: Symmetry, visible: Flags) -> Floats:

@@ -4,8 +4,9 @@ paper).
 Visemes, emotions, moods of one part of the face and numbered series are used as a set: half of them
 on the lips and half on the board is worth less than either.  A family leaves the face as a whole
 where the other controls make most of what it does, and stands on the face as a whole where they do
-not (a cartoon's five vowels are its only mouth controls). Shapes of other people's heads, tongues
-and teeth never stand on the skin.
+not (a cartoon's five vowels are its only mouth controls). Moods of the whole face are made by those
+of its parts, where a rig has both. Shapes of other people's heads, tongues and teeth never stand on
+the skin.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ _SERIES = 5
 _WHOLE = 0.25
 """Median share of the face that a series must move to be one of identities, not of local
 sculpts."""
+_WHOLE_FACE = "emotion"
+"""Action of moods of the whole face."""
 _WORDS = {
     "viseme": "visemes stand together",
     "emotion": "emotions stand together",
@@ -62,11 +65,19 @@ def find_families(
     found: dict[tuple[FamilyKind, str], list[int]] = {}
     for index, kind, key in _memberships(names, meanings, coverage):
         found.setdefault((kind, key), []).append(index)
-    others = np.ones(len(names), dtype=bool)
-    others[[i for members in found.values() for i in members]] = False
+    alone = np.ones(len(names), dtype=bool)
+    alone[[i for members in found.values() for i in members]] = False
+    local = [
+        i
+        for (kind, key), members in found.items()
+        if kind in ("viseme", "emotion") and key != _WHOLE_FACE
+        for i in members
+    ]
+    with_parts = alone.copy()
+    with_parts[local] = True
     return tuple(
-        _family(kind, tuple(members), others, cosine)
-        for (kind, _), members in sorted(found.items())
+        _family(kind, tuple(members), with_parts if key == _WHOLE_FACE else alone, cosine)
+        for (kind, key), members in sorted(found.items())
     )
 
 

@@ -42,12 +42,17 @@ def test_whole_head_controls_may_peak_off_the_face():
 
 
 def test_controls_of_hidden_things_are_hidden():
-    found = chain.chosen(makers.face_with_teeth())
-    assert found("teeth").category == "hidden"
+    found = chain.chosen(makers.face_with_teeth(name="inside"))
+    assert found("inside").category == "hidden"
     assert found("chin").category != "hidden"
-    kept = chain.chosen(makers.face_with_teeth(), candidates={"board_hidden": False})("teeth")
+    kept = chain.chosen(makers.face_with_teeth(name="inside"), candidates={"board_hidden": False})("inside")
     assert kept.category != "hidden"
     assert (kept.points >= len(POINTS)).any()
+
+
+def test_all_of_a_family_stands_under_its_heading_whatever_else_speaks_against_a_member():
+    found = chain.chosen(makers.face_with_teeth())("teeth")
+    assert (found.category, found.off_face_reason) == ("interior", "moves the inside of the mouth")
 
 
 @pytest.mark.parametrize(

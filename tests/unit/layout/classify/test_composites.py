@@ -110,10 +110,13 @@ def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():
     assert graph.edges["viseme_aa", "chin"]["amount"] == pytest.approx(0.8, rel=1e-2)
 
 
-@pytest.mark.parametrize(("name", "stays"), [("mouthLowerDown", False), ("mouthLowerDown_M", True)])
+@pytest.mark.parametrize(
+    ("name", "stays"), [("mouthLowerDown", False), ("mouthLowerDown_M", True), ("mouthPucker", True)]
+)
 def test_what_stands_in_the_middle_by_its_name_is_no_copy_for_both_sides(name, stays):
     sides = {
-        f"mouthLowerDown_{s}": makers.bump(POINTS, (x, -0.5), (0, -1, 0), 0.3) for s, x in (("L", 0.1), ("R", -0.1))
+        f"{name.removesuffix('_M')}_{s}": makers.bump(POINTS, (x, -0.5), (0, -1, 0), 0.3)
+        for s, x in (("L", 0.1), ("R", -0.1))
     }
     found = chain.chosen(makers.face_with(**sides, **{name: sum(sides.values())}))
     assert (found(name).category == "") == stays

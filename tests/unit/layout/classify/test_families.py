@@ -39,6 +39,28 @@ def test_visemes_stay_together_where_they_are_the_only_controls_of_the_mouth():
     assert {found[name].category for name in visemes()} == {""}
 
 
+def moods():
+    """Angry moves most of the face, the others some; brows and mouth have moods of their own."""
+    brow, mouth = SHAPES["brow_L"] + SHAPES["brow_R"], SHAPES["pucker"] + SHAPES["chin"]
+    parts = {"Fcl_BRW_Joy": brow, "Fcl_MTH_Joy": mouth, "Fcl_MTH_Fun": SHAPES["smile_L"] + SHAPES["smile_R"]}
+    whole = {"Fcl_ALL_Angry": brow + mouth, "Fcl_ALL_Joy": mouth, "Fcl_ALL_Fun": 0.5 * brow + mouth}
+    return parts, whole
+
+
+def test_moods_of_the_whole_face_leave_it_together_where_moods_of_its_parts_make_them():
+    parts, whole = moods()
+    found = categories(parts | whole)
+    assert {found[name].category for name in whole} == {"emotion"}
+    assert not any(found[name].category for name in parts)
+
+
+def test_one_wide_mood_does_not_leave_the_others_on_the_face():
+    own = [makers.bump(POINTS, (x, y), (0.3, 1, 0), 0.2, 0.05) for x, y in ((0, -0.6), (0, 0.2), (0, 0.7))]
+    whole = dict(zip(("Joy", "Sorrow", "Angry"), own, strict=True))
+    found = categories(SHAPES | whole | {"Angry": np.full_like(POINTS, 0.05) + own[2] * [1, 0.2, 0]})
+    assert len({found[name].category for name in whole}) == 1
+
+
 def test_teeth_and_numbered_heads_never_stand_on_the_skin():
     wide = [
         np.where(POINTS[:, 1:2] > y, [[0.1, 0.02 * i, 0.05]], [[0.0, 0.05, 0.1]]) for i, y in enumerate(range(-3, 3))
