@@ -4,9 +4,10 @@
 One row per layer: prims and bytes as text, seconds to open the stage and to play it, that is to
 bake the skinning of made frames (``--frames 120``, five seconds), alone and for a shot of several
 characters; without the layout (the variant ``rigUI = none``) and with it, and what both together
-cost more than the same shot of the source, for one character and for several.  ``--against`` names
-a folder with layers of the same names, for example of the first format, that get a row of their
-own.
+cost more than the same shot of the source, for one character and for several.  ``p none`` and
+``p ui`` are the same of the layout as ``usdrigui attach --payload`` puts it into the asset.
+``--against`` names a folder with layers of the same names, for example of the first format, that
+get a row of their own.
 
 Layers are opened as crates, as shots have them (as text they take 1 to 17 ms more to open).
 Processor seconds of one thread; medians.  All stages of a row take turns, in another order each
@@ -19,6 +20,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import tempfile
 import time
 from collections.abc import Mapping
@@ -28,7 +30,10 @@ from typing import Any
 os.environ["PXR_WORK_THREAD_LIMIT"] = "1"  # threads that wait for one another count as work
 
 import numpy as np
-from pxr import Gf, Sdf, Usd, UsdSkel, Vt
+from pxr import Gf, Sdf, Usd, UsdSkel, UsdUtils, Vt
+
+from usdrigui.settings import Settings
+from usdrigui.usd.attach import attach
 
 _ROW = "{:<28} {:<6} {:>6} {:>6} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>7}"
 
@@ -56,8 +61,12 @@ def compare(layer: Path, options: argparse.Namespace) -> None:
     if options.against and (options.against / layer.name).is_file():
         stages["old"] = (options.against / layer.name, "")
     stages |= {"none": (layer, "none"), "ui": (layer, "ui")}
-    found = measured(stages, options)
-    for name, (path, _) in stages.items():
+    with tempfile.TemporaryDirectory() as folder:
+        attached = with_payload(layer, Path(folder))
+        payloads = {"p none": (attached, "none"), "p ui": (attached, "ui")}
+        found = measured(stages | payloads, options)
+    for name in found[0]:
+        path, _ = stages[name.removeprefix("p ")]
         size = len(Sdf.Layer.FindOrOpen(str(path)).ExportToString())
         counts = ("", "") if path == source else (prim_count(path), f"{size / 1e6:.2f}")
         seconds = [each for taken in found for each in np.median(taken[name], axis=0)]
@@ -91,12 +100,9 @@ def measured(
 ) -> list[dict[str, np.ndarray]]:
     """For one character and for several, by stage, (rounds, 2) seconds to open and to play."""
     with tempfile.TemporaryDirectory() as folder:
-        crates = {
-            name: path
-            if not variant and name != "old"
-            else crate(path, Path(folder) / f"{name}.usdc")
-            for name, (path, variant) in stages.items()
-        }
+        layers = {"old", "none", "ui"} & stages.keys()
+        crates = {name: path for name, (path, _) in stages.items()}
+        crates |= {name: crate(crates[name], Path(folder) / f"{name}.usdc") for name in layers}
         shots = [
             {
                 name: shot(
@@ -121,6 +127,21 @@ def measured(
             turn += 1
     # The first round fills the caches.
     return [{name: np.array(each[1:]) for name, each in taken.items()} for taken in found]
+
+
+def with_payload(layer: Path, folder: Path) -> Path:
+    """A copy of the source with the layer attached as a payload."""
+    source = source_of(layer)
+    needed, _, _ = UsdUtils.ComputeAllDependencies(str(source))
+    for each in needed:
+        beside = folder / os.path.relpath(each.realPath, source.parent)
+        beside.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(each.realPath, beside)
+    bare = Sdf.Layer.OpenAsAnonymous(str(layer))
+    bare.subLayerPaths.clear()
+    bare.Export(str(folder / "bare.usdc"))
+    attach(folder / source.name, folder / "bare.usdc", Settings(), payload=True)
+    return folder / source.name
 
 
 def crate(layer: Path, path: Path) -> Path:

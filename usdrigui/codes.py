@@ -657,6 +657,12 @@ _CODES: dict[str, Code] = {
         "The layout to attach is of another character.",
         "Name the layer that `usdrigui process --bare` wrote for this asset.",
     ),
+    "ATTACH_OUTSIDE": Code(
+        "error",
+        "The layout refers to prims outside its SkelRoot, or stands in a variant above it: a payload"
+        " of the SkelRoot cannot bring that in.",
+        "Attach it without `--payload`, as a sublayer.",
+    ),
     "ATTACH_CONTROLS_GONE": Code(
         "warning",
         "Elements of the layout to attach drive controls that the asset does not have.",

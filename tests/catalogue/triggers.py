@@ -299,10 +299,10 @@ def _switched_off(folder: Path) -> Path:
     return found
 
 
-def _attached(made: Callable[[Path], Path], name: str = "char.usda") -> Trigger:
+def _attached(made: Callable[[Path], Path], name: str = "char.usda", *, payload: bool = False) -> Trigger:
     from usdrigui.usd.attach import attach
 
-    return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings()))
+    return lambda folder, _: refused(lambda: attach(folder / name, made(folder), Settings(), payload=payload))
 
 
 def _gone_when_attached(folder: Path, _: Any) -> Found:
@@ -340,6 +340,12 @@ def _of_another_owner(folder: Path, patch: Any) -> Found:
 def _of_another(folder: Path) -> Path:
     found = _bare(folder)
     found.write_text(found.read_text().replace('over "Char"', 'over "Other"'))
+    return found
+
+
+def _beyond_its_root(folder: Path) -> Path:
+    found = _bare(folder)
+    found.write_text(found.read_text().replace("anchor:prim = </Char/", "anchor:prim = </Set/", 1))
     return found
 
 
@@ -701,6 +707,7 @@ TRIGGERS: Mapping[str, Trigger] = {
     "ATTACH_CONTROLS_GONE": _gone_when_attached,
     "ATTACH_CYCLE": _attached(_laid_out),
     "ATTACH_NOT_BARE": _attached(_over_another),
+    "ATTACH_OUTSIDE": _attached(_beyond_its_root, payload=True),
     "BATCH_NO_MATCH": lambda folder, _: command("batch", folder / "*.usda"),
     "BATCH_TIME_LIMIT": _job("exec sleep 60", 0.2),
     "BATCH_KILLED": _job("kill -KILL $$"),

@@ -1,6 +1,7 @@
 """`usdrigui attach` and `detach`: the one edit of an asset, and everything that they refuse."""
 
 import os
+import re
 import shutil
 import time
 
@@ -13,6 +14,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.settings import Settings
 from usdrigui.usd import attach as edit
 from usdrigui.usd.attach import attach, detach, write_bare
+from usdrigui.usd.payloads import PayloadOf, with_payloads
 
 
 @pytest.fixture(scope="module")
@@ -31,10 +33,10 @@ def folder(laid_out, tmp_path):
     return tmp_path / "asset"
 
 
-def refusal(asset, layer):
+def refusal(asset, layer, *, payload=False):
     before = asset.read_bytes() if asset.is_file() else b""
     with pytest.raises(RigUIError) as caught:
-        attach(asset, layer, Settings())
+        attach(asset, layer, Settings(), payload=payload)
     assert (asset.read_bytes() if asset.is_file() else b"") == before
     return caught.value.issue.code
 
@@ -105,6 +107,56 @@ def test_there_and_back_gives_the_same_text(folder, name):
     assert asset.read_text() == TEXTS[name]
 
 
+TEXTS_OF_PRIMS = {
+    **TEXTS,
+    "the SkelRoot without metadata": (
+        '#usda 1.0\n(\n    subLayers = [@./body.usda@]\n)\n\nover "Other"\n{\n    over "Char" {}\n}\n\n'
+        'over Xform "World" ( kind = "group" )\n{\n    # a remark\n    over "Char"\n    {\n'
+        "        float over = 1\n    }\n}\n"
+    ),
+    "the SkelRoot with metadata": (
+        '#usda 1.0\n(\n    subLayers = [@./body.usda@]\n)\nover "World" {\n    over "Char" (\n'
+        '        # a remark\n        kind = "component"\n    )\n    {\n        rel over = </World/Char>\n    }\n}\n'
+    ),
+}
+
+
+@pytest.mark.parametrize("text", TEXTS_OF_PRIMS.values(), ids=TEXTS_OF_PRIMS.keys())
+def test_a_payload_is_opened_with_its_variant_alone_and_leaves_no_trace(folder, text):
+    asset, bare = reworded(folder, text), folder / "ui" / "bare.usda"
+    assert attach(asset, bare, Settings(), payload=True) == "written"
+    assert attach(asset, bare, Settings(), payload=True) == "unchanged"
+    assert all(line.strip() in asset.read_text() for line in text.splitlines())
+    stage = Usd.Stage.Open(str(asset))
+    assert str(bare) in [each.realPath for each in stage.GetUsedLayers()]
+    assert stage.GetPrimAtPath("/World/Char/RigUI")
+    stage.GetPrimAtPath("/World/Char").GetVariantSet("rigUI").SetVariantSelection("none")
+    assert not stage.GetPrimAtPath("/World/Char/RigUI")
+    assert str(bare) not in [each.realPath for each in stage.GetUsedLayers()]
+    bare.unlink()
+    assert detach(asset, bare, Settings()) == "written"
+    assert asset.read_text() == text
+
+
+def test_a_payload_of_a_crate_leaves_no_trace(folder):
+    asset, bare = folder / "crate.usdc", folder / "ui" / "bare.usda"
+    Sdf.Layer.OpenAsAnonymous(str(folder / "char.usda")).Export(str(asset))
+    before = Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString()
+    attach(asset, bare, Settings(), payload=True)
+    assert asset.read_bytes().startswith(b"PXR-USDC")
+    assert main(["check", str(asset), "--strict", "--quiet"]) == 0
+    assert main(["process", str(asset), "--bare", "-o", str(bare), "--quiet"]) == 0
+    detach(asset, bare, Settings())
+    assert Sdf.Layer.OpenAsAnonymous(str(asset)).ExportToString() == before
+
+
+def test_refuses_payloads_that_would_miss_what_they_refer_to(folder):
+    bare = folder / "ui" / "bare.usda"
+    text = bare.read_text()
+    bare.write_text(re.sub("(rel rigUI:layout:skeleton = )<[^>]*>", r"\1</World/Bones>", text))
+    assert refusal(folder / "char.usda", bare, payload=True) == "ATTACH_OUTSIDE"
+
+
 def test_the_time_of_an_edit_grows_with_the_text_alone():
     """Of the head as of the body; a search that begins again at every line takes sixteen times as long for four."""
 
@@ -112,6 +164,7 @@ def test_the_time_of_an_edit_grows_with_the_text_alone():
         text = f'#usda 1.0\n(\n{chr(10) * lines}    defaultPrim = "Char"\n)\n{chr(10) * lines}'
         before = time.process_time()
         assert "@./ui.usda@" in edit._with_entry(text, "./ui.usda")
+        assert "@./ui.usda@" in with_payloads(text, [PayloadOf("/Char", "./ui.usda")])
         return time.process_time() - before
 
     short, long = (min(seconds(lines) for _ in range(3)) for lines in (20_000, 80_000))

@@ -1,4 +1,4 @@
-"""`attach` and `detach`: a layout among the sublayers of the asset itself."""
+"""`attach` and `detach`: a layout among the sublayers or payloads of the asset itself."""
 
 from __future__ import annotations
 
@@ -20,15 +20,21 @@ def add_attach(commands: Any) -> None:
         commands,
         "attach",
         _attach,
-        "put a bare layout layer among the sublayers of the asset itself",
+        "put a bare layout layer among the sublayers or payloads of the asset itself",
     )
     _add_files(parser, "written by `usdrigui process --bare`")
+    parser.add_argument(
+        "--payload",
+        action="store_true",
+        help="make the layer a payload in the variant rigUI = ui: shots that select none open"
+        " nothing of it",
+    )
 
 
 def add_detach(commands: Any) -> None:
     """Add ``detach`` to the commands."""
     parser = command(
-        commands, "detach", _detach, "take a layout layer out of the asset's sublayers again"
+        commands, "detach", _detach, "take an attached layout layer out of the asset again"
     )
     _add_files(parser, "the layer to take out; its file may be gone")
 
@@ -46,15 +52,21 @@ def _attach(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.attach import attach
 
     found: list[Issue] = []
-    state = attach(arguments.asset, arguments.layer, settings_of(arguments), found.append)
-    return _edited(state, "is among its sublayers", found, arguments)
+    state = attach(
+        arguments.asset,
+        arguments.layer,
+        settings_of(arguments),
+        found.append,
+        payload=arguments.payload,
+    )
+    return _edited(state, "is attached", found, arguments)
 
 
 def _detach(arguments: argparse.Namespace) -> Exit:
     from usdrigui.usd.attach import detach
 
     state = detach(arguments.asset, arguments.layer, settings_of(arguments))
-    return _edited(state, "is not among its sublayers", (), arguments)
+    return _edited(state, "is not attached", (), arguments)
 
 
 def _edited(state: str, what: str, issues: Sequence[Issue], arguments: argparse.Namespace) -> Exit:

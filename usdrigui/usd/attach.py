@@ -1,11 +1,11 @@
 """The one place that edits an asset, and only when told to: the layout among the asset's own
-sublayers.
+sublayers or payloads.
 
-`attach` puts a bare layout layer first among the sublayers of the asset's root layer, `detach`
-takes it out again.  Both write through `usdrigui.usd.replacing`, after the edited file has been
-read back in a process of its own.  A text layer is edited in place of one entry, so that comments
-and layout of the text stay; if the edited text does not mean exactly what the edited layer means,
-the layer is exported instead.
+`attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it
+a payload (`usdrigui.usd.payloads`); `detach` takes it out again.  Both write through
+`usdrigui.usd.replacing`, after the edited file has been read back in a process of its own.  A text
+layer is edited in place of one entry, so that comments and layout of the text stay; if the edited
+text does not mean exactly what the edited layer means, the layer is exported instead.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import functools
 import os
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
@@ -23,6 +23,7 @@ from pxr import Sdf, Tf
 from usdrigui.errors import Issue, RigUIError, issue, listed, refuse
 from usdrigui.model import Layout, Rig
 from usdrigui.settings import ReadSettings, Settings
+from usdrigui.usd import payloads
 from usdrigui.usd.layer import layer_bytes, relative_asset_path
 from usdrigui.usd.reader_process import (
     read_layer_isolated,
@@ -43,35 +44,43 @@ _FIELD = "\n    subLayers = [\n        @{path}@\n    ]"
 """What one with metadata but without sublayers gets after the opening bracket."""
 _ENTRY = "\n        @{path}@,"
 """What one with sublayers gets before the first of them."""
-_TOKEN = re.compile(
-    r"""#[^\n]*|'''(?:\\.|[^\\])*?'''|"{3}(?:\\.|[^\\])*?"{3}|"""
-    r"""'(?:\\.|[^'\\\n])*'|"(?:\\.|[^"\\\n])*\""""
-    r"|@@@.*?@@@|@[^@\n]*@|\w+|[=()\[\]{}]",
-    re.DOTALL,
-)
-"""Comments, strings, asset paths, words and brackets of a text layer."""
+
+
+@dataclass(frozen=True)
+class _Edit:
+    """A change of an asset's root layer."""
+
+    of_layer: Callable[[Sdf.Layer], None]
+    of_text: Callable[[str], str]
 
 
 def attach(
-    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None] | None = None
+    asset: Path,
+    layer: Path,
+    settings: Settings,
+    tell: Callable[[Issue], None] | None = None,
+    *,
+    payload: bool = False,
 ) -> Outcome:
-    """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`.
+    """Make the bare layout `layer` the strongest sublayer of the root layer of `asset`; or, with
+    `payload`, one that is opened where the variant ``rigUI = ui`` of the SkelRoot is selected.
 
     `tell` is called with ATTACH_CONTROLS_GONE for a character that lacks controls of its layout.
 
     Raises RigUIError: ATTACH_PACKAGE (a usdz), ATTACH_LINK (a symbolic link), ATTACH_NOT_BARE,
-    ATTACH_CYCLE, ATTACH_MISMATCH (of another character), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all
-    that reading and `usdrigui.usd.replacing` can raise.  Then nothing has been written.  A layout
-    that stands in a variant is attached whichever the asset selects.
+    ATTACH_CYCLE, ATTACH_MISMATCH (of another character), ATTACH_OUTSIDE (a payload cannot bring
+    it), LAYOUT_MISSING, SOURCE_HAS_LAYOUT, and all that reading and `usdrigui.usd.replacing` can
+    raise.  Then nothing has been written.  A layout that stands in a variant is attached whichever
+    the asset selects.
     """
     _check_editable(asset, settings.read.size_limit)
     with editing(asset, settings.read.time_limit):
-        return _attached(asset, layer, settings, tell or (lambda _: None))
+        return _attached(asset, layer, settings, tell or (lambda _: None), payload)
 
 
 def detach(asset: Path, layer: Path, settings: Settings) -> Outcome:
-    """Take `layer`, which need not exist any more, out of the sublayers of the root layer of
-    `asset`.
+    """Take `layer`, which need not exist any more, out of the sublayers and payloads of the root
+    layer of `asset`.
 
     The other sublayers and their offsets stay as they are.  Raises ATTACH_PACKAGE, ATTACH_LINK and
     what reading and `usdrigui.usd.replacing` can raise.
@@ -97,7 +106,7 @@ def write_bare(layer: Path, target: Path) -> Outcome:
 
 
 def _attached(
-    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None]
+    asset: Path, layer: Path, settings: Settings, tell: Callable[[Issue], None], payload: bool
 ) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     layouts = _layouts(asset, layer, settings.read)
@@ -108,7 +117,7 @@ def _attached(
     for found in _controls_gone(layouts, read.rigs):
         tell(found)
     source = open_layer(asset)
-    if any(_leads_to(asset, path, layer) for path in source.subLayerPaths):
+    if any(_entries(asset, source, layer)):
         return "unchanged"
     roots = [layout.root for layout in layouts]
     for root in roots:
@@ -118,9 +127,29 @@ def _attached(
                 root,
                 f"{asset} brings in its layout from {read.composed_from[root]}",
             )
+    edit = _payloads(asset, layer, layouts) if payload else _sublayer(asset, layer)
+    verify = functools.partial(_holds_layouts, roots, settings.read)
+    return _replaced(asset, source, before, verify, edit)
+
+
+def _sublayer(asset: Path, layer: Path) -> _Edit:
     entry = relative_asset_path(layer, asset)
-    return _replaced(
-        asset, source, before, functools.partial(_holds_layouts, roots, settings.read), added=entry
+    return _Edit(
+        functools.partial(_edit, added=entry, removed=()),
+        functools.partial(_with_entry, path=entry),
+    )
+
+
+def _payloads(asset: Path, layer: Path, layouts: Sequence[Layout]) -> _Edit:
+    opened, entry = open_layer(layer), relative_asset_path(layer, asset)
+    for layout in layouts:
+        payloads.check_reachable(layer, opened, layout.variant_path, layout.root)
+    wanted = tuple(
+        payloads.PayloadOf(root, entry) for root in dict.fromkeys(each.root for each in layouts)
+    )
+    return _Edit(
+        functools.partial(payloads.add, payloads=wanted),
+        functools.partial(payloads.with_payloads, payloads=wanted),
     )
 
 
@@ -174,10 +203,29 @@ def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:
     before = check_source(asset, settings.read.size_limit)
     read_layer_isolated(asset, settings.read)  # What survives that may be opened here.
     source = open_layer(asset)
-    entries = [path for path in source.subLayerPaths if _leads_to(asset, path, layer)]
-    if not entries:
+    sublayers, inside = _entries(asset, source, layer)
+    if not (sublayers or inside):
         return "unchanged"
-    return _replaced(asset, source, before, functools.partial(_readable, settings), removed=entries)
+
+    def of_layer(edited: Sdf.Layer) -> None:
+        _edit(edited, "", sublayers)
+        payloads.remove(edited, inside)
+
+    def of_text(text: str) -> str:
+        return payloads.without_payloads(_without_entries(text, sublayers), inside)
+
+    verify = functools.partial(_readable, settings)
+    return _replaced(asset, source, before, verify, _Edit(of_layer, of_text))
+
+
+def _entries(
+    asset: Path, source: Sdf.Layer, layer: Path
+) -> tuple[Sequence[str], Sequence[payloads.PayloadOf]]:
+    """The sublayers and the payloads of a root layer that are `layer`."""
+    leads = functools.partial(_leads_to, asset, layer=layer)
+    return [each for each in source.subLayerPaths if leads(each)], payloads.payloads_of(
+        source, leads
+    )
 
 
 # --- what may be edited ---------------------------------------------------------------------------
@@ -203,7 +251,7 @@ def _check_bare(asset: Path, layer: Path, settings: ReadSettings) -> None:
 
 
 def _leads_to(asset: Path, entry: str, layer: Path) -> bool:
-    """Whether a sublayer path of the asset is `layer`, whether or not the file is there."""
+    """Whether an asset path of the asset is `layer`, whether or not the file is there."""
     return same_file(asset.parent / entry, layer)
 
 
@@ -215,18 +263,14 @@ def _replaced(
     source: Sdf.Layer,
     before: SourceFile,
     verify: Callable[[Path], bool],
-    *,
-    added: str = "",
-    removed: Sequence[str] = (),
+    edit: _Edit,
 ) -> Outcome:
-    """Write the asset's root layer with one sublayer more or some fewer, in the format that it
-    has."""
+    """Write the edited root layer of the asset in the format that it has."""
     original = asset.read_bytes()
     check_content(original, before)
-    _edit(source, added, removed)
+    edit.of_layer(source)
     if original.startswith(b"#usda"):
-        text = original.decode(errors="surrogateescape")
-        edited = _with_entry(text, added) if added else _without_entries(text, removed)
+        edited = edit.of_text(original.decode(errors="surrogateescape"))
         kept = _means(edited, source)
         content = edited.encode(errors="surrogateescape") if kept else layer_bytes(source, ".usda")
     else:
@@ -256,11 +300,11 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
 def _with_entry(text: str, path: str) -> str:
     """The text of a layer with one sublayer before all others."""
     start = len(text.partition("\n")[0]) + 1  # after the line that names the format
-    tokens = (found for found in _TOKEN.finditer(text, start) if not found[0].startswith("#"))
-    first = next(tokens, None)
+    found = payloads.tokens(text, start)
+    first = next(found, None)
     if first is None or first[0] != "(":
         return text[:start] + _BLOCK.format(path=path) + text[start:]
-    place = _list_of_sublayers(tokens)
+    place = _list_of_sublayers(found)
     if place is None:
         return text[: first.end()] + _FIELD.format(path=path) + text[first.end() :]
     return text[:place] + _ENTRY.format(path=path) + text[place:]
