@@ -82,7 +82,7 @@ def drawing_of(element, controls):
         position=np.array(element.position),
         normal=np.array(element.normal),
         follows=element.follows,
-        enlarged=any(abs(member.gain - 1.0) > 1e-6 for member in element.members),
+        enlarged=any(abs(member.magnification - 1.0) > 1e-6 for member in element.members),
         base=np.array([control.base for control in mine]),
         ranges=np.array([(control.minimum, control.default, control.maximum) for control in mine]),
         axes=element.axes or tuple((i,) for i in range(len(mine))),

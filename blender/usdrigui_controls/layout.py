@@ -70,7 +70,7 @@ class Member:
     control: str
     values: tuple[float, ...]
     track: tuple[Place, ...]
-    gain: float
+    magnification: float
 
 
 @dataclass(frozen=True)
@@ -205,6 +205,7 @@ def to_json(layout: Layout) -> str:
 
 def from_json(text: str) -> Layout:
     """The layout that `to_json` wrote.  Raises LayoutError when it is none."""
+    text = text.replace('"gain":', '"magnification":')  # as files of earlier versions say it
     try:
         return _record(Layout, json.loads(text))
     except (ValueError, TypeError, KeyError, AttributeError) as error:

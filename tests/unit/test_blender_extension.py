@@ -148,12 +148,16 @@ def records(extension, vector):
     return found.elements[0], {control.name: control for control in found.controls}
 
 
-def test_a_file_saved_before_axes_were_kept_still_opens(extension):
+def test_a_file_saved_by_an_earlier_version_still_opens(extension):
     element, _ = records(extension, VECTORS["slider"])
     layout = extension["layout"]
     old = json.loads(layout.to_json(layout.Layout("/Char", 1.0, (), (element,), (), ())))
     del old["elements"][0]["axes"]
-    assert layout.from_json(json.dumps(old)).elements[0].axes == ()
+    for member in old["elements"][0]["members"]:
+        member["gain"] = member.pop("magnification") + 1.0
+    found = layout.from_json(json.dumps(old)).elements[0]
+    assert found.axes == ()
+    assert found.members[0].magnification == element.members[0].magnification + 1.0
 
 
 def front(extension, width=400.0, height=300.0):

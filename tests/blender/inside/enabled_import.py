@@ -5,7 +5,7 @@ import numpy as np
 from scene import imported, job
 
 task = job()
-holders = imported(task["layer"])
+holders = imported(task["layer"], import_guide=True)
 from usdrigui_controls.importing import has_usd  # noqa: E402
 
 try:
@@ -13,7 +13,16 @@ try:
     refused = ""
 except RuntimeError as error:
     refused = str(error)
-np.savez(task["result"], objects=len(bpy.data.objects), layouts=len(holders), usd=has_usd(), refused=refused)
+drawn = [each for each in bpy.data.objects if each.name.endswith("Controls")]
+groups = [f"{thing.name}/{group.name}" for thing in drawn for group in thing.vertex_groups]
+np.savez(
+    task["result"],
+    objects=len(bpy.data.objects),
+    layouts=len(holders),
+    usd=has_usd(),
+    refused=refused,
+    groups=np.array(groups, dtype=str),
+)
 
 import usdrigui_controls  # noqa: E402
 
