@@ -659,8 +659,8 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_OUTSIDE": Code(
         "error",
-        "The layout refers to prims outside its SkelRoot, or stands in a variant above it: a payload"
-        " of the SkelRoot cannot bring that in.",
+        "The layout refers to prims outside its SkelRoot, or stands in a variant above it, and a"
+        " payload of the SkelRoot brings neither in.",
         "Attach it without `--payload`, as a sublayer.",
     ),
     "ATTACH_CONTROLS_GONE": Code(
