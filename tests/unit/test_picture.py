@@ -20,7 +20,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.pipeline.stages import joined
 from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
-from usdrigui.view import lettering, overlay, picture, shading
+from usdrigui.view import lettering, overlay, picture, shading, sheet
 from usdrigui.view import sheet as view_sheet
 from usdrigui.view.picture import contact_sheet, render
 from usdrigui.view.sections import sections
@@ -179,6 +179,17 @@ def test_a_name_turns_to_the_first_typeface_that_has_all_of_its_letters(typeface
 
 
 @pytest.mark.usefixtures("typefaces")
+def test_a_picture_whose_names_are_spelt_out_says_how_to_draw_them(rig, layout, monkeypatch):
+    named = replace(layout, elements=(replace(layout.elements[0], label="まばたき"), *layout.elements[1:]))
+    monkeypatch.setattr(lettering, "_fallbacks", tuple)
+    (line,) = sheet.spelt_out([(rig, named)])
+    assert "usdrigui[fonts]" in line
+    assert "まばたき" in line
+    assert sheet.spelt_out([(rig, layout)]) == ()
+    monkeypatch.setattr(lettering, "_fallbacks", lambda: ("one.ttf",))
+    assert sheet.spelt_out([(rig, named)]) == ()
+
+
 def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
     assert lettering.legible("öffnen_Élevé smile-L") == "offnen_Eleve smile-L"
     assert lettering.legible("ウィンク_あ") == "uinku_a"

@@ -180,3 +180,4 @@ def _stage_extras(
         written.append(
             f"{pipeline.stage_file(files, content, arguments.preview)} {arguments.preview}"
         )
+        written += sheet.spelt_out(characters)

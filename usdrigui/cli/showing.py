@@ -229,7 +229,8 @@ def _picture(arguments: argparse.Namespace) -> Exit:
     else:
         content = sheet.sheet_png(characters, labels=arguments.labels)
     state = pipeline.write_file(content, arguments.output, read)
-    say(f"usdrigui: {state} {arguments.output}", arguments)
+    for line in (f"{state} {arguments.output}", *sheet.spelt_out(characters)):
+        say(f"usdrigui: {line}", arguments)
     return Exit.OK
 
 

@@ -37,6 +37,13 @@ _SIDED = 0.1
 """A motion whose middle is nearer to the plane, in face sizes, acts on both sides."""
 
 
+_FAINT = 0.5
+"""Share of the largest peak of an action below which another control of it says nothing of its
+place."""
+Named = tuple[Motion, Meaning | None]
+"""A motion and how the name of its control is read."""
+
+
 @dataclass(frozen=True, eq=False)
 class Expectation(Record):
     """Where one control is expected, in the plane of the face's front."""
@@ -78,30 +85,51 @@ def expectations(
     `meanings` (controls,) as read from the names of the rig's controls.
     """
     placed = [(m, meanings[m.control]) for m in trajectories.motions]
+    telling = _telling(placed)
     known = [
-        (m, each.action, each.action.place)
-        for m, each in placed
+        (m, each.action, each.action.place, tells)
+        for (m, each), tells in zip(placed, telling, strict=True)
         if each is not None and each.action.place
     ]
     if not symmetry.normal.any():
-        symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, placed)
+        clear = [each for each, tells in zip(placed, telling, strict=True) if tells]
+        symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, clear)
     middles = np.array(
         [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
     ).reshape(-1, 2)
-    places = np.array([place for *_, place in known]).reshape(-1, 2)
-    fit = _fit(middles, places) if symmetry.normal.any() else None
+    places = np.array([place for _, _, place, _ in known]).reshape(-1, 2)
+    kept = np.array([tells for *_, tells in known], dtype=np.bool_)
+    fit = _fit(middles[kept], places[kept]) if symmetry.normal.any() else None
     if fit is None:
         return (None,) * len(meanings)
     scale, height = fit
     axes = np.stack([symmetry.normal, views.up])
     origin = symmetry.origin + (height - symmetry.origin @ views.up) * views.up
     found: dict[int, Expectation] = {}
-    for (motion, action, place), middle in zip(known, middles, strict=True):
+    for (motion, action, place, _), middle in zip(known, middles, strict=True):
         side = np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.face_size else 0.0
         both = side == 0.0 and place[0] != 0.0
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
         found[motion.control] = Expectation(axes, origin, scale, target, bool(both), action.radius)
     return tuple(found.get(control) for control in range(len(meanings)))
+
+
+def _telling(placed: Sequence[Named]) -> list[bool]:
+    """Which motions say where their action is: none that is faint beside another one of its action
+    and side.  Where each mesh has controls of its own, lashes follow the lips a little."""
+    keys = [
+        (each.action.name, each.side)
+        if each and each.action.category == "atom" and not each.action.vague
+        else None
+        for _, each in placed
+    ]
+    largest: dict[tuple[str, str] | None, float] = {None: 0.0}
+    for (motion, _), key in zip(placed, keys, strict=True):
+        if key is not None:
+            largest[key] = max(largest.get(key, 0.0), motion.peak)
+    return [
+        motion.peak >= _FAINT * largest[key] for (motion, _), key in zip(placed, keys, strict=True)
+    ]
 
 
 def _fit(middles: Floats, places: Floats) -> tuple[Floats, float] | None:
@@ -135,7 +163,7 @@ def _middle_of_names(
     trajectories: Trajectories,
     symmetry: Symmetry,
     visible: Flags,
-    placed: Sequence[tuple[Motion, Meaning | None]],
+    placed: Sequence[Named],
 ) -> Symmetry:
     """The symmetry with a plane halfway between the sides that names tell, for a face that is not
     its own mirror image (a scan); as it is where they tell too little."""

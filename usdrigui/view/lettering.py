@@ -92,6 +92,17 @@ def legible(text: str) -> str:
     return text if _number(text) else "".join(map(_shown, text))
 
 
+def spelt_out(texts: Sequence[str]) -> tuple[str, ...]:
+    """Those of the texts with wide letters (Han, kana, hangul) that no typeface here has."""
+    if _fallbacks():
+        return ()
+    return tuple(text for text in texts if any(map(_is_wide, text)) and legible(text) != text)
+
+
+def _is_wide(letter: str) -> bool:
+    return unicodedata.east_asian_width(letter) in "WF" and letter.isalpha()
+
+
 @cache
 def _shown(letter: str) -> str:
     """A letter, or what the typeface has for it."""

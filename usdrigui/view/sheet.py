@@ -7,8 +7,10 @@ from collections.abc import Sequence
 
 from PIL import Image
 
+from usdrigui.errors import visible
 from usdrigui.model import Layout, Rig
 from usdrigui.palette import SIDES
+from usdrigui.view import lettering
 from usdrigui.view.clip import clip_values
 from usdrigui.view.picture import contact_sheet, film, render
 
@@ -25,6 +27,17 @@ def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False)
     buffer = io.BytesIO()
     page.save(buffer, format="PNG")
     return buffer.getvalue()
+
+
+def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
+    """A sentence where names of Han, kana or hangul are spelt as they sound in pictures of the
+    characters, for want of the extra ``fonts``; else none."""
+    labels = [element.label for _, layout in characters for element in layout.elements]
+    found = lettering.spelt_out(labels)
+    if not found:
+        return ()
+    names = " and ".join([visible(found[0]), *(["other names"] if len(found) > 1 else [])])
+    return (f"pip install 'usdrigui[fonts]' draws the letters of {names}, which are spelt out now",)
 
 
 def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> bytes:

@@ -63,6 +63,17 @@ def test_one_control_in_the_wrong_place_does_not_move_the_others():
     assert found["noseSneer_L"].distance(brow)[0] > 0.8
 
 
+def test_lashes_with_controls_of_their_own_do_not_say_where_the_mouth_is():
+    faint = {
+        f"{mesh}_{name}": 0.02 * at(0.5 if name.endswith("_L") else -0.5, 0.1)
+        for mesh in ("lashes", "shell")
+        for name in shapes()
+    }
+    _, found = expected(shapes() | faint)
+    place = np.array([[SCALE * 0.42, HEIGHT - SCALE, 0.0]])
+    assert found["mouthSmile_L"].distance(place)[0] < 0.2
+
+
 def test_a_control_stands_where_it_is_expected_though_it_peaks_elsewhere():
     lifted = {f"noseSneer_{s}": at(sign * 0.24, -0.55) + 1.5 * at(sign * 0.2, 0.3) for s, sign in (("L", 1), ("R", -1))}
     line = chain.with_candidates(makers.rig(POINTS, QUADS, shapes() | lifted))
