@@ -103,12 +103,19 @@ class Faults:
         except RigUIError as error:
             self._found.append(error)
 
+    def add(self, issues: Iterable[Issue]) -> None:
+        """Keep errors that were collected elsewhere."""
+        self._found += [RigUIError(each, CODES[each.code].exit) for each in issues]
+
+    @property
+    def issues(self) -> tuple[Issue, ...]:
+        """All that was collected, each once."""
+        return tuple(dict.fromkeys(each for error in self._found for each in error.issues))
+
     def raise_all(self) -> None:
         """Raise the first error with the issues of the others, if there is any."""
         if self._found:
-            first, *rest = self._found
-            others = (*first.others, *(each for error in rest for each in error.issues))
-            raise RigUIError(first.issue, first.exit_code, others)
+            raise RigUIError(self.issues[0], self._found[0].exit_code, self.issues[1:])
 
 
 def issue(code: str, path: str, message: str, character: str = "") -> Issue:

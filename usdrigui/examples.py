@@ -7,13 +7,13 @@ prior layout that the stages weigh against every other cost.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from usdrigui.animation import performances
 from usdrigui.deform import posed
-from usdrigui.errors import issue, meant, of_character, refuse
+from usdrigui.errors import Faults, issue, meant, of_character, refuse
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.reuse.existing_layout import layout_of
 from usdrigui.layout.reuse.identity import Matching, match_layout, match_rigs
@@ -283,30 +283,35 @@ def _to_imitate(
 ) -> tuple[Rig, Trajectories, Layout] | None:
     if not examples.like:
         return None
-    by_root = {other.root: (other, layout) for other, layout in examples.like}
+    check_like(examples, rig, names)
+    other, layout = _imitated(examples.like, rig)
+    return other, find_trajectories(other, sampling), layout
+
+
+def check_like(examples: Examples, rig: Rig, names: Mapping[str, str]) -> None:
+    """Raise CONFIG_UNKNOWN_CONTROL for all names of `names` (``[like.names]``) that nobody bears,
+    CONFIG_VALUE when none of several characters to imitate has the path of this one."""
+    if not examples.like:
+        return
+    other, _ = _imitated(examples.like, rig)
+    faults = Faults()
+    for theirs, ours in names.items():
+        for whose, name in ((other, theirs), (rig, ours)):
+            with faults.collected():
+                if name and name not in whose.control_names:
+                    what = f"{whose.root} has no control {name!r}{meant(name, whose.control_names)}"
+                    raise refuse("CONFIG_UNKNOWN_CONTROL", f'like.names."{theirs}"', what)
+    faults.raise_all()
+
+
+def _imitated(like: Sequence[tuple[Rig, Layout]], rig: Rig) -> tuple[Rig, Layout]:
+    """The character to imitate: of several the one with the path of this one."""
+    by_root = {other.root: (other, layout) for other, layout in like}
     if rig.root not in by_root and len(by_root) > 1:
         raise refuse(
             "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}"
         )
-    other, layout = by_root.get(rig.root) or examples.like[0]
-    _check_names(names, other, rig)
-    return other, find_trajectories(other, sampling), layout
-
-
-def _check_names(names: Mapping[str, str], other: Rig, rig: Rig) -> None:
-    known = (
-        {control.name for control in other.controls},
-        {control.name for control in rig.controls} | {""},
-    )
-    for theirs, ours in names.items():
-        if theirs not in known[0] or ours not in known[1]:
-            whose, name = (other.root, theirs) if theirs not in known[0] else (rig.root, ours)
-            hint = meant(name, known[0] if theirs not in known[0] else known[1])
-            raise refuse(
-                "CONFIG_UNKNOWN_CONTROL",
-                f'like.names."{theirs}"',
-                f"{whose} has no control {name!r}{hint}",
-            )
+    return by_root.get(rig.root) or like[0]
 
 
 def _characters(

@@ -8,6 +8,8 @@ import pytest
 from usdrigui.cli import main, parser
 from usdrigui.cli.options import files_read, passed_on, settings_of
 from usdrigui.cli.unknown_options import hint, options_of
+from usdrigui.settings import load
+from usdrigui.usd.rig import read_rigs
 
 
 def run(capsys, *arguments, expected):
@@ -16,25 +18,85 @@ def run(capsys, *arguments, expected):
     return json.loads(capsys.readouterr().out)["issues"]
 
 
-def test_everything_that_is_wrong_in_a_configuration_is_told_at_once(layer, capsys):
+VALUES = """
+[solve]
+gap = -1.0
+gop = 1
+[objective]
+overlap_max = "much"
+[candidates]
+view = "above"
+[controls.chin]
+place = "moon"
+"""
+NAMES = """
+[objective]
+terms = ["no_such_term"]
+[read.pose]
+nobody = 1.0
+[joints.tail]
+axes = ["x"]
+[poses.grin]
+weights = { nobody = 1.0, no_one = 1.0 }
+[parts.controls]
+nobody = "face"
+[groups.groups]
+one = ["smile_L", "nobody", "grin"]
+two = ["smile_L", "brow_L"]
+[controls.tail]
+exclude = true
+[controls.smile_left]
+exclude = true
+[controls.smile_L]
+minimum = 2.0
+near = "joint:Jew"
+anchor = "MESH#1000000"
+twin = "no_one"
+[controls.brow_L]
+near = "MESH.point[1000000]"
+anchor = "MESH"
+inner_anchor = "/Char/Hed#1"
+orbit = ["brow_L", "nobody"]
+glyph = "/Nowhere"
+"""
+WRONG_VALUES = ["candidates.view", 'controls."chin".place', "objective.overlap_max", "solve.gap", "solve.gop"]
+WRONG_NAMES = [
+    'controls."brow_L".anchor', 'controls."brow_L".glyph', 'controls."brow_L".inner_anchor', 'controls."brow_L".near',
+    'controls."brow_L".orbit', 'controls."smile_L"', 'controls."smile_L".anchor', 'controls."smile_L".near',
+    'controls."smile_L".twin', 'controls."smile_left"', 'controls."tail"', 'groups.groups."one"',
+    'groups.groups."two"', 'joints."tail"', "objective.terms", 'parts.controls."nobody"', 'poses."grin".weights',
+    'poses."grin".weights', 'read.pose."nobody"',
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("texts", "wrong"),
+    [([VALUES], WRONG_VALUES), ([NAMES], WRONG_NAMES), ([VALUES, NAMES], WRONG_VALUES + WRONG_NAMES)],
+    ids=["values", "names", "both"],
+)
+@pytest.mark.parametrize("command", ["process", "inspect", "check"])
+def test_everything_that_is_wrong_in_a_configuration_is_told_at_once(command, texts, wrong, layer, capsys):
     asset = layer.with_name("char.usda")
+    (mesh, *_) = read_rigs(asset, load())[0].meshes
+    files = [layer.with_name(f"{i}.toml") for i in range(len(texts))]
+    for file, text in zip(files, texts, strict=True):
+        file.write_text(text.replace("MESH", mesh.path))
+    given = [option for file in files for option in ("--config", file)]
+    read = layer if command == "check" else asset
+    found = run(capsys, command, read, *given, expected=2)
+    assert sorted(each["path"] for each in found) == sorted(wrong)
+    hints = " ".join(each["message"] for each in found)
+    assert texts == [VALUES] or ("'Jaw'" in hints and "'smile_L'" in hints)
+    assert main([str(each) for each in (command, read, *given)]) == 2
+    assert capsys.readouterr().err.count("repair:") == len(wrong)
+
+
+def test_names_of_another_character_are_all_told_at_once(layer, capsys):
     layer.with_name("char.rigui.toml").write_text(
-        "[solve]\ngap = -1.0\ngop = 1\n[objective]\noverlap_max = 'much'\n[controls.smile_L]\nplace = 'moon'\n"
+        '[like.names]\nnobody = "chin"\nchin = "no_one"\nbrow_L = ""\n[read.pose]\nnobody = 1.0\n'
     )
-    found = run(capsys, "process", asset, expected=2)
-    assert {each["path"] for each in found} == {
-        "solve.gap", "solve.gop", "objective.overlap_max", 'controls."smile_L".place',
-    }  # fmt: skip
-    assert main(["process", str(asset)]) == 2
-    assert capsys.readouterr().err.count("repair:") == 4
-
-
-def test_all_controls_that_no_rig_has_are_told_at_once(layer, capsys):
-    names = ("smile_left", "brow.L", "tail")
-    layer.with_name("char.rigui.toml").write_text("".join(f'[controls."{name}"]\nlabel = "x"\n' for name in names))
-    found = run(capsys, "process", layer.with_name("char.usda"), expected=2)
-    assert {each["path"] for each in found} == {f'controls."{name}"' for name in names}
-    assert "did you mean 'smile_L'?" in found[0]["message"]
+    found = run(capsys, "process", layer.with_name("char.usda"), "--like", layer, expected=2)
+    assert [each["path"] for each in found] == ['read.pose."nobody"', 'like.names."nobody"', 'like.names."chin"']
 
 
 @pytest.mark.parametrize(

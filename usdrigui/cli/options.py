@@ -16,7 +16,7 @@ from usdrigui import worker
 from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
 
 if TYPE_CHECKING:
-    from usdrigui.settings import Settings
+    from usdrigui.settings import Settings, UnsoundSettingsError
 
 _BESIDE_CHAR = "CHAR.rigui.toml beside CHAR"
 _BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
@@ -120,10 +120,15 @@ def settings_of(arguments: argparse.Namespace) -> Settings:
     """Settings of a command, from the weakest to the strongest source.
 
     Which configuration belongs to a layer only the layer tells, so it is read for that where none
-    is given.  Raises RigUIError with what that reading raises, and with the CONFIG_ codes.  The
-    run's budget is known from here on.
+    is given.  Raises RigUIError with what that reading raises, and with the CONFIG_ codes, those
+    that the asset tells among them.  The run's budget is known from here on.
     """
-    found = settings_quietly(arguments)
+    from usdrigui.settings import UnsoundSettingsError
+
+    try:
+        found = settings_quietly(arguments)
+    except UnsoundSettingsError as error:
+        raise _with_faults_of_asset(error, arguments) from None
     worker.budget(found.run.time_limit, found.run.memory_limit)
     return found
 
@@ -140,9 +145,24 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
             *weaker, *said, preset=preset, environment=settings.environment_settings()
         )
 
-    loaded = load()  # what is wrong with the command line is told before anything is read
+    try:
+        loaded = load()
+    except settings.UnsoundSettingsError as error:
+        # What is wrong with the files is told with what is wrong with the command line.
+        files = _configuration(arguments, error.sound)
+        load(*map(settings.read_toml, files))
+        raise
     arguments.configuration = files = _configuration(arguments, loaded)
     return load(*map(settings.read_toml, files)) if files else loaded
+
+
+def _with_faults_of_asset(error: UnsoundSettingsError, arguments: argparse.Namespace) -> RigUIError:
+    """The error with what of the sound rest the asset does not allow, where the command has
+    one."""
+    from usdrigui import pipeline
+
+    asset = getattr(arguments, "asset", None) or getattr(arguments, "layer", None)
+    return error if asset is None else pipeline.with_faults_of_asset(error, asset)
 
 
 def settings_of_command_line(arguments: argparse.Namespace) -> Settings:

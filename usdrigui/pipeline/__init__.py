@@ -10,6 +10,7 @@ here prints; what a run has to say is in the record that it returns.
 
 from __future__ import annotations
 
+from usdrigui.pipeline.configuration import with_faults_of_asset
 from usdrigui.pipeline.converting import convert
 from usdrigui.pipeline.inspecting import inspect
 from usdrigui.pipeline.laying_out import process, process_stage
@@ -47,5 +48,6 @@ __all__ = [
     "process_stage",
     "review",
     "stage_file",
+    "with_faults_of_asset",
     "write_file",
 ]

@@ -13,6 +13,7 @@ from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likene
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Control, Motion
+from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import (
     Divided,
@@ -44,6 +45,7 @@ def inspect(
         source = read_rigs_isolated(asset, settings)
         clips = animation.performances(animations, settings.read)
         examples = read_examples(ExampleLayers(like=like), settings.read)
+        refuse_unsound(source, settings, examples)
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:

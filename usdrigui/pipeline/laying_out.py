@@ -29,6 +29,7 @@ from usdrigui.layout.review.improvement import improvements
 from usdrigui.layout.review.shortfalls import shortfalls
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline import variants
+from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import (
     LaidPart,
@@ -134,7 +135,7 @@ def process_stage(
         readings, plain = _read_each(
             settings,
             sets,
-            lambda chosen: Reading(chosen, in_memory.read_open_rigs(stage, chosen), Examples()),
+            lambda chosen: _read_open(stage, chosen),
         )
     sources = [each.source for each in readings]
     found = [
@@ -150,6 +151,14 @@ def process_stage(
     return replace(
         report, layer=layer.layer_for(laid, "", settings.output, readings[0].source.metadata)
     )
+
+
+def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Reading:
+    from usdrigui.usd import in_memory
+
+    source = in_memory.read_open_rigs(stage, settings)
+    refuse_unsound(source, settings)
+    return Reading(settings, source, Examples())
 
 
 # --- what is read ---------------------------------------------------------------------------------
@@ -191,7 +200,9 @@ def _read_each(
 
 def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
     source = read_rigs_isolated(asset, settings)
-    return Reading(settings, source, read_examples(layers, settings.read))
+    references = read_examples(layers, settings.read)
+    refuse_unsound(source, settings, references)
+    return Reading(settings, source, references)
 
 
 def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Reading]:

@@ -17,6 +17,7 @@ from usdrigui.layout.review import difference as difference_stage
 from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
+from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, Watch
 from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.pipeline.targets import default_output
@@ -28,6 +29,7 @@ from usdrigui.usd.reader_process import (
     read_rigs_isolated,
     read_variants_isolated,
 )
+from usdrigui.usd.reader_records import ReadResult
 
 if TYPE_CHECKING:
     from pxr import Sdf, Usd
@@ -104,7 +106,7 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
     where the stage lacks one of the characters, and everything that reading an asset can raise.
     """
     try:
-        loaded, stale = _loaded(layer, settings)
+        loaded, stale, source = _loaded(layer, settings)
     except RigUIError as error:
         beside = default_output(layer)
         if error.issue.code == "LAYOUT_MISSING" and beside.is_file():
@@ -114,13 +116,15 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
                 f"{error.issue.message}; {beside} beside it is a layout",
             ) from error
         raise
+    refuse_unsound(source)
     if stale:
         raise refuse(stale[0].code, stale[0].path, stale[0].message)
     return loaded
 
 
-def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]:
-    """What the stage has, and LAYOUT_STALE for every layout whose character it has not."""
+def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...], ReadResult]:
+    """What the stage has, LAYOUT_STALE for every layout whose character it has not, and what was
+    read."""
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
@@ -131,7 +135,8 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...]]
         for root in gone
     )
     files = tuple(Path(each.path) for each in read.sources)
-    return Loaded(characters, found.source, read.cameras, files, read.without_layout), stale
+    loaded = Loaded(characters, found.source, read.cameras, files, read.without_layout)
+    return loaded, stale, read
 
 
 def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
@@ -157,13 +162,14 @@ def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> 
 def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
     with clock.stage("read"):
         try:
-            loaded, stale = _loaded(layer, settings)
+            loaded, stale, source = _loaded(layer, settings)
         except RigUIError as error:
             if settings.read.each_variant:
                 raise
             return LayerReview(
                 str(layer), (), clock.seconds, _source_faults(layer, settings, error)
             )
+        refuse_unsound(source, settings)
     return _review_of(str(layer), loaded, stale, settings, clock)
 
 
@@ -172,6 +178,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     from usdrigui.usd.in_memory import read_open_layouts
 
     layouts, read = read_open_layouts(stage, settings)
+    refuse_unsound(read)
     by_root = {each.root: each for each in layouts}
     characters = tuple((rig, by_root[rig.root]) for rig in read.rigs)
     return Loaded(characters, "", read.cameras, (), read.without_layout)
@@ -279,11 +286,11 @@ def _source_faults(asset: Path, settings: Settings, refusal: RigUIError) -> tupl
     if found.empty:
         raise refusal
     try:
-        issues = tuple(
-            each for rig in read_rigs_isolated(asset, settings).rigs for each in rig.issues
-        )
+        source = read_rigs_isolated(asset, settings)
+        refuse_unsound(source, settings)
+        issues = tuple(each for rig in source.rigs for each in rig.issues)
     except RigUIError as error:
-        issues = (error.issue,)
+        issues = error.issues
     known = {(each.code, each.path) for each in found.issues}
     return (*off, *found.issues, *(each for each in issues if (each.code, each.path) not in known))
 

@@ -16,7 +16,7 @@ import numpy as np
 from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.deform import posed
-from usdrigui.errors import Issue, RigUIError, meant, of_character, refuse
+from usdrigui.errors import Issue, RigUIError, of_character, refuse
 from usdrigui.examples import (
     Examples,
     OwnExamples,
@@ -63,6 +63,7 @@ from usdrigui.model import (
     Symmetry,
     Trajectories,
 )
+from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
 from usdrigui.settings import PartSettings, Settings
 
@@ -189,8 +190,8 @@ def divided(
     """A character with its trajectories and its parts: what the problems of all parts are built
     from."""
     clock, examples = clock or Clock(), examples or Examples()
-    camera = _camera(rig, settings.candidates.view, cameras or {})
-    base_values = _base_values(rig, settings)
+    camera = camera_of(rig, settings.candidates.view, cameras or {})
+    base_values = base_values_of(rig, settings.read)
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.trajectories, base_values)
     _refuse_motionless(rig, found)
@@ -483,23 +484,3 @@ def _requests(
 def _refuse_motionless(rig: Rig, found: Trajectories) -> None:
     if not found.motions:
         raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
-
-
-def _camera(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
-    """(3,) direction to the viewer of the camera that the view names, if it names one."""
-    camera = cameras.get(rig.root)
-    if view.startswith("/") and camera is None:
-        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
-    return camera
-
-
-def _base_values(rig: Rig, settings: Settings) -> Floats:
-    """(controls,) the base pose (paper: P)."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
-    values = np.array([control.default for control in rig.controls], dtype=np.float64)
-    for name, value in settings.read.pose.items():
-        if name not in index:
-            what = f"{rig.root} has no control of this name{meant(name, index)}"
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', what)
-        values[index[name]] = value
-    return values

@@ -8,7 +8,7 @@ keys.
 from __future__ import annotations
 
 from usdrigui.settings.bounds import view_angles
-from usdrigui.settings.loading import document, load
+from usdrigui.settings.loading import UnsoundSettingsError, document, load
 from usdrigui.settings.parts import (
     AnimationSettings,
     CandidateSettings,
@@ -50,6 +50,7 @@ __all__ = [
     "SolveSettings",
     "SymmetrySettings",
     "TrajectorySettings",
+    "UnsoundSettingsError",
     "document",
     "environment_settings",
     "literal",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
-from usdrigui.errors import Faults, meant, refuse
+from usdrigui.errors import Faults, RigUIError, issue, meant, refuse
 from usdrigui.settings.parts import Settings
 from usdrigui.settings.table import settings_in
 
@@ -15,32 +15,48 @@ _VIEWS = ("", "front", "side")
 """Views with names; others are a camera's prim path, or two angles."""
 
 
-def check_bounds(settings: Settings, faults: Faults) -> None:
-    """Collects RigUIError CONFIG_VALUE, naming the key, for numbers outside their bounds and a view
-    that is none."""
-    view = settings.candidates.view
+def bounded(settings: Settings, faults: Faults) -> Settings:
+    """The settings with the default for each number outside its bounds, and for a view that is
+    none.
+
+    Collects RigUIError CONFIG_VALUE for them, naming the key.
+    """
+    sound = {
+        part.name: _bounded_table(part.name, getattr(settings, part.name), faults)
+        for part in fields(settings)
+    }
+    candidates = sound["candidates"]
+    sound["candidates"] = replace(candidates, view=_sound_view(candidates.view, faults))
+    return replace(settings, **sound)
+
+
+def _sound_view(view: str, faults: Faults) -> str:
     if view not in _VIEWS and not view.startswith("/"):
-        with faults.collected():
+        try:
             view_angles(view)
-    for part in fields(settings):
-        found = getattr(settings, part.name)
-        if isinstance(found, Mapping):
-            for name, each in found.items():
-                _check_part(f'{part.name}."{name}"', each, faults)
-        else:
-            _check_part(part.name, found, faults)
+        except RigUIError as error:
+            faults.add(error.issues)
+            return ""
+    return view
 
 
-def _check_part(where: str, part: Any, faults: Faults) -> None:
+def _bounded_table(where: str, found: Any, faults: Faults) -> Any:
+    if not isinstance(found, Mapping):
+        return _bounded_part(where, found, faults)
+    return {name: _bounded_part(f'{where}."{name}"', each, faults) for name, each in found.items()}
+
+
+def _bounded_part(where: str, part: Any, faults: Faults) -> Any:
+    wrong: dict[str, Any] = {}
     for each, about in settings_in(part):
-        if about.bounds is not None:
-            with faults.collected():
-                _check(f"{where}.{each.name}", getattr(part, each.name), *about.bounds)
-
-
-def _check(key: str, value: float | None, least: float, largest: float) -> None:
-    if value is not None and not least <= value <= largest:
-        raise refuse("CONFIG_VALUE", key, f"expected {least:g} to {largest:g}, got {value:g}")
+        value = getattr(part, each.name)
+        if about.bounds is not None and value is not None:
+            least, largest = about.bounds
+            if not least <= value <= largest:
+                wrong[each.name] = each.default
+                what = f"expected {least:g} to {largest:g}, got {value:g}"
+                faults.add([issue("CONFIG_VALUE", f"{where}.{each.name}", what)])
+    return replace(part, **wrong) if wrong else part
 
 
 def view_angles(view: str) -> tuple[float, float]:

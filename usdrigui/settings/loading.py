@@ -12,8 +12,8 @@ from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from usdrigui.errors import Faults, meant, refuse
-from usdrigui.settings.bounds import check_bounds
+from usdrigui.errors import Faults, RigUIError, meant, refuse
+from usdrigui.settings.bounds import bounded
 from usdrigui.settings.parts import PoseSettings, Settings
 from usdrigui.settings.presets import PRESETS
 from usdrigui.settings.sources import environment_settings, from_environment, read_toml
@@ -25,6 +25,14 @@ _MOVED: dict[tuple[type, str], str] = {(PoseSettings, "label"): "controls"}
 """The part that holds what a setting of another part said before."""
 
 
+class UnsoundSettingsError(RigUIError):
+    """A configuration that cannot be taken; carries what of it can be."""
+
+    def __init__(self, error: RigUIError, sound: Settings) -> None:
+        super().__init__(error.issue, error.exit_code, error.others)
+        self.sound = sound
+
+
 def load(
     *sources: Mapping[str, Any],
     preset: str = "default",
@@ -32,21 +40,28 @@ def load(
 ) -> Settings:
     """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
 
-    Raises RigUIError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is wrong is told
-    at once.
+    Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is
+    wrong is told at once.
     """
-    if preset not in PRESETS:
-        hint = meant(preset, PRESETS)
-        known = " and ".join(sorted(PRESETS))
-        raise refuse(
-            "CONFIG_VALUE", "preset", f"no preset is called {preset!r}; there are {known}{hint}"
-        )
     settings, faults = Settings(), Faults()
-    for source in (PRESETS[preset], from_environment(environment or {}), *sources):
+    weakest = (_preset(preset, faults), from_environment(environment or {}, faults))
+    for source in (*weakest, *sources):
         settings = _merged(settings, source, "", faults)
-    check_bounds(settings, faults)
-    faults.raise_all()
+    settings = bounded(settings, faults)
+    try:
+        faults.raise_all()
+    except RigUIError as error:
+        raise UnsoundSettingsError(error, settings) from None
     return settings
+
+
+def _preset(name: str, faults: Faults) -> Mapping[str, Any]:
+    with faults.collected():
+        if name not in PRESETS:
+            known = " and ".join(sorted(PRESETS))
+            what = f"no preset is called {name!r}; there are {known}{meant(name, PRESETS)}"
+            raise refuse("CONFIG_VALUE", "preset", what)
+    return PRESETS.get(name, {})
 
 
 def _merged(base: Any, source: Mapping[str, Any], where: str, faults: Faults) -> Any:

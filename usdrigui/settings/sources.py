@@ -10,7 +10,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from usdrigui.errors import refuse
+from usdrigui.errors import Faults, refuse
 from usdrigui.settings.parts import Settings
 
 
@@ -42,20 +42,20 @@ def environment_settings() -> dict[str, str]:
     }
 
 
-def from_environment(environment: Mapping[str, str]) -> dict[str, Any]:
+def from_environment(environment: Mapping[str, str], faults: Faults) -> dict[str, Any]:
     """``USDRIGUI_SOLVE_GAP=1e-3`` as ``{"solve": {"gap": 0.001}}``; values are TOML literals or
     plain words.
 
-    Raises RigUIError CONFIG_UNKNOWN_KEY.
+    Collects RigUIError CONFIG_UNKNOWN_KEY.
     """
     found: dict[str, Any] = {}
     parts = {each.name for each in fields(Settings)}
     for name, text in environment.items():
         part, _, key = name.removeprefix("USDRIGUI_").lower().partition("_")
-        if part not in parts or not key:
-            raise refuse("CONFIG_UNKNOWN_KEY", name, "no setting has this name")
-        value = literal(text)
-        found.setdefault(part, {})[key] = value
+        with faults.collected():
+            if part not in parts or not key:
+                raise refuse("CONFIG_UNKNOWN_KEY", name, "no setting has this name")
+            found.setdefault(part, {})[key] = literal(text)
     return found
 
 

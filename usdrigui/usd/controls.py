@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdrigui.conventions.sides import twins_by_name
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import Faults, Issue, issue, refuse
 from usdrigui.joint_tree import Tree
 from usdrigui.model import (
     Channel,
@@ -187,12 +187,16 @@ def pose_drafts(
     return drafts, left_off
 
 
+_ANY_RANGE = Range(0.0, 0.0, 1.0, "default")
+"""Of a control whose own is refused, so that what else is said of it can be told."""
+
+
 def settled(
-    drafts: list[Draft], configured: Mapping[str, ControlSettings]
+    drafts: list[Draft], configured: Mapping[str, ControlSettings], faults: Faults
 ) -> tuple[tuple[Control, ...], tuple[Control, ...], list[LeftOff]]:
     """The controls after ranges, names and labels of the configuration, and those that it excludes.
 
-    Raises CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a
+    Collects CONFIG_VALUE for a range that is not ascending or does not hold the default, and for a
     new name that is already taken.
     """
     controls: list[Control] = []
@@ -207,7 +211,9 @@ def settled(
             if draft.range.maximum > draft.range.minimum:
                 excluded.append(_control(draft, draft.name, override, draft.range))
             continue
-        span = _ranged(draft, override)
+        span = _ANY_RANGE
+        with faults.collected():
+            span = _ranged(draft, override)
         if span.maximum <= span.minimum:
             left_off.append(
                 LeftOff(draft.name, "read", f"its range is the single value {span.minimum:g}")
@@ -215,11 +221,8 @@ def settled(
             continue
         name = override.rename or draft.name
         if name in names:
-            raise refuse(
-                "CONFIG_VALUE",
-                f'controls."{draft.name}".rename',
-                f"two controls would be called {name!r}",
-            )
+            where = f'controls."{draft.name}".rename'
+            faults.add([issue("CONFIG_VALUE", where, f"two controls would be called {name!r}")])
         names.add(name)
         controls.append(_control(draft, name, override, span))
     return tuple(controls), tuple(excluded), left_off

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom
 
-from usdrigui.errors import RigUIError, refuse
+from usdrigui.errors import Faults, RigUIError, refuse
 from usdrigui.model import Floats, Glyph, Indices
 from usdrigui.settings import ControlSettings
 from usdrigui.usd.arrays import check_range, integers, value_at, vectors
@@ -46,26 +46,31 @@ _CUBIC: Mapping[str, tuple[tuple[float, ...], ...]] = {
 
 
 def read_glyphs(
-    stage: Usd.Stage, asset: Path, controls: Mapping[str, ControlSettings], size_limit: int
+    stage: Usd.Stage,
+    asset: Path,
+    controls: Mapping[str, ControlSettings],
+    size_limit: int,
+    faults: Faults,
 ) -> dict[str, Glyph]:
     """The glyphs that ``[controls.NAME] glyph`` names, by that name; `stage` is the asset's.
 
     ``/PRIM`` is a prim of the asset, ``FILE</PRIM>`` one of another layer, whose path is relative
-    to the asset's folder.  Raises RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE, GLYPH_EMPTY,
-    the code of an array that cannot be right, and what opening FILE raises.
+    to the asset's folder.  Collects RigUIError CONFIG_VALUE, GLYPH_MISSING, GLYPH_TYPE,
+    GLYPH_EMPTY, the code of an array that cannot be right, and what opening FILE raises.
     """
     found: dict[str, Glyph] = {}
     for control, override in controls.items():
         key = f'controls."{control}".glyph'
         if override.glyph and override.glyph not in found:
-            file, path = _address(key, override.glyph)
-            source = _opened(key, asset.parent / file, size_limit) if file else stage
-            prim = source.GetPrimAtPath(path)
-            if not prim or not prim.IsActive():
-                raise refuse(
-                    "GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}"
-                )
-            found[override.glyph] = _glyph(prim, override.glyph)
+            with faults.collected():
+                file, path = _address(key, override.glyph)
+                source = _opened(key, asset.parent / file, size_limit) if file else stage
+                prim = source.GetPrimAtPath(path)
+                if not prim or not prim.IsActive():
+                    raise refuse(
+                        "GLYPH_MISSING", key, f"there is no prim {path} in {file or asset.name}"
+                    )
+                found[override.glyph] = _glyph(prim, override.glyph)
     return found
 
 

@@ -15,7 +15,7 @@ from usdrigui.settings import Settings
 from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
-from usdrigui.usd.rig import read_rigs, without_layout
+from usdrigui.usd.rig import rigs_and_faults, without_layout
 from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def _result(
 ) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
 
-    rigs = read_rigs(stage, settings, laid_out)
+    rigs, faults = rigs_and_faults(stage, settings, laid_out)
     cameras = cameras_toward(stage, rigs, settings.candidates.view)
     return ReadResult(
         rigs,
@@ -58,6 +58,7 @@ def _result(
         without_layout=()
         if laid_out is None
         else without_layout(stage, laid_out, settings.read.skel_root),
+        config_faults=faults.issues,
     )
 
 

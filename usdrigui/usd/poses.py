@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Usd, Vt
 
-from usdrigui.errors import Issue, issue, meant, refuse
+from usdrigui.errors import Faults, Issue, issue, meant, refuse
 from usdrigui.model import Channel, Joint, LeftOff
 from usdrigui.settings import PoseSettings
 from usdrigui.usd.controls import NamedPose, State
@@ -79,11 +79,12 @@ def named_poses(
     channels: tuple[Channel, ...],
     base: State,
     configured: Mapping[str, PoseSettings],
+    faults: Faults,
 ) -> list[NamedPose]:
     """The poses of the asset's frames, all but the first, and those of the configuration, which
     win.
 
-    Raises CONFIG_VALUE for a configured pose that says nothing or a SkelAnimation that is not
+    Collects CONFIG_VALUE for a configured pose that says nothing or a SkelAnimation that is not
     bound, and CONFIG_UNKNOWN_CONTROL for a weight that the rig does not have.
     """
     source = _Source(armatures, joints, channels, base)
@@ -92,7 +93,9 @@ def named_poses(
         for frame in frames[1:]
         if frame.name not in configured
     ]
-    poses.extend(_configured(name, each, source) for name, each in configured.items())
+    for name, each in configured.items():
+        with faults.collected():
+            poses.append(_configured(name, each, source))
     return poses
 
 
@@ -144,10 +147,11 @@ def _configured(name: str, configured: PoseSettings, source: _Source) -> NamedPo
         by_token: dict[str, list[int]] = {}
         for index, channel in enumerate(source.channels):
             by_token.setdefault(channel.token, []).append(index)
-        unknown = sorted(set(configured.weights) - set(by_token))
-        if unknown:
-            what = f"the asset has no weight {unknown[0]!r}{meant(unknown[0], by_token)}"
-            raise refuse("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", what)
+        unknown = Faults()
+        for token in sorted(set(configured.weights) - set(by_token)):
+            what = f"the asset has no weight {token!r}{meant(token, by_token)}"
+            unknown.add([issue("CONFIG_UNKNOWN_CONTROL", f"{where}.weights", what)])
+        unknown.raise_all()
         chosen = {
             index: weight
             for token, weight in configured.weights.items()

@@ -109,11 +109,12 @@ def bound(limits: Limits) -> None:
 def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
     from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
-    from usdrigui.usd.rig import read_rigs
+    from usdrigui.usd.rig import rigs_and_faults
     from usdrigui.usd.variants import variant_path
 
     with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
-        rigs = _told(read_rigs(path, settings), path, heard)
+        found, faults = rigs_and_faults(path, settings)
+        rigs = _told(found, path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         metadata = {
@@ -124,7 +125,15 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
         sources = _sources(path, stages.GetAllStages(), before)
         paths = {rig.root: variant_path(stage.GetPrimAtPath(rig.root)) for rig in rigs}
         return ReadResult(
-            rigs, metadata, cameras, sources, layouts, below, composed_layouts(stage), paths
+            rigs,
+            metadata,
+            cameras,
+            sources,
+            layouts,
+            below,
+            composed_layouts(stage),
+            paths,
+            config_faults=_as_text(faults.issues),
         )
 
 
@@ -155,20 +164,23 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
-    from usdrigui.usd.rig import read_rigs, without_layout
+    from usdrigui.usd.rig import rigs_and_faults, without_layout
     from usdrigui.usd.stage import open_stage
 
     with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         laid_out = {each.root for each in found.layouts}
-        rigs = _told(read_rigs(path, settings, laid_out), path, heard)
+        some, faults = rigs_and_faults(path, settings, laid_out)
+        rigs = _told(some, path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         sources = _sources(path, stages.GetAllStages(), before)
         bare = without_layout(stage, laid_out, settings.read.skel_root)
+        wrong = _as_text(faults.issues)
         return Response(
-            rigs=ReadResult(rigs, {}, cameras, sources, without_layout=bare), layouts=found
+            rigs=ReadResult(rigs, {}, cameras, sources, without_layout=bare, config_faults=wrong),
+            layouts=found,
         )
 
 
@@ -341,10 +353,15 @@ def _as_json(value: Any) -> Any:
 
 
 def _refusal(error: RigUIError) -> Response:
-    first, *others = (
-        replace(each, path=_text(each.path), message=_text(each.message)) for each in error.issues
-    )
+    first, *others = _as_text(error.issues)
     return Response(refusal=first, exit_code=int(error.exit_code), others=tuple(others))
+
+
+def _as_text(issues: Iterable[Issue]) -> tuple[Issue, ...]:
+    """The issues in letters that a response can hold."""
+    return tuple(
+        replace(each, path=_text(each.path), message=_text(each.message)) for each in issues
+    )
 
 
 def _text(value: object) -> str:

@@ -55,6 +55,8 @@ class ReadResult(Record):
     """By SkelRoot, its path with all variants that are selected there and above."""
     without_layout: tuple[str, ...] = ()
     """Characters of a stage that has layouts of others, which were not read."""
+    config_faults: tuple[Issue, ...] = ()
+    """What the configuration says and the asset does not allow: errors."""
 
 
 @dataclass(frozen=True, eq=False)

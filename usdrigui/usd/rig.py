@@ -65,16 +65,27 @@ _VARIANTS_TRIED = 64
 def read_rigs(
     source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
 ) -> tuple[Rig, ...]:
+    """As `rigs_and_faults`; raises, all at once, what the configuration has wrong, too."""
+    rigs, faults = rigs_and_faults(source, settings, laid_out)
+    faults.raise_all()
+    return rigs
+
+
+def rigs_and_faults(
+    source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
+) -> tuple[tuple[Rig, ...], Faults]:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
     `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only
     these are read, in instances too.  Raises LAYOUT_STALE where none of them is there.
 
-    Raises RigUIError: FILE_*, LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE, CONFIG_* or, where
-    no character is left, the code of the first array that cannot be right.  What can be lived with
+    Collects what the configuration has wrong: CONFIG_* and GLYPH_*.  Raises RigUIError: FILE_*,
+    LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE or, where no character is left, the code of the
+    first array that cannot be right.  What can be lived with
     stands in `Rig.issues`, what became no control in `Rig.left_off`; findings about the stage as a
     whole stand with the first rig.
     """
+    faults = Faults()
     with listening() as messages:
         stage = (
             source if isinstance(source, Usd.Stage) else open_stage(source, settings.read.variants)
@@ -90,16 +101,18 @@ def read_rigs(
             )
         if laid_out is not None:
             roots = _with_layout(roots, laid_out, path)
-        readings = [_guarded(root, settings, instances=laid_out is not None) for root in roots]
-        glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit)
-    _check_names(readings, settings.controls, settings.joints)
+        instances = laid_out is not None
+        readings = [_guarded(root, settings, faults, instances=instances) for root in roots]
+        glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit, faults)
+    _check_names(readings, settings.controls, settings.joints, faults)
     rigs = tuple(
         replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls
     )
     if not rigs:
-        faults = [fault for reading in readings for fault in reading.faults]
-        if faults:
-            raise faults[0]
+        faults.raise_all()
+        broken = [fault for reading in readings for fault in reading.faults]
+        if broken:
+            raise broken[0]
         lost = [each for reading in readings for each in reading.rig.left_off]
         reasons = tuple({each.reason for each in lost})
         vain = [
@@ -115,7 +128,8 @@ def read_rigs(
             f"no blend shape, animated joint or named pose{why}",
         )
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
-    return (_with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken)), *rigs[1:])
+    first = _with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken))
+    return (first, *rigs[1:]), faults
 
 
 def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[str, ...]:
@@ -177,32 +191,36 @@ def _with_layout(
     return found
 
 
-def _guarded(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
+def _guarded(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> _Reading:
     """`_read`, with what USD itself raises turned into an error of ours."""
     try:
-        return _read(root, settings, instances=instances)
+        return _read(root, settings, faults, instances=instances)
     except Tf.ErrorException as error:
         raise refuse("USD_ERROR", str(root.GetPath()), usd_message(error)) from None
 
 
 def _guarded_glyphs(
-    stage: Usd.Stage, path: Path, controls: Mapping[str, ControlSettings], size_limit: int
+    stage: Usd.Stage,
+    path: Path,
+    controls: Mapping[str, ControlSettings],
+    size_limit: int,
+    faults: Faults,
 ) -> dict[str, Glyph]:
     try:
-        return read_glyphs(stage, path, controls, size_limit)
+        return read_glyphs(stage, path, controls, size_limit, faults)
     except Tf.ErrorException as error:
         raise refuse("USD_ERROR", str(path), usd_message(error)) from None
 
 
-def _read(root: Usd.Prim, settings: Settings, *, instances: bool) -> _Reading:
+def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> _Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         reason = (
             f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
         )
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings.read, instances=instances)
-    drafts, left_off, issues = _drafts(root, scene, settings)
-    controls, excluded, unused = settled(drafts, settings.controls)
+    drafts, left_off, issues = _drafts(root, scene, settings, faults)
+    controls, excluded, unused = settled(drafts, settings.controls, faults)
     lost = (*left_off, *unused, *scene.names.left_off)
     path = with_sets(variant_path(root), settings.read.variants)
     found = (*scene.found.issues, *scene.names.issues, *issues)
@@ -265,7 +283,7 @@ def _scene(root: Usd.Prim, settings: ReadSettings, *, instances: bool) -> _Scene
 
 
 def _drafts(
-    root: Usd.Prim, scene: _Scene, settings: Settings
+    root: Usd.Prim, scene: _Scene, settings: Settings, faults: Faults
 ) -> tuple[list[Draft], list[LeftOff], tuple[Issue, ...]]:
     """Every control that the asset could have, what is left off, and what is odd about the
     ranges."""
@@ -285,7 +303,13 @@ def _drafts(
         scene.base_weights, np.array([joint.base for joint in scene.joints]).reshape(-1, 4, 4)
     )
     poses = named_poses(
-        scene.names.frames, scene.armatures, scene.joints, scene.channels, base, settings.poses
+        scene.names.frames,
+        scene.armatures,
+        scene.joints,
+        scene.channels,
+        base,
+        settings.poses,
+        faults,
     )
     more, left_off = pose_drafts(poses, base, {draft.name for draft in drafts})
     lost = [*left_off_tokens(scene.found, used), *left_off]
@@ -440,9 +464,10 @@ def _unit_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     return ()
 
 
-def _check_names(readings: list[_Reading], controls: Iterable[str], joints: Iterable[str]) -> None:
-    """Refuse names in the configuration that no rig knows, all at once."""
-    faults = Faults()
+def _check_names(
+    readings: list[_Reading], controls: Iterable[str], joints: Iterable[str], faults: Faults
+) -> None:
+    """Collect CONFIG_UNKNOWN_CONTROL for names in the configuration that no rig knows."""
     for name in controls:
         if all(name in reading.unknown_controls for reading in readings):
             hint = meant(
@@ -464,7 +489,6 @@ def _check_names(readings: list[_Reading], controls: Iterable[str], joints: Iter
                     f'joints."{name}"',
                     f"no rig of the asset has this joint{known}",
                 )
-    faults.raise_all()
 
 
 def _names_of_joints(joints: tuple[Joint, ...]) -> list[str]:

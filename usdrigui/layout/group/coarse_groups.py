@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import chain
 
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.names import element_name
 from usdrigui.model import Element, Group, Rig
 from usdrigui.settings import LevelSettings
@@ -140,19 +140,20 @@ def _configured(
 ) -> dict[str, set[str]]:
     """Members as the configuration names them."""
     found: dict[str, set[str]] = {}
+    faults = Faults()
     for name, members in settings.members.items():
-        where = f'levels.members."{name}"'
-        coarse = _named(rig, groups, name, where)
-        if coarse is None and name in existing:
-            continue
-        if coarse is None:
-            raise refuse("CONFIG_VALUE", where, f"{name} has no element")
-        inner = {
-            group.name for each in members for group in [_named(rig, groups, each, where)] if group
-        }
-        if not inner:
-            raise refuse("CONFIG_VALUE", where, "none of its members has an element")
-        found.setdefault(coarse.name, set()).update(inner)
+        with faults.collected():
+            where = f'levels.members."{name}"'
+            coarse = _named(rig, groups, name, where)
+            if coarse is None and name in existing:
+                continue
+            if coarse is None:
+                raise refuse("CONFIG_VALUE", where, f"{name} has no element")
+            inner = [_named(rig, groups, each, where) for each in members]
+            if not any(inner):
+                raise refuse("CONFIG_VALUE", where, "none of its members has an element")
+            found.setdefault(coarse.name, set()).update(each.name for each in inner if each)
+    faults.raise_all()
     return found
 
 

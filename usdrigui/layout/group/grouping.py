@@ -8,14 +8,14 @@ the character is merged on the other.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, combinations
 
 import numpy as np
 
 from usdrigui.conventions.sides import has_side
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index
 from usdrigui.layout.face import Face
 from usdrigui.layout.group.evidence import Evidence, Relation, alike
@@ -88,6 +88,24 @@ def find_groups(
         _Merged((i,), ((0,),), grouping.why_alone(i)) for i in sorted(_free(merged, grouping))
     ]
     return grouping.folded(merged, orbits)
+
+
+def check_groups(groups: Mapping[str, Sequence[str]], known: Collection[str]) -> None:
+    """Raise CONFIG_UNKNOWN_CONTROL for all members of groups that are not `known`, CONFIG_VALUE for
+    those of two groups."""
+    faults, taken = Faults(), set[str]()
+    for name, members in groups.items():
+        where = f'groups.groups."{name}"'
+        for member in members:
+            with faults.collected():
+                if member not in known:
+                    what = f"no control is called {member!r}{meant(member, known)}"
+                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+                if member in taken:
+                    what = f"{member} stands twice: a control can be in one group only"
+                    raise refuse("CONFIG_VALUE", where, what)
+                taken.add(member)
+    faults.raise_all()
 
 
 def suggested_groups(
@@ -185,23 +203,13 @@ class _Grouping:
     def of_the_user(self) -> list[_Merged]:
         """The groups that the configuration names, in its order."""
         index = {name: i for i, name in enumerate(self.names)}
-        known = self.face.rig.control_names
+        check_groups(self.settings.groups, self.face.rig.control_names)
         found: list[_Merged] = []
-        taken: set[int] = set()
         for name, members in self.settings.groups.items():
-            where = f'groups.groups."{name}"'
-            for member in members:
-                if member not in known:
-                    what = f"no control is called {member!r}{meant(member, known)}"
-                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
             motions = tuple(index[member] for member in members if index.get(member) in self.sets)
-            if taken & set(motions) or len(set(motions)) < len(motions):
-                raise refuse("CONFIG_VALUE", where, "a control can be in one group only")
             if len(motions) < 2:
-                raise refuse(
-                    "CONFIG_VALUE", where, "a group needs two controls that move something"
-                )
-            taken |= set(motions)
+                what = "a group needs two controls that move something"
+                raise refuse("CONFIG_VALUE", f'groups.groups."{name}"', what)
             found.append(
                 _Merged(motions, self._axes_within(motions), "grouped by the configuration", name)
             )

@@ -16,12 +16,12 @@ else happens to be installed.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import Faults, refuse
 from usdrigui.layout.face import Face
 from usdrigui.model import Choice, ExtraPairs, Floats, Indices, LayoutProblem, Motion
 
@@ -51,10 +51,23 @@ def user_pairs(
     return tuple(found)
 
 
+def check_terms(names: Iterable[str]) -> None:
+    """Raise CONFIG_VALUE for all names that no installed package has a term of."""
+    faults = Faults()
+    for name in names:
+        with faults.collected():
+            _entry(name)
+    faults.raise_all()
+
+
 def _loaded(name: str) -> Any:
+    return _entry(name).load()
+
+
+def _entry(name: str) -> EntryPoint:
     for entry in entry_points(group=GROUP):
         if entry.name == name:
-            return entry.load()
+            return entry
     installed = sorted(entry.name for entry in entry_points(group=GROUP))
     raise refuse(
         "CONFIG_VALUE",

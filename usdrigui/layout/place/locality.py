@@ -8,7 +8,7 @@ import re
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import listed, meant, refuse
 from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
@@ -41,6 +41,15 @@ def kept_near(
     if not inside.any():
         inside[first_smallest(np.where(among, apart, np.inf))] = True
     return inside
+
+
+def check_near(rig: Rig, where: str, near: str) -> None:
+    """Raise CONFIG_VALUE for `where` when `near` names nothing on the character."""
+    name = near.removeprefix(MIRROR)
+    if name.startswith("joint:"):
+        _joint_position(rig, where, name.removeprefix("joint:"))
+    else:
+        _named_points(rig, where, name)
 
 
 def proxies(face: Face, point: int) -> Indices:
@@ -88,7 +97,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
     meshes = [mesh.path for mesh in rig.meshes]
     subsets = [subset.path for mesh in rig.meshes for subset in mesh.subsets]
     joints = [f"joint:{name}" for name in _joint_names(rig)]
-    like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {', '.join(meshes[:5])}"
+    like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {listed(meshes)}"
     raise refuse(
         "CONFIG_VALUE",
         where,
@@ -108,9 +117,9 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             return np.asarray(
                 (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    raise refuse(
-        "CONFIG_VALUE", where, f"there is no joint {name!r}{meant(name, _joint_names(rig))}"
-    )
+    names = _joint_names(rig)
+    like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
+    raise refuse("CONFIG_VALUE", where, f"{rig.root} has no joint {name!r}{like}")
 
 
 def _joint_names(rig: Rig) -> list[str]:

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.errors import refuse
+from usdrigui.errors import meant, refuse
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.levels import outer_first
@@ -62,15 +62,19 @@ def fixed_by(
 
 
 def fixed_anchor(rig: Rig, name: str, override: ControlSettings) -> int | None:
-    """The point of a partial layout that ``anchor`` fixes, as ``MESH_PATH#POINT``.
+    """The point of a partial layout that ``anchor`` fixes; raises as `anchored_point`."""
+    return anchored_point(rig, f'controls."{name}".anchor', override.anchor)
 
-    Raises CONFIG_VALUE when there is no such mesh or point."""
-    if not override.anchor:
+
+def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
+    """Index into all points of the rig of ``MESH_PATH#POINT``; None for an empty text.
+
+    Raises CONFIG_VALUE for `where` when there is no such mesh or point."""
+    if not anchor:
         return None
-    where = f'controls."{name}".anchor'
-    path, mark, number = override.anchor.rpartition("#")
-    if not mark or not number.isdigit():
-        raise refuse("CONFIG_VALUE", where, f"{override.anchor!r} is not MESH_PATH#POINT")
+    path, mark, number = anchor.rpartition("#")
+    if not mark or not number.isdecimal():
+        raise refuse("CONFIG_VALUE", where, f"{anchor!r} is not MESH_PATH#POINT")
     return point_index(rig, where, path, int(number))
 
 
@@ -86,7 +90,13 @@ def point_index(rig: Rig, where: str, path: str, local: int) -> int:
     for start, mesh in zip(rig.starts, rig.meshes, strict=False):
         if mesh.path == path and local < len(mesh.points):
             return int(start + local)
-    raise refuse("CONFIG_VALUE", where, f"there is no point {local} on a mesh {path!r}")
+    counts = {mesh.path: len(mesh.points) for mesh in rig.meshes}
+    what = (
+        f"the mesh {path} has the points 0 to {counts[path] - 1}, not {local}"
+        if path in counts
+        else f"{rig.root} has no mesh {path!r}{meant(path, counts)}"
+    )
+    raise refuse("CONFIG_VALUE", where, what)
 
 
 def moves(motion: Motion, name: str, override: ControlSettings, point: int) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.spatial import cKDTree
 
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.model import Floats, Indices, Motion, Rig, Trajectories
 from usdrigui.settings import ControlSettings
 
@@ -25,6 +25,7 @@ def configured_orbits(
     old names included. Raises CONFIG_UNKNOWN_CONTROL or CONFIG_VALUE for members that do not exist
     or repeat.
     """
+    check_orbits(rig, overrides, index)
     moving = {motion.control: i for i, motion in enumerate(trajectories.motions)}
     found: list[tuple[int, ...]] = []
     for control, override in zip(rig.controls, overrides, strict=True):
@@ -32,15 +33,27 @@ def configured_orbits(
             continue
         where = f'controls."{control.name}".orbit'
         for member in override.orbit:
-            if index.get(member, -1) not in moving:
-                known = (name for name, number in index.items() if number in moving)
-                what = f"no control that moves anything is called {member!r}{meant(member, known)}"
-                raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+            if index[member] not in moving:
+                raise refuse("CONFIG_VALUE", where, f"{member} moves nothing")
         motions = tuple(moving[index[member]] for member in override.orbit)
         if len(set(motions)) < max(2, len(motions)) or set().union(*found) & set(motions):
             raise refuse("CONFIG_VALUE", where, "an orbit lists two or more controls, each once")
         found.append(motions)
     return tuple(found)
+
+
+def check_orbits(rig: Rig, overrides: Sequence[ControlSettings], index: Mapping[str, int]) -> None:
+    """Raise CONFIG_UNKNOWN_CONTROL for all members of orbits that do not exist; parameters as of
+    `configured_orbits`."""
+    faults = Faults()
+    for control, override in zip(rig.controls, overrides, strict=True):
+        for member in override.orbit:
+            with faults.collected():
+                if member not in index:
+                    where = f'controls."{control.name}".orbit'
+                    what = f"no control is called {member!r}{meant(member, index)}"
+                    raise refuse("CONFIG_UNKNOWN_CONTROL", where, what)
+    faults.raise_all()
 
 
 def orbit_points(

@@ -14,7 +14,7 @@ import networkx as nx
 import numpy as np
 
 from usdrigui.conventions.sides import has_side, hints_at_twin
-from usdrigui.errors import meant, refuse
+from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
 from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
@@ -117,13 +117,15 @@ def configured_twins(rig: Rig, controls: Mapping[str, ControlSettings]) -> dict[
 
     Raises CONFIG_UNKNOWN_CONTROL for a twin that is no control.
     """
-    index = control_index(rig, controls)
+    index, faults = control_index(rig, controls), Faults()
     found: dict[int, int] = {}
     for own, override in enumerate(control_overrides(rig, controls)):
         if override.twin:
-            found[own] = other = _named_twin(own, rig.controls[own].name, override.twin, index)
-            if other >= 0:
-                found[other] = own
+            with faults.collected():
+                found[own] = other = _named_twin(own, rig.controls[own].name, override.twin, index)
+                if other >= 0:
+                    found[other] = own
+    faults.raise_all()
     return found
 
 

@@ -1,0 +1,135 @@
+"""What a configuration says and an asset does not allow, all of it at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from usdrigui.errors import Faults, RigUIError, meant, refuse
+from usdrigui.examples import Examples, check_like
+from usdrigui.layout.control_overrides import control_index, control_overrides
+from usdrigui.layout.group.grouping import check_groups
+from usdrigui.layout.place.extensions import check_terms
+from usdrigui.layout.place.locality import check_near
+from usdrigui.layout.reuse.partial_layout import anchored_point
+from usdrigui.layout.symmetry.orbits import check_orbits
+from usdrigui.layout.symmetry.twins import configured_twins
+from usdrigui.model import Floats, Rig
+from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings.loading import UnsoundSettingsError
+from usdrigui.usd.reader_process import read_rigs_isolated
+from usdrigui.usd.reader_records import ReadResult
+
+_NO_EXAMPLES = Examples()
+
+
+def refuse_unsound(
+    source: ReadResult, settings: Settings | None = None, examples: Examples = _NO_EXAMPLES
+) -> None:
+    """Raise RigUIError with all CONFIG_ and GLYPH_ codes of what the configuration says and the
+    asset, or the character to imitate, does not allow; without `settings` of what reading needs.
+
+    What depends on how a control moves is found out later, and so is which elements there are.
+    """
+    faults = Faults()
+    faults.add(source.config_faults)
+    if settings is not None:
+        _check(source, settings, examples, faults)
+    faults.raise_all()
+
+
+def with_faults_of_asset(error: UnsoundSettingsError, asset: Path) -> RigUIError:
+    """The error with what the sound part of the configuration says and `asset` does not allow, as
+    far as that can be read."""
+    try:
+        source = read_rigs_isolated(asset, error.sound)
+    except RigUIError:
+        return error
+    try:
+        refuse_unsound(source, error.sound)
+    except RigUIError as more:
+        return RigUIError(error.issue, error.exit_code, (*error.others, *more.issues))
+    return error
+
+
+def base_values_of(rig: Rig, settings: ReadSettings) -> Floats:
+    """(controls,) the base pose (paper: P).  Raises CONFIG_UNKNOWN_CONTROL for what ``read.pose``
+    names and the rig lacks."""
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    values = np.array([control.default for control in rig.controls], dtype=np.float64)
+    faults = Faults()
+    for name, value in settings.pose.items():
+        with faults.collected():
+            if name not in index:
+                what = f"{rig.root} has no control of this name{meant(name, index)}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', what)
+            values[index[name]] = value
+    faults.raise_all()
+    return values
+
+
+def camera_of(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
+    """(3,) direction to the viewer of the camera that the view names, if it names one; raises
+    CONFIG_VALUE where there is no such camera."""
+    camera = cameras.get(rig.root)
+    if view.startswith("/") and camera is None:
+        raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
+    return camera
+
+
+def _check(source: ReadResult, settings: Settings, examples: Examples, faults: Faults) -> None:
+    with faults.collected():
+        check_terms(settings.objective.terms)
+    for rig in source.rigs:
+        _check_rig(rig, settings, source.cameras, examples, faults)
+    _check_parts(source, settings, faults)
+
+
+def _check_rig(
+    rig: Rig,
+    settings: Settings,
+    cameras: Mapping[str, Floats],
+    examples: Examples,
+    faults: Faults,
+) -> None:
+    controls = settings.controls
+    index = control_index(rig, controls)
+    with faults.collected():
+        camera_of(rig, settings.candidates.view, cameras)
+    with faults.collected():
+        base_values_of(rig, settings.read)
+    for name in (each for each in controls if each in index):
+        _check_places(rig, settings, name, faults)
+    with faults.collected():
+        configured_twins(rig, controls)
+    with faults.collected():
+        check_orbits(rig, control_overrides(rig, controls), index)
+    with faults.collected():
+        # What is wrong with a pose is told of the pose.
+        check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
+    with faults.collected():
+        check_like(examples, rig, settings.like.names)
+
+
+def _check_places(rig: Rig, settings: Settings, name: str, faults: Faults) -> None:
+    """Collect what is wrong with the places that the configuration gives one control."""
+    override, where = settings.controls[name], f'controls."{name}"'
+    for key, anchor in (("anchor", override.anchor), ("inner_anchor", override.inner_anchor)):
+        with faults.collected():
+            anchored_point(rig, f"{where}.{key}", anchor)
+    if override.near:
+        with faults.collected():
+            check_near(rig, f"{where}.near", override.near)
+
+
+def _check_parts(source: ReadResult, settings: Settings, faults: Faults) -> None:
+    """Collect CONFIG_UNKNOWN_CONTROL for names of ``[parts.controls]`` that no rig knows."""
+    known = {name for rig in source.rigs for name in rig.control_names}
+    known |= {left.control for rig in source.rigs for left in rig.left_off}
+    for name in settings.parts.controls:
+        with faults.collected():
+            if name not in known:
+                what = f"no rig of the asset has this control{meant(name, known)}"
+                raise refuse("CONFIG_UNKNOWN_CONTROL", f'parts.controls."{name}"', what)
