@@ -545,8 +545,8 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_OFF": Code(
         "error",
-        "The characters of the stage have layouts, all of which are switched off; of `check`, which"
-        " looks at the asset then, an info.",
+        "The characters of the stage have layouts, all of which are switched off. An info of"
+        " `check`, which looks at the asset then, and of which single ones can be off.",
         "Select `rigUI = ui` on the prims named, or give `--variant rigUI=ui`.",
     ),
     "LAYOUT_INVALID": Code(

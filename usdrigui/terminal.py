@@ -160,9 +160,9 @@ class Screen:
         off = any(each.code == "LAYOUT_OFF" for each in found.issues)
         bare = "has its layouts switched off" if off else "has no layout"
         fits = (
-            ("fits its rig", "does not fit its rig")
-            if found.characters
-            else (f"{bare}; the asset is sound", f"{bare}; the asset has faults")
+            (f"{bare}; the asset is sound", f"{bare}; the asset has faults")
+            if found.of_asset
+            else ("fits its rig", "does not fit its rig")
         )
         state = fits[bool(counts["error"])]
         told = ", ".join(

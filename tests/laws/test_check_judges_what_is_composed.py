@@ -33,9 +33,9 @@ def folder(made, tmp_path):
     return shutil.copytree(made, tmp_path / "asset")
 
 
-def over(folder, layer="./char.rigui.usda"):
+def over(folder, layer="./char.rigui.usda", name="stage.usda"):
     """A stage over the layout."""
-    stage = Usd.Stage.CreateNew(str(folder / "stage.usda"))
+    stage = Usd.Stage.CreateNew(str(folder / name))
     stage.GetRootLayer().subLayerPaths.append(layer)
     UsdGeom.SetStageMetersPerUnit(stage, 0.01)
     return stage
@@ -106,6 +106,11 @@ def take_shape(stage, above="/World"):
             tokens.Set(["gone" if token == "sneer_L" else token for token in tokens.Get()])
 
 
+def deactivate_all(stage, above="/World"):
+    for mesh in ("face0", "face1"):
+        stage.GetPrimAtPath(f"{above}/Char/{mesh}").SetActive(False)
+
+
 def drop_layout(stage, above="/World"):
     """What is left is an asset, and that is sound."""
     stage.GetPrimAtPath(f"{above}/Char/RigUI").SetActive(False)
@@ -124,6 +129,7 @@ EDITS = {
     animate: set(),
     hide: {"LAYOUT_ANCHOR_HIDDEN"},
     deactivate: {"LAYOUT_MESH_GONE"},
+    deactivate_all: {"LAYOUT_MESH_GONE"},
     displace: {"LAYOUT_ANCHOR_MOVED", "LAYOUT_ANCHOR_HIDDEN"},
     turn_a_face: {"LAYOUT_TOPOLOGY"},
     regrab: {"LAYOUT_ANCHOR_MOVED"},
@@ -162,6 +168,12 @@ def _below(folder):
 def _one_of_two(folder):
     stage = shot(folder, "A", "B")
     deactivate(stage, "/Shot/B")
+    return stage
+
+
+def _one_without_meshes(folder):
+    stage = shot(folder, "A", "B")
+    deactivate_all(stage, "/Shot/B")
     return stage
 
 
@@ -207,6 +219,7 @@ STAGES = {
     "one reference": (lambda folder: shot(folder, "A"), set()),
     "two references": (lambda folder: shot(folder, "A", "B"), set()),
     "two references, one without its face": (_one_of_two, EDITS[deactivate]),
+    "two references, one without any mesh": (_one_without_meshes, EDITS[deactivate]),
     "two references, one of a character without a layout": (_one_bare, {"LAYOUT_NONE"}),
     "one reference, beside a prop": (_beside_a_prop, set()),
     "a payload": (lambda folder: shot(folder, "A", payload=True), set()),
@@ -221,6 +234,10 @@ STAGES = {
 }
 
 
+FORGOTTEN = re.compile("; not active: .*")
+"""Flattening leaves out what is not active."""
+
+
 def edited(stage, edit, above="/World"):
     edit(stage, above)
     return stage
@@ -232,7 +249,8 @@ def verdict(path):
         found = check(path, Settings())
     except RigUIError as error:
         return {(error.issue.code, error.issue.severity)}, ()
-    issues = {(each.code, each.severity, each.where.replace(str(path), ""), each.message) for each in found.issues}
+    told = ((each, FORGOTTEN.sub("", each.message.replace(str(path), ""))) for each in found.issues)
+    issues = {(each.code, each.severity, each.where.replace(str(path), ""), message) for each, message in told}
     return issues, tuple((root, review.cost, review.elements) for root, review in found.characters)
 
 
@@ -286,6 +304,31 @@ def test_every_finding_says_whose_it_is(folder, capsys):
     main(["check", str(path)])
     said = " ".join(capsys.readouterr().out.split())
     assert all(f"LAYOUT_CONTROL_GONE {root} sneer_L: " in said for root in roots)
+
+
+def test_a_character_without_meshes_is_told_with_what_is_not_active(folder, capsys):
+    stage = over(folder)
+    deactivate_all(stage)
+    for path, codes in ((saved(stage), ["LAYOUT_MESH_GONE"]), (_asset_without_meshes(folder), ["CONTROLS_MISSING"])):
+        errors = [each for each in check(path, Settings()).issues if each.severity == "error"]
+        assert [each.code for each in errors] == codes
+        assert re.search("not active: /.*/face0, /.*/face1", errors[0].message)
+    assert main(["check", str(saved(stage))]) == 1
+    assert "does not fit its rig" in capsys.readouterr().out
+
+
+def _asset_without_meshes(folder):
+    stage = over(folder, "./char.usda", name="without.usda")
+    deactivate_all(stage)
+    return saved(stage)
+
+
+def test_a_layout_that_one_character_of_two_has_switched_off_is_no_layout_that_is_missing(folder):
+    stage = shot(folder, "A", "B")
+    stage.GetPrimAtPath("/Shot/B/Char").GetVariantSet("rigUI").SetVariantSelection("none")
+    (found,) = (each for each in check(saved(stage), Settings()).issues if each.character == "/Shot/B/Char")
+    assert (found.code, found.severity) == ("LAYOUT_OFF", "info")
+    assert "rigUI = none on /Shot/B/Char" in found.message
 
 
 def test_a_mesh_that_is_gone_is_told_once_with_all_that_it_takes_along(folder):

@@ -51,8 +51,8 @@ class Loaded:
     cameras: Mapping[str, Floats]
     files: tuple[Path, ...]
     """Every file that was read."""
-    without_layout: tuple[str, ...] = ()
-    """SkelRoots of characters beside them that have none."""
+    without_layout: tuple[Issue, ...] = ()
+    """LAYOUT_NONE or LAYOUT_OFF for each character beside them that has none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +66,8 @@ class LayerReview:
     faults: tuple[Issue, ...] = ()
     """Layouts whose character is gone and characters without a layout; of a source asset, which has
     none, all that is wrong with its shapes."""
+    of_asset: bool = False
+    """Whether it is a source asset that was checked, as the stage has no layout."""
 
     def __repr__(self) -> str:
         counts = Counter(each.severity for each in self.issues)
@@ -123,15 +125,16 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
 
 
 def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...], ReadResult]:
-    """What the stage has, LAYOUT_STALE for every layout whose character it has not, and what was
-    read."""
+    """What the stage has, why layouts have no character there any more, and what was read."""
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
     gone = sorted(layouts.keys() - {rig.root for rig, _ in characters})
+    lost = {each.character: each for each in read.lost}
     stale = tuple(
-        issue("LAYOUT_STALE", root, f"{layer} has no such character any more", root)
+        lost.get(root)
+        or issue("LAYOUT_STALE", root, f"{layer} has no such character any more", root)
         for root in gone
     )
     files = tuple(Path(each.path) for each in read.sources)
@@ -166,9 +169,8 @@ def _checked(layer: Path, settings: Settings, clock: Clock) -> LayerReview:
         except RigUIError as error:
             if settings.read.each_variant:
                 raise
-            return LayerReview(
-                str(layer), (), clock.seconds, _source_faults(layer, settings, error)
-            )
+            faults = _source_faults(layer, settings, error)
+            return LayerReview(str(layer), (), clock.seconds, faults, of_asset=True)
         refuse_unsound(source, settings)
     return _review_of(str(layer), loaded, stale, settings, clock)
 
@@ -199,11 +201,7 @@ def _review_of(
         found = _reviewed(rig, layout, settings, clock, loaded.cameras)
         own = replace(found, issues=of_character(rig.character, found.issues))
         reviews.append((rig.character, own))
-    bare = tuple(
-        issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one", root)
-        for root in loaded.without_layout
-    )
-    return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *bare))
+    return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 
 def _reviewed(

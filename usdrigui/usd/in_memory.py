@@ -15,7 +15,7 @@ from usdrigui.settings import Settings
 from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
-from usdrigui.usd.rig import rigs_and_faults, without_layout
+from usdrigui.usd.rig import read_characters, without_layout
 from usdrigui.usd.variants import select, variant_sets
 
 if TYPE_CHECKING:
@@ -45,10 +45,10 @@ def _result(
 ) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
 
-    rigs, faults = rigs_and_faults(stage, settings, laid_out)
-    cameras = cameras_toward(stage, rigs, settings.candidates.view)
+    found = read_characters(stage, settings, laid_out)
+    cameras = cameras_toward(stage, found.rigs, settings.candidates.view)
     return ReadResult(
-        rigs,
+        found.rigs,
         stage_metadata(stage.GetRootLayer()),
         cameras,
         (),
@@ -58,7 +58,8 @@ def _result(
         without_layout=()
         if laid_out is None
         else without_layout(stage, laid_out, settings.read.skel_root),
-        config_faults=faults.issues,
+        lost=found.lost,
+        config_faults=found.faults.issues,
     )
 
 

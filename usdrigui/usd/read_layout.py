@@ -77,18 +77,24 @@ def read_layout(source: Path | str | Sdf.Layer | Usd.Stage) -> tuple[Layout, ...
 def _without(stage: Usd.Stage, name: str) -> RigUIError:
     """Why a stage has no layout: LAYOUT_OFF where a selection leaves them out, else
     LAYOUT_MISSING."""
-    off: dict[str, list[str]] = {}
-    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
-        choice = prim.GetVariantSets().GetVariantSet(schema.VARIANTS)
-        selected = choice.GetVariantSelection()
-        if selected != schema.WITH and choice.HasAuthoredVariant(schema.WITH):
-            off.setdefault(selected, []).append(str(prim.GetPath()))
+    off = switched_off(stage)
     if not off:
         return refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
     told = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
     count = sum(map(len, off.values()))
     layouts = "1 layout is" if count == 1 else f"{count} layouts are"
     return refuse("LAYOUT_OFF", name, f"{layouts} switched off, by {' and '.join(told)}")
+
+
+def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:
+    """Prims on which a layout is left out, by the variant that is selected there instead."""
+    off: dict[str, list[str]] = {}
+    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
+        choice = prim.GetVariantSets().GetVariantSet(schema.VARIANTS)
+        selected = choice.GetVariantSelection()
+        if selected != schema.WITH and choice.HasAuthoredVariant(schema.WITH):
+            off.setdefault(selected, []).append(str(prim.GetPath()))
+    return off
 
 
 def with_corrections(stage: Usd.Stage, layouts: tuple[Layout, ...]) -> tuple[Layout, ...]:

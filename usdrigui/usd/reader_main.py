@@ -109,12 +109,12 @@ def bound(limits: Limits) -> None:
 def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.layer import stage_metadata
     from usdrigui.usd.read_layout import composed_layouts, own_layouts, source_of
-    from usdrigui.usd.rig import rigs_and_faults
+    from usdrigui.usd.rig import read_characters
     from usdrigui.usd.variants import variant_path
 
     with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
-        found, faults = rigs_and_faults(path, settings)
-        rigs = _told(found, path, heard)
+        found = read_characters(path, settings)
+        rigs = _told(found.rigs, path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         metadata = {
@@ -133,7 +133,7 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
             below,
             composed_layouts(stage),
             paths,
-            config_faults=_as_text(faults.issues),
+            config_faults=_as_text(found.faults.issues),
         )
 
 
@@ -164,24 +164,29 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
-    from usdrigui.usd.rig import rigs_and_faults, without_layout
+    from usdrigui.usd.rig import read_characters, without_layout
     from usdrigui.usd.stage import open_stage
 
     with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         laid_out = {each.root for each in found.layouts}
-        some, faults = rigs_and_faults(path, settings, laid_out)
-        rigs = _told(some, path, heard)
+        some = read_characters(path, settings, laid_out)
+        rigs = _told(some.rigs, path, heard)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         sources = _sources(path, stages.GetAllStages(), before)
         bare = without_layout(stage, laid_out, settings.read.skel_root)
-        wrong = _as_text(faults.issues)
-        return Response(
-            rigs=ReadResult(rigs, {}, cameras, sources, without_layout=bare, config_faults=wrong),
-            layouts=found,
+        result = ReadResult(
+            rigs,
+            {},
+            cameras,
+            sources,
+            without_layout=_as_text(bare),
+            lost=_as_text(some.lost),
+            config_faults=_as_text(some.faults.issues),
         )
+        return Response(rigs=result, layouts=found)
 
 
 def _performances(path: Path) -> tuple[Performance, ...]:
@@ -278,6 +283,8 @@ def _hashed_before(
 def _told(rigs: tuple[Rig, ...], path: Path, heard: Iterable[str]) -> tuple[Rig, ...]:
     """The rigs, the first of which tells what USD said before they were read, too."""
     said = [issue("USD_DIAGNOSTIC", str(path), text) for text in heard]
+    if not rigs:
+        return rigs
     new = tuple(each for each in said if each not in rigs[0].issues)
     return (replace(rigs[0], issues=(*rigs[0].issues, *new)), *rigs[1:])
 

@@ -53,8 +53,11 @@ class ReadResult(Record):
     """By SkelRoot, the file of the layout that another layer of it brings in."""
     variant_paths: Mapping[str, str] = field(default_factory=dict)
     """By SkelRoot, its path with all variants that are selected there and above."""
-    without_layout: tuple[str, ...] = ()
-    """Characters of a stage that has layouts of others, which were not read."""
+    without_layout: tuple[Issue, ...] = ()
+    """LAYOUT_NONE or LAYOUT_OFF for each character of a stage that has layouts of others; these
+    characters were not read."""
+    lost: tuple[Issue, ...] = ()
+    """Why characters of a stage that are laid out have nothing to control any more."""
     config_faults: tuple[Issue, ...] = ()
     """What the configuration says and the asset does not allow: errors."""
 

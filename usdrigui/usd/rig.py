@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdSkel
 
-from usdrigui.errors import Faults, Issue, RigUIError, issue, meant, of_character, refuse
+from usdrigui.errors import Faults, Issue, RigUIError, issue, listed, meant, of_character, refuse
 from usdrigui.model import Channel, Clip, Control, Floats, Glyph, Joint, LeftOff, Rig, RigMesh
 from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.binding import bound_in_vain
@@ -35,6 +35,8 @@ from usdrigui.usd.hidden import hidden_issues
 from usdrigui.usd.mesh import outside_issues, read_meshes
 from usdrigui.usd.poses import FrameNames, named_poses, read_frame_names
 from usdrigui.usd.ranges import metres_per_unit, read_ranges
+from usdrigui.usd.read_layout import switched_off
+from usdrigui.usd.schema import SCOPE
 from usdrigui.usd.shapes import Binding, Found, left_off_tokens
 from usdrigui.usd.skeleton import (
     Armature,
@@ -66,18 +68,30 @@ def read_rigs(
     source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
 ) -> tuple[Rig, ...]:
     """As `rigs_and_faults`; raises, all at once, what the configuration has wrong, too."""
-    rigs, faults = rigs_and_faults(source, settings, laid_out)
-    faults.raise_all()
-    return rigs
+    found = read_characters(source, settings, laid_out)
+    found.faults.raise_all()
+    return found.rigs
 
 
-def rigs_and_faults(
+@dataclass(frozen=True)
+class Characters:
+    """What `read_characters` finds."""
+
+    rigs: tuple[Rig, ...]
+    faults: Faults
+    """What the configuration has wrong."""
+    lost: tuple[Issue, ...]
+    """Why characters that are laid out have nothing to control any more."""
+
+
+def read_characters(
     source: Path | Usd.Stage, settings: Settings, laid_out: Collection[str] | None = None
-) -> tuple[tuple[Rig, ...], Faults]:
+) -> Characters:
     """One `Rig` per SkelRoot of the asset that has controls, or the one that `settings.read` names.
 
     `laid_out`: the SkelRoots that have a layout, where nothing is to be written below them: only
-    these are read, in instances too.  Raises LAYOUT_STALE where none of them is there.
+    these are read, in instances too, and one without controls or meshes is none of the rigs.
+    Raises LAYOUT_STALE where none of them is there.
 
     Collects what the configuration has wrong: CONFIG_* and GLYPH_*.  Raises RigUIError: FILE_*,
     LAYER_*, SKELROOT_*, CONTROLS_MISSING, INSTANCE or, where no character is left, the code of the
@@ -106,37 +120,69 @@ def rigs_and_faults(
         glyphs = _guarded_glyphs(stage, path, settings.controls, settings.read.size_limit, faults)
     _check_names(readings, settings.controls, settings.joints, faults)
     rigs = tuple(
-        replace(reading.rig, glyphs=glyphs) for reading in readings if reading.rig.controls
+        replace(reading.rig, glyphs=glyphs)
+        for reading in readings
+        if reading.rig.controls and reading.rig.meshes
     )
-    if not rigs:
+    lost = () if laid_out is None else _lost(stage, readings)
+    if not (rigs or lost):
         faults.raise_all()
-        broken = [fault for reading in readings for fault in reading.faults]
-        if broken:
-            raise broken[0]
-        lost = [each for reading in readings for each in reading.rig.left_off]
-        reasons = tuple({each.reason for each in lost})
-        vain = [
-            each
-            for reading in readings
-            for each in reading.bound_in_vain
-            if not each.message.endswith(reasons)
-        ]
-        why = f"{_lost_told(lost)}{_vain_told(vain)}" or _joints_told(readings[0])
-        raise refuse(
-            "CONTROLS_MISSING",
-            readings[0].rig.root,
-            f"no blend shape, animated joint or named pose{why}",
-        )
+        raise _without_controls(stage, readings)
+    if not rigs:
+        return Characters((), faults, lost)
     spoken = tuple(issue("USD_DIAGNOSTIC", str(path), text) for text in messages)
     first = _with_issues(rigs[0], (*issues, *_unit_issues(stage), *spoken))
-    return (first, *rigs[1:]), faults
+    return Characters((first, *rigs[1:]), faults, lost)
 
 
-def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[str, ...]:
-    """SkelRoots, or the one `wanted`, that something animates and that are not `laid_out`."""
-    roots = _skel_roots(stage, wanted)
-    others = (root for root in roots if str(root.GetPath()) not in laid_out)
-    return tuple(str(root.GetPath()) for root in others if _is_animated(root))
+def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
+    """Why none of some characters has anything to control."""
+    broken = [fault for reading in readings for fault in reading.faults]
+    if broken:
+        return broken[0]
+    lost = [each for reading in readings for each in reading.rig.left_off]
+    reasons = tuple({each.reason for each in lost})
+    vain = [
+        each
+        for reading in readings
+        for each in reading.bound_in_vain
+        if not each.message.endswith(reasons)
+    ]
+    off = "".join(_inactive_told(stage, reading.rig.root) for reading in readings)
+    why = f"{_lost_told(lost)}{_vain_told(vain)}{off}" or _joints_told(readings[0])
+    meshes = any(reading.rig.meshes for reading in readings)
+    what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
+    return refuse("CONTROLS_MISSING", readings[0].rig.root, f"{what}{why}")
+
+
+def _lost(stage: Usd.Stage, readings: list[_Reading]) -> tuple[Issue, ...]:
+    """Why characters that are laid out have nothing to control."""
+    found = []
+    for reading in readings:
+        root = reading.rig.root
+        if not reading.rig.meshes:
+            what = f"all its meshes are gone{_inactive_told(stage, root)}"
+            found.append(issue("LAYOUT_MESH_GONE", root, what, root))
+        elif not reading.rig.controls:
+            found += of_character(root, _without_controls(stage, [reading]).issues)
+    return tuple(found)
+
+
+def without_layout(stage: Usd.Stage, laid_out: Collection[str], wanted: str) -> tuple[Issue, ...]:
+    """LAYOUT_OFF or LAYOUT_NONE for each SkelRoot, or the one `wanted`, that something animates and
+    that is not `laid_out`."""
+    roots = [str(root.GetPath()) for root in _skel_roots(stage, wanted) if _is_animated(root)]
+    off = {where: selected for selected, paths in switched_off(stage).items() for where in paths}
+    return tuple(_bare(root, off) for root in roots if root not in laid_out)
+
+
+def _bare(root: str, off: Mapping[str, str]) -> Issue:
+    """That a character has no layout, or has one that is switched off on it or above it."""
+    for where, selected in off.items():
+        if f"{root}/".startswith(f"{where}/"):
+            what = f"its layout is switched off, by rigUI = {selected} on {where}"
+            return replace(issue("LAYOUT_OFF", root, what, root), severity="info")
+    return issue("LAYOUT_NONE", root, "has no layout; other characters of the stage have one", root)
 
 
 def _is_animated(root: Usd.Prim) -> bool:
@@ -521,6 +567,13 @@ def _lost_told(lost: list[LeftOff]) -> str:
     ]
     more = len(names) - len(reasons)
     return f"; left off: {', '.join(reasons)}{f' and {more} more reasons' if more else ''}"
+
+
+def _inactive_told(stage: Usd.Stage, root: str) -> str:
+    """A clause with the prims below a SkelRoot that are not active; empty if none."""
+    walk = Usd.PrimRange(stage.GetPrimAtPath(root), Usd.PrimAllPrimsPredicate)
+    off = [str(prim.GetPath()) for prim in walk if not prim.IsActive() and prim.GetName() != SCOPE]
+    return f"; not active: {listed(off)}" if off else ""
 
 
 def _vain_told(vain: list[Issue]) -> str:

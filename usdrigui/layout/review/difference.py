@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from usdrigui.errors import listed
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import inner_names, outer_first
@@ -38,7 +39,7 @@ class Change:
     """``MESH_PATH#POINT``, ``board`` or empty."""
     after: str
     why: tuple[str, ...]
-    """Clauses, without full stops; empty when the layouts do not tell."""
+    """Clauses, without full stops; of what came, went or has another name they may be none."""
     was: str = ""
     """The name of the control before, where that was another."""
 
@@ -186,6 +187,7 @@ def _compared(
         return None
     distance = _distance(before, old, new)
     why = tuple(_reasons(before, after, old, new, kind, improvements))
+    why = why or (_unexplained(before, after),)
     return Change(new.control, kind, new.element.name, distance, _where(old), _where(new), why)
 
 
@@ -250,6 +252,17 @@ def _reasons(
         yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"
     if new.element.name in improvements:
         yield f"gains {improvements[new.element.name]:.2f}"
+
+
+def _unexplained(before: Layout, after: Layout) -> str:
+    """What layouts tell of a change that none of its own circumstances explains."""
+    weights = sorted({name for name, _ in set(before.weights) ^ set(after.weights)})
+    if weights:
+        return f"made with other settings: {listed(weights)}"
+    wider = after.handle_width / before.handle_width if before.handle_width > 0.0 else 1.0
+    if abs(wider - 1.0) > _STILL:
+        return f"handles are {wider:.2f} times as wide"
+    return "no reason on record: made from another motion, configuration or version"
 
 
 def _handles(layout: Layout, control: str) -> int:

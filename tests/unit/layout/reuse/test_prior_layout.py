@@ -207,6 +207,22 @@ def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
     assert jaw.opposed == ((0, 1),)
 
 
+def test_every_move_between_two_layouts_has_a_reason(before):
+    elsewhere, _ = at_another_place(before, "chin")
+    weights = dict(before.layout.weights)
+    told = {
+        "no reason on record": before.layout,
+        "made with other settings: displacement_weight": replace(
+            before.layout, weights=tuple((weights | {"displacement_weight": 0.5}).items())
+        ),
+        "handles are 2.00 times as wide": replace(before.layout, handle_width=2.0 * before.layout.handle_width),
+    }
+    for reason, after in told.items():
+        changes = difference(elsewhere, after).changes
+        assert changes
+        assert all(any(reason in clause for clause in change.why) for change in changes)
+
+
 def test_a_group_that_lost_a_member_is_its_survivors(face, before):
     smaller = without(face, "jawRight")
     again = lay_out(smaller, prior=of_previous(before.layout, smaller, 0.1))
