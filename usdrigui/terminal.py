@@ -9,7 +9,7 @@ import math
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, TextIO
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from usdrigui.layout.reuse.identity import Matching
     from usdrigui.layout.review.difference import Change, Difference
     from usdrigui.layout.review.review import ElementReview
-    from usdrigui.model import Assignment
+    from usdrigui.model import Assignment, Element
     from usdrigui.pipeline import Event, LayerReview
     from usdrigui.report import CharacterReport, ControlRow, Report
 
@@ -42,14 +42,20 @@ _PAUSE = 5.0
 _DISPLACEMENT = "displacement: at the handle, as a share of the control's peak"
 """What the column of this name holds."""
 
+_WEAK, _WEAKEST = 0.9, 3
+"""Displacement below which the weakest handles are named, and how many of them."""
+
 Watch = Callable[["Event"], None]
 
 
 class Screen:
     """Prints for people: results on standard output, progress on standard error."""
 
-    def __init__(self, *, quiet: bool = False, machine: bool = False) -> None:
+    def __init__(
+        self, *, quiet: bool = False, machine: bool = False, verbose: bool = False
+    ) -> None:
         self._quiet = quiet
+        self._verbose = verbose
         self._silent = machine
         self._told = time.monotonic()
         self._side = Console(stderr=True, markup=False, highlight=False)
@@ -66,12 +72,16 @@ class Screen:
             yield self._plain
 
     def report(self, report: Report, written: Sequence[str]) -> None:
-        """What became of every control, and the verdict."""
+        """What is not on the character and why, what is to be looked at, and the verdict; where
+        every control stands, if it is to be told."""
         if not self._quiet:
             for character in report.characters:
                 self._character(character)
             self._issues(report.issues)
-            self._seconds(report.seconds)
+            if self._verbose:
+                self._seconds(report.seconds)
+            else:
+                self._say("  where every control stands and why: --verbose, or --report JSON")
             for line in written:
                 self._say(line)
         self._say(_verdict(report))
@@ -241,34 +251,44 @@ class Screen:
         )
         self._say(f"{character.layout.variant_path or character.root}: {summary}")
         placed = [row for row in character.rows if not existing or row.element in character.added]
-        if placed:
-            self._table(_rows_table(placed))
+        if placed and (self._verbose or existing):
+            self._table(_rows_table(placed, _places(elements)))
+        elif placed:
+            self._away(placed)
         for note in character.notes:
             self._say(f"  note: {note.control}: {note.reason}")
         solution = character.assignment
         self._say(
             f"  on the {_where([character])} {character.count('face')}, on the board"
             f" {character.count('board')}, left off {character.count('left off')}; handles on the"
-            f" {_where([character])} have {_percent(character.kept)} of the peak"
-            f" displacement{f' ({_DISPLACEMENT})' if placed else ''}",
+            f" {_where([character])} have {_percent(character.kept)} of their controls' peak"
+            f" displacement{_weakest(placed)}"
         )
         self._say(
-            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, gap"
-            f" {solution.gap_in_play:.2e} of what the choice can change ({solution.gap:.2e} of the"
-            f" cost), {_ending(solution)}"
+            f"  cost {solution.cost:.4f}, proven bound {solution.bound:.4f}, {_gap([solution])},"
+            f" {_ending(solution)}"
         )
         if len(character.parts) > 1:
             for part in character.parts:
                 proof = part.assignment
                 self._say(
                     f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost"
-                    f" {proof.cost:.4f}, gap {proof.gap:.2e}, {_ending(proof)}"
+                    f" {proof.cost:.4f}, {_gap([proof])}, {_ending(proof)}"
                 )
         for which, found in character.matchings.items():
             self._matching(which, found)
         if character.difference is not None:
             self._say("since the previous layout:")
             self._changes(character.difference)
+
+    def _away(self, rows: Sequence[ControlRow]) -> None:
+        """The controls that are not on the character, by place and reason."""
+        reasons: dict[tuple[str, str], list[str]] = {}
+        for row in rows:
+            if row.place != "face":
+                reasons.setdefault((row.place, row.reason), []).append(row.control)
+        for (place, reason), controls in sorted(reasons.items(), key=lambda each: each[0][0]):
+            self._say(f"  {place}: {', '.join(controls)}{f': {reason}' if reason else ''}")
 
     def _matching(self, which: str, found: Matching) -> None:
         """What was matched with an existing layout, what is unsure and what is left."""
@@ -300,16 +320,31 @@ def _ignore(event: Event) -> None:
     del event
 
 
-def _rows_table(rows: Sequence[ControlRow]) -> Table:
-    table = Table(
-        "control", "place", "displacement", "element", "kind", "twin", "why", below=("why",)
-    )
+def _weakest(rows: Sequence[ControlRow]) -> str:
+    """A clause with the controls that keep the least of their peak, if that is much less."""
+    weak = sorted((row.kept, row.control) for row in rows if row.kept < _WEAK)[:_WEAKEST]
+    told = ", ".join(f"{control} {_percent(kept)}" for kept, control in weak)
+    return f"; the least: {told}" if told else ""
+
+
+def _places(elements: Sequence[Element]) -> dict[str, str]:
+    """Where elements stand, by name, as ``anchor`` takes it; nothing for those on the board."""
+    return {each.name: each.anchor.place for each in elements if not each.anchor.on_board}
+
+
+def _rows_table(rows: Sequence[ControlRow], places: Mapping[str, str]) -> Table:
+    """One row a control; where its element stands (`places`), and why each element once."""
+    headers = ("control", "place", "displacement", "at", "element", "kind", "twin", "why")
+    table = Table(*headers, below=("why",))
+    told: set[tuple[str, str]] = set()
     for row in rows:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
         element = row.element if row.element != row.control else ""
-        table.add_row(
-            *map(visible, (row.control, row.stands, share, element, row.kind, row.twin, row.reason))
-        )
+        why = "" if element and (element, row.reason) in told else row.reason
+        told.add((element, row.reason))
+        at = places.get(row.element, "")
+        cells = (row.control, row.stands, share, at, element, row.kind, row.twin, why)
+        table.add_row(*map(visible, cells))
     return table
 
 
@@ -360,7 +395,7 @@ def _batch_table(rows: Sequence[Row]) -> Table:
         "face",
         "board",
         "off",
-        "gap",
+        "gap of the cost",
         "warnings",
         "seconds",
         "why",
@@ -436,12 +471,16 @@ def _verdict(report: Report) -> str:
     face = sum(character.count("face") for character in report.characters)
     total = sum(len(character.rows) for character in report.characters)
     target = f" {report.output}" if report.output else ""
-    gap = max((character.assignment.gap for character in report.characters), default=0.0)
+    gap = _gap([character.assignment for character in report.characters])
     where = _where(report.characters)
-    return (
-        f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, gap"
-        f" {gap:.1e}"
-    )
+    return f"usdrigui: {report.outcome}{target}: {face} of {total} controls on the {where}, {gap}"
+
+
+def _gap(solutions: Sequence[Assignment]) -> str:
+    """The largest gap of some solutions, relative to what the choice can change and to the cost."""
+    of_choice = max((each.gap_in_play for each in solutions), default=0.0)
+    of_cost = max((each.gap for each in solutions), default=0.0)
+    return f"gap {of_choice:.1e} of the choice ({of_cost:.1e} of the cost)"
 
 
 def _where(characters: Sequence[CharacterReport]) -> str:

@@ -24,6 +24,35 @@ def test_writes_the_layer_beside_the_source_and_leaves_the_source_alone(characte
     assert capsys.readouterr().out.splitlines()[-1].startswith(f"usdrigui: written {layer}")
 
 
+def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stands(character, capsys):
+    character.with_suffix(".rigui.toml").write_text(
+        '[controls.chin]\nplace = "board"\n[groups.groups]\ncorner = ["smile_L", "sneer_L"]\n'
+    )
+    report = character.with_name("report.json")
+    assert main(["process", str(character), "--report", str(report)]) == 0
+    brief = capsys.readouterr().out
+    (found,) = json.loads(report.read_text())["characters"]
+    assert "board: chin: placed on the board by the configuration" in brief
+    assert all(
+        row["control"] not in brief
+        for row in found["controls"]
+        if row["place"] == "face" and row["displacement_kept"] > 0.9
+    )
+    assert main(["process", str(character), "--verbose"]) == 0
+    table = capsys.readouterr().out
+    rows = {line.split()[0]: line for line in table.splitlines() if line.split()}
+    for each in found["elements"]:
+        if not each["on_board"]:
+            place = f"{each['mesh']}#{each['point']}"
+            assert all(place in rows[control].split() for control in each["controls"])
+    assert table.count("grouped by the configuration") == sum(
+        each["name"].startswith("corner") for each in found["elements"]
+    )
+    gaps = found["solution"]["gap_in_play"], found["solution"]["gap"]
+    told = "gap {:.1e} of the choice ({:.1e} of the cost)".format(*gaps)
+    assert all(told in printed.splitlines()[-1] for printed in (brief, table))
+
+
 def test_again_gives_the_same_bytes_and_says_unchanged(character, capsys):
     layer = character.with_name("char.rigui.usda")
     main(["process", str(character)])

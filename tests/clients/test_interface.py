@@ -69,7 +69,7 @@ def test_a_layout_on_an_open_stage_is_opened_posed_seen_and_checked(folder):
     stage.GetPrimAtPath("/World/Char/face0").SetActive(False)
     with pytest.raises(usdrigui.RigUIError) as refused:
         usdrigui.open(stage)
-    assert refused.value.issue.code == "CONTROLS_MISSING"
+    assert refused.value.issue.code == "LAYOUT_MESH_GONE"
 
 
 def test_wrong_arguments_are_told_in_the_words_of_the_interface(folder):

@@ -29,6 +29,9 @@ def add_process(commands: Any) -> None:
         "-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR"
     )
     parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    parser.add_argument(
+        "-v", "--verbose", action="store_true", help="print where every control stands and why"
+    )
     add_each_variant(parser, "lay out every variant of this set, each in its variant")
     parser.add_argument(
         "--fixed", type=Path, metavar="LAYER", help="keep this layout's anchors and groups exactly"

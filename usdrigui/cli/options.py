@@ -103,7 +103,9 @@ def add_settings(parser: Any, *, layer: bool = False) -> None:
     group.add_argument(
         "--time", type=float, metavar="CODE", help="base pose: the animation at this time code"
     )
-    group.add_argument("--gap", type=float, metavar="SHARE", help="relative gap at which to stop")
+    group.add_argument(
+        "--gap", type=float, metavar="SHARE", help="gap of the cost at which to stop"
+    )
     group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
     group.add_argument(
         "--time-limit",
@@ -149,8 +151,11 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
         loaded = load()
     except settings.UnsoundSettingsError as error:
         # What is wrong with the files is told with what is wrong with the command line.
-        files = _configuration(arguments, error.sound)
-        load(*map(settings.read_toml, files))
+        try:
+            load(*map(settings.read_toml, _configuration(arguments, error.sound)))
+        except RigUIError as all_of_it:
+            if isinstance(all_of_it, settings.UnsoundSettingsError):
+                raise
         raise
     arguments.configuration = files = _configuration(arguments, loaded)
     return load(*map(settings.read_toml, files)) if files else loaded

@@ -23,7 +23,8 @@ def screen_of(arguments: argparse.Namespace) -> terminal.Screen:
     """Where a command shows its progress and its outcome."""
     from usdrigui import terminal
 
-    return terminal.Screen(quiet=arguments.quiet, machine=arguments.json)
+    verbose = getattr(arguments, "verbose", False)
+    return terminal.Screen(quiet=arguments.quiet, machine=arguments.json, verbose=verbose)
 
 
 def say(line: str, arguments: argparse.Namespace) -> None:

@@ -158,3 +158,8 @@ class Anchor(Record):
     on_board: bool
     """True when the element stands on the board and takes from the point its joint influences
     only."""
+
+    @property
+    def place(self) -> str:
+        """``MESH#POINT``, as a configuration takes it, or ``board``."""
+        return "board" if self.on_board else f"{self.mesh}#{self.point}"

@@ -53,7 +53,7 @@ class Clock:
     def solving(self, progress: Progress) -> None:
         """Tell how far the solver is."""
         bound = f"bound {progress.bound:.4f}"
-        known = f"cost {progress.cost:.4f}, {bound}, gap {progress.gap:.1e}"
+        known = f"cost {progress.cost:.4f}, {bound}, gap {progress.gap:.1e} of the cost"
         detail = known if math.isfinite(progress.cost) else f"{bound}, no layout yet"
         self._tell(Event("solve", f"{progress.step}: {detail}", can_stop=True))
 

@@ -4,7 +4,7 @@ changed."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -119,9 +119,14 @@ def load_layer(layer: Path, settings: Settings) -> Loaded:
             ) from error
         raise
     refuse_unsound(source)
-    if stale:
-        raise refuse(stale[0].code, stale[0].path, stale[0].message)
+    _refuse_lost(stale)
     return loaded
+
+
+def _refuse_lost(lost: Sequence[Issue]) -> None:
+    """Raise why the first of some layouts has no character any more."""
+    if lost:
+        raise refuse(lost[0].code, lost[0].path, lost[0].message)
 
 
 def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...], ReadResult]:
@@ -181,6 +186,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
 
     layouts, read = read_open_layouts(stage, settings)
     refuse_unsound(read)
+    _refuse_lost(read.lost)
     by_root = {each.root: each for each in layouts}
     characters = tuple((rig, by_root[rig.root]) for rig in read.rigs)
     return Loaded(characters, "", read.cameras, (), read.without_layout)

@@ -516,7 +516,7 @@ class SolveSettings:
     )
     gap: float = setting(
         0.0001,
-        "Relative gap at which a solution is called optimal.",
+        "Gap of the cost, (cost - bound) / abs(cost), at which a solution is called optimal.",
         bounds=(0.0, 1.0),
         level="expert",
     )

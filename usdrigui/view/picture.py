@@ -469,7 +469,7 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
         gap = max(0.0, layout.cost - layout.bound) / max(abs(layout.cost), 1e-12)
         parts.append(
             f"cost {layout.cost:.4g}, {'optimal' if layout.status == 'optimal' else 'stopped'} at"
-            f" gap {gap:.2g}"
+            f" gap {gap:.2g} of the cost"
         )
     font = lettering.font(14)
     while len(parts) > 1 and font.getlength(_BETWEEN.join(parts)) > width:

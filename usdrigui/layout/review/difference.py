@@ -141,13 +141,17 @@ def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
 
 def _added(held: _Membership) -> Change:
     why = (held.element.reason,) if held.element.reason else ()
-    return Change(held.control, "added", held.element.name, np.nan, "", _where(held), why)
+    return Change(
+        held.control, "added", held.element.name, np.nan, "", held.element.anchor.place, why
+    )
 
 
 def _removed(held: _Membership, matching: Matching) -> Change:
     may_be = {each.before: f"may be {each.after} ({each.sure})" for each in matching.unsure}
     why = (may_be[held.control],) if held.control in may_be else ()
-    return Change(held.control, "removed", held.element.name, np.nan, _where(held), "", why)
+    return Change(
+        held.control, "removed", held.element.name, np.nan, held.element.anchor.place, "", why
+    )
 
 
 def _renamed(
@@ -162,7 +166,7 @@ def _renamed(
     change = _compared(before, after, old, new, improvements or {})
     earlier = was.get(new.control, "")
     if change is None and earlier:
-        where = _where(old), _where(new)
+        where = old.element.anchor.place, new.element.anchor.place
         return Change(
             new.control,
             "renamed",
@@ -188,7 +192,15 @@ def _compared(
     distance = _distance(before, old, new)
     why = tuple(_reasons(before, after, old, new, kind, improvements))
     why = why or (_unexplained(before, after),)
-    return Change(new.control, kind, new.element.name, distance, _where(old), _where(new), why)
+    return Change(
+        new.control,
+        kind,
+        new.element.name,
+        distance,
+        old.element.anchor.place,
+        new.element.anchor.place,
+        why,
+    )
 
 
 def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> ChangeKind | None:
@@ -282,8 +294,3 @@ def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
         if apart < after.handle_width * (1.0 - _STILL):
             yield f"its place is taken by {element.name}"
-
-
-def _where(held: _Membership) -> str:
-    anchor = held.element.anchor
-    return "board" if anchor.on_board else f"{anchor.mesh}#{anchor.point}"
