@@ -43,9 +43,10 @@ from usdrigui.model import Assignment, Floats, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import load_problem, save_problem, solve
-from usdrigui.solve.assignment import assignment, forbidden_price
+from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import Labels, LabelSet, all_labels, block_set, singles
+from usdrigui.solve.exact import infeasible_penalty
+from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.paper import solve_by_clusters
@@ -264,15 +265,13 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
     del method
     budget = Budget(SolveSettings(time_limit=seconds, work_limit=UNLIMITED))
     labels = all_labels(problem)
-    if len(labels.label) > FEW:
-        return {"note": f"{len(labels.label)} candidates: too large to write down"}
-    label_set, pairs, price = _written_down(problem, labels, budget)
-    left = ReducedProblem(
-        label_set.variable, np.arange(len(label_set.cost)), label_set.cost.copy(), pairs
-    )
+    if len(labels.cost) > FEW:
+        return {"note": f"{len(labels.cost)} candidates: too large to write down"}
+    pairs, penalty = _written_down(problem, labels, budget)
+    left = ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost.copy(), pairs)
     left.normalize()
-    found = solve_milp(left, float(labels.best.sum()) + price - 1e-6, budget, budget.work_left)
-    cost = None if found.chosen is None else total_cost(problem, labels.label[found.chosen])
+    found = solve_milp(left, float(labels.best.sum()) + penalty - 1e-6, budget, budget.work_left)
+    cost = None if found.chosen is None else total_cost(problem, labels.candidate[found.chosen])
     return {"cost": cost, "bound": found.bound}
 
 
@@ -291,9 +290,9 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
         raise CannotRunError("cplex is not installed") from error
 
     labels = all_labels(problem)
-    if len(labels.label) + len(problem.variables) > FREE_CPLEX:
-        raise CannotRunError(f"{len(labels.label)} candidates: beyond the free size")
-    label_set, pairs, price = _written_down(problem, labels, budget)
+    if len(labels.cost) + len(problem.variables) > FREE_CPLEX:
+        raise CannotRunError(f"{len(labels.cost)} candidates: beyond the free size")
+    pairs, penalty = _written_down(problem, labels, budget)
     program = cplex.Cplex()
     program.set_results_stream(None)
     program.set_log_stream(None)
@@ -301,37 +300,28 @@ def _integer_quadratic(problem: LayoutProblem, budget: Budget) -> Assignment:
     program.parameters.threads.set(1)
     program.parameters.timelimit.set(budget.seconds_left)
     program.parameters.mip.tolerances.mipgap.set(1e-4)
-    program.variables.add(obj=label_set.cost.tolist(), types="B" * len(label_set.cost))
-    for a, b in zip(label_set.start[:-1].tolist(), label_set.start[1:].tolist(), strict=True):
+    program.variables.add(obj=labels.cost.tolist(), types="B" * len(labels.cost))
+    for a, b in zip(labels.start[:-1].tolist(), labels.start[1:].tolist(), strict=True):
         program.linear_constraints.add(
             [[list(range(a, b)), [1.0] * (b - a)]], senses="E", rhs=[1.0]
         )
     rows, columns = np.nonzero(pairs)
-    costs = np.minimum(pairs[rows, columns], price)
+    costs = np.minimum(pairs[rows, columns], penalty)
     terms = list(zip(rows.tolist(), columns.tolist(), costs.tolist(), strict=True))
     program.objective.set_quadratic_coefficients(terms)
     program.solve()
     values = np.array(program.solution.get_values())
     chosen = np.array(
-        [
-            a + values[a:b].argmax()
-            for a, b in zip(label_set.start[:-1], label_set.start[1:], strict=True)
-        ]
+        [a + values[a:b].argmax() for a, b in zip(labels.start[:-1], labels.start[1:], strict=True)]
     )
     budget.found("cplex", bound=program.solution.MIP.get_best_objective())
-    return assignment(problem, labels, labels.label[chosen], budget, "cplex")
+    return assignment(problem, labels, labels.candidate[chosen], budget, "cplex")
 
 
-def _written_down(
-    problem: LayoutProblem, labels: Labels, budget: Budget
-) -> tuple[LabelSet, Floats, float]:
-    """Every label by itself, the costs of all pairs, and what stands for a pair that is
-    forbidden."""
-    label_set = block_set(labels, singles(labels))
-    pairs = pair_costs(
-        problem, label_set, near_blocks(problem, label_set, budget), labels.label
-    ).matrix()
-    return label_set, pairs, forbidden_price(problem, labels)
+def _written_down(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> tuple[Floats, float]:
+    """The costs of all pairs of labels, and what stands for a pair that is forbidden."""
+    pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget)).toarray()
+    return pairs, infeasible_penalty(problem, labels)
 
 
 _SOLVERS = {

@@ -13,25 +13,16 @@ from layout_problems import crowd, random_problem
 from usdrigui.model import LayoutProblem, Overlap
 from usdrigui.overlap import element_distance, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import label_geometry as blocks
+from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import (
-    Blocks,
-    Labels,
-    all_labels,
-    block_set,
-    cheapest,
-    halve,
-    in_play,
-    selected,
-    whole,
-)
+from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.pair_costs import near_blocks, refined
 from usdrigui.solve.paper import _with_labels
+from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
 
 def usable(problem: LayoutProblem) -> bool:
-    return all(np.isfinite(each) for each in all_labels(problem).best)
+    return bool(np.diff(all_labels(problem).start).all())
 
 
 @cache
@@ -45,23 +36,23 @@ def budget() -> Budget:
     return Budget(SolveSettings())
 
 
-def parts(labels: Labels, times: int) -> Blocks:
+def parts(labels: LabelSet, times: int) -> Blocks:
     """Blocks of whole variables, halved so often."""
-    found = whole(labels)
+    found = blocks_of_variables(labels)
     for _ in range(times):
-        found, _parent = halve(labels, found, np.ones(len(found.variable), dtype=bool))
+        found, _parent = bisect(labels, found, np.ones(len(found.variable), dtype=bool))
     return found
 
 
 @pytest.mark.parametrize("at_once", [1, 50, 32768])
 def test_distances_of_pairs_are_those_of_elements(at_once: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(blocks, "CHUNK", at_once)
+    monkeypatch.setattr(label_geometry, "CHUNK", at_once)
     generator = np.random.default_rng(0)
     for u, v in itertools.product((1, 2, 5), repeat=2):
         a, b = generator.normal(size=(u, 3, 7)), generator.normal(size=(v, 3, 9))
         p, q = generator.integers(0, 7, 40), generator.integers(0, 9, 40)
         wanted = element_distance(np.moveaxis(a, -1, 0)[p], np.moveaxis(b, -1, 0)[q])
-        assert blocks.sample_distance(a, p, b, q) == pytest.approx(wanted, abs=1e-12)
+        assert label_geometry.sample_distance(a, p, b, q) == pytest.approx(wanted, abs=1e-12)
 
 
 def pairs_wrong(problem: LayoutProblem, times: int) -> int:
@@ -80,7 +71,7 @@ def pairs_wrong(problem: LayoutProblem, times: int) -> int:
         if found.variable[a] == found.variable[b]:
             continue
         i, j = (each.ravel() for each in np.meshgrid(one, other))
-        true = pair_costs(problem, found.variable[a], found.variable[b], labels.label[i], labels.label[j])
+        true = pair_costs(problem, found.variable[a], found.variable[b], labels.candidate[i], labels.candidate[j])
         wrong += int((true < costs[a, b] - 1e-9).sum()) if known[a, b] else int((true > 0).sum())
     return wrong
 
@@ -90,10 +81,15 @@ def test_blocks_cost_no_more_than_members_and_none_that_meet_are_passed_over(tim
     assert sum(pairs_wrong(each, times) for each in problems()) == 0
 
 
-@pytest.mark.parametrize(("name", "share"), [("extent", 0.5), ("slack", 0.5)])
+@pytest.mark.parametrize(("name", "share"), [("extent", 0.2), ("slack", 0.5)])
 def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    honest = getattr(blocks.LabelGeometry, name)
-    monkeypatch.setattr(blocks.LabelGeometry, name, lambda *given: share * honest(*given))
+    geometry = label_geometry.LabelGeometry
+    honest = geometry.slack if name == "slack" else geometry.extent.func
+
+    def small(*given: object) -> object:
+        return share * honest(*given)
+
+    monkeypatch.setattr(geometry, name, small if name == "slack" else property(small))
     assert any(pairs_wrong(each, times) for each in problems() for times in (0, 1))
 
 
@@ -101,17 +97,17 @@ def test_too_small_a_size_is_caught(name: str, share: float, monkeypatch: pytest
 def layouts(problem: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
     """(n, count) choices of labels (label_set indices) of a small problem, up to 100, and (n,) what each costs."""
     labels = all_labels(problem)
-    ends = itertools.pairwise(labels.label_set.start)
+    ends = itertools.pairwise(labels.start)
     every = np.array(list(itertools.product(*(range(low, high) for low, high in ends))))
     every = every[:: max(1, len(every) // 50)]
-    return every, np.array([total_cost(problem, labels.label[each]) for each in every])
+    return every, np.array([total_cost(problem, labels.candidate[each]) for each in every])
 
 
 def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     labels = all_labels(problem)
     every, costs = layouts(problem)
     limit = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
-    kept = in_play(labels, limit - taken_off)
+    kept = np.flatnonzero(labels.in_play(limit - taken_off))
     return int((costs[~np.isin(every, kept).all(axis=1)] < limit).sum())
 
 
@@ -129,10 +125,10 @@ def test_selected_labels_are_a_problem_of_their_own() -> None:
         few = cheapest(labels, parts(labels, 2))
         assert len(few) == len(parts(labels, 2).variable)
         few = np.sort(few)
-        some = selected(labels, few)
-        assert some.label.tolist() == labels.label[few].tolist()
+        some = labels.of(few)
+        assert some.candidate.tolist() == labels.candidate[few].tolist()
         assert some.best.tolist() == labels.best.tolist()
-        for geometry, old in zip(some.label_set.geometries, labels.label_set.geometries, strict=True):
+        for geometry, old in zip(some.geometries, labels.geometries, strict=True):
             at = np.searchsorted(old.owner, few[geometry.owner])
             assert (geometry.samples == old.samples[:, :, at]).all()
             assert (geometry.handle == old.handle[:, at]).all()
@@ -143,15 +139,15 @@ def thinned_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     labels = all_labels(problem)
     found = parts(labels, 1)
     every, costs = layouts(problem)
-    block_of = np.empty(len(labels.label), dtype=np.int64)
+    block_of = np.empty(len(labels.cost), dtype=np.int64)
     block_of[found.members] = np.repeat(np.arange(len(found.variable)), found.sizes)
-    least = np.minimum.reduceat(labels.label_set.cost[found.members], found.start[:-1])
-    more = labels.label_set.cost - least[block_of]
+    least = np.minimum.reduceat(labels.cost[found.members], found.start[:-1])
+    more = labels.cost - least[block_of]
     room = np.full(len(found.variable), np.inf)
     for column in every.T:
         np.minimum.at(room, block_of[column], costs - more[every].sum(axis=1))
     cut = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
-    kept = blocks.thinned(labels, found, cut - taken_off - room)
+    kept = thinned(labels, found, cut - taken_off - room)
     assert (kept.sizes > 0).all()
     return int((costs[~np.isin(every, kept.members).all(axis=1)] < cut - 1e-9).sum())
 
@@ -169,7 +165,7 @@ def test_a_block_with_any_slack_keeps_its_cheapest_label() -> None:
         labels = all_labels(problem)
         found = parts(labels, 1)
         for slack in (0.0, 1e-300, 5e-17):
-            assert blocks.thinned(labels, found, np.full(len(found.variable), slack)).variable.tolist() == (
+            assert thinned(labels, found, np.full(len(found.variable), slack)).variable.tolist() == (
                 found.variable.tolist()
             )
 
@@ -181,7 +177,7 @@ def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
         older = near_blocks(problem, block_set(labels, found), budget())
         first = Blocks(found.members[found.start[:-1]], np.arange(len(found.variable) + 1), found.variable)
         label_set = block_set(labels, first)
-        mine = refined(problem, label_set, older, np.arange(len(found.variable)), budget(), found.sizes == 1)
+        mine = refined(problem, label_set, older, np.arange(len(found.variable)), found.sizes == 1, budget())
         wanted = near_blocks(problem, label_set, budget())
         for one, other in zip(mine, wanted, strict=True):
             key = {(a, b): cost for a, b, cost in zip(other.first, other.second, other.costs, strict=True)}
@@ -195,4 +191,4 @@ def test_of_equal_candidates_the_first_is_a_label() -> None:
     problem = crowd(0)
     twice = [np.tile(np.arange(len(each.cost)), 2) for each in problem.variables]
     doubled = tuple(_with_labels(each, labels) for each, labels in zip(problem.variables, twice, strict=True))
-    assert np.array_equal(all_labels(replace(problem, variables=doubled)).label, all_labels(problem).label)
+    assert np.array_equal(all_labels(replace(problem, variables=doubled)).candidate, all_labels(problem).candidate)

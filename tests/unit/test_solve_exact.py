@@ -19,20 +19,21 @@ import pytest
 from layout_problems import crowd, random_problem
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, LayoutProblem, Overlap, Variable
+from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, iterated_local_search, local_search, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve
 from usdrigui.solve import branch_and_bound as branch_and_bound_module
-from usdrigui.solve.assignment import forbidden_price
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
-from usdrigui.solve.exact import solve_whole
-from usdrigui.solve.label_geometry import Blocks, Labels, all_labels
+from usdrigui.solve.exact import infeasible_penalty, solve_whole
+from usdrigui.solve.label_geometry import LabelSet, all_labels
+from usdrigui.solve.local_search import LocalSearch
 from usdrigui.solve.milp import solve_milp
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
-from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums, sparse_tables
+from usdrigui.solve.partition import Blocks
+from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, least_sums
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
@@ -67,16 +68,18 @@ def solved(problem: LayoutProblem, settings: SolveSettings) -> Assignment | None
         return None
 
 
-def test_the_first_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatch) -> None:
-    honest, costs = local_search.Incumbent.search, []
-
-    def told(incumbent: local_search.Incumbent, tries: int) -> None:
-        honest(incumbent, tries)
-        costs.append(incumbent.cost)
-
-    monkeypatch.setattr(local_search.Incumbent, "search", told)
-    solve(crowd(12, 40), SolveSettings(work_limit=1_000_000))
-    assert costs[0] > costs[-2] == costs[-1]
+def test_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatch) -> None:
+    honest, costs = LocalSearch._rivals, []
+    monkeypatch.setattr(LocalSearch, "_rivals", lambda search: (costs.append(search.cost), honest(search))[1])
+    problem, budget = crowd(12, 40), Budget(SolveSettings())
+    labels = all_labels(problem)
+    rows = local_search.LazyRows(problem, labels, budget)
+    search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
+    search.construct()
+    search.search(1)
+    rounds = costs[:: len(problem.variables)]
+    assert rounds[0] > rounds[-1] == search.cost
+    assert len(set(rounds)) == len(rounds)
 
 
 def verdicts(seeds: range) -> list[str]:
@@ -104,13 +107,14 @@ def by_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
 def by_triplets(monkeypatch: pytest.MonkeyPatch) -> None:
     """Triplets are looked for among blocks already."""
     by_blocks(monkeypatch)
-    monkeypatch.setattr(reduce, "FRUSTRATED", -np.inf)
+    honest = reduce.Reduction._frustrated
+    monkeypatch.setattr(reduce.Reduction, "_frustrated", lambda left: honest(left) or True)
 
 
 def by_program(monkeypatch: pytest.MonkeyPatch) -> None:
     """All that dual ascent leaves goes to HiGHS."""
-    monkeypatch.setattr(reduce, "_thinned", lambda *_: True)
-    monkeypatch.setattr(reduce, "_tightened", lambda *_: True)
+    monkeypatch.setattr(reduce.Reduction, "_thinned", lambda *_: True)
+    monkeypatch.setattr(reduce.Reduction, "_tightened", lambda *_: True)
     monkeypatch.setattr(exact, "HIGHS_SHARE", 1.0)
 
 
@@ -170,11 +174,11 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, so
     best = solve(problem, replace(HIGHS, gap=1e-9))
     labels = all_labels(problem)
     costs, pairs = (
-        labels.label_set.cost,
-        pair_costs(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label).matrix(),
+        labels.cost,
+        pair_costs(problem, labels, near_blocks(problem, labels, budget)).toarray(),
     )
     left: ReducedProblem | None = ReducedProblem(
-        labels.label_set.variable, np.arange(len(labels.label)), costs.copy(), pairs.copy()
+        labels.variable, np.arange(len(labels.cost)), costs.copy(), pairs.copy()
     )
     if solver == "highs with triplets":
         raise_bound(left, budget)
@@ -189,7 +193,7 @@ def test_a_cutoff_just_above_the_best_cost_finds_that_layout_again(seed: int, so
     found = below(best.cost + 1e-5)
     assert found.chosen is not None
     assert left.value(found.chosen) == pytest.approx(best.cost)
-    assert labels.label[left.labels[found.chosen]].tolist() == best.labels.tolist()
+    assert labels.candidate[left.labels[found.chosen]].tolist() == best.labels.tolist()
     assert below(best.cost - 1e-5).chosen is None
     assert below(best.cost - 1e-5).bound == best.cost - 1e-5
 
@@ -203,10 +207,15 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
 
     A good layout would hide a wrong bound: no more is claimed than the cost at hand.
     """
-    monkeypatch.setattr(local_search.Incumbent, "search", _nothing)
-    monkeypatch.setattr(local_search.Incumbent, "improve_from", _nothing)
-    monkeypatch.setattr(local_search, "descend", _nothing)
-    monkeypatch.setattr(reduce, "iterated_local_search", lambda _, first, _budget: first)
+    honest = LocalSearch.improve_from
+
+    def begin(search: LocalSearch, chosen: Indices) -> None:
+        if not np.isfinite(search.cost):
+            honest(search, chosen)
+
+    monkeypatch.setattr(LocalSearch, "search", _nothing)
+    monkeypatch.setattr(LocalSearch, "improve_from", begin)
+    monkeypatch.setattr(LocalSearch, "_moves", _nothing)
     count = 0
     for problem in problems:
         best = solved(problem, ENUMERATE)
@@ -263,7 +272,7 @@ def test_dominance_that_forgets_what_pairs_cost_is_caught(place: ModuleType, mon
 def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     honest = partition.thinned
 
-    def off(labels: Labels, parts: Blocks, slack: Floats) -> Blocks:
+    def off(labels: LabelSet, parts: Blocks, slack: Floats) -> Blocks:
         shifted = slack.copy()
         shifted[1:] = slack[:-1]
         first = np.flatnonzero(np.diff(parts.variable, prepend=-1))
@@ -338,10 +347,8 @@ def test_a_row_that_is_stated_is_not_stated_again() -> None:
     """HiGHS may return a solution that violates a row a little."""
     problem, budget = crowd(6, variables=3, candidates=10), Budget(HIGHS)
     labels = all_labels(problem)
-    pairs = pair_costs(problem, labels.label_set, near_blocks(problem, labels.label_set, budget), labels.label)
-    left = ReducedProblem(
-        labels.label_set.variable, np.arange(len(labels.label)), labels.label_set.cost, pairs.matrix()
-    )
+    pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget))
+    left = ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost, pairs.toarray())
     program = milp._Program(left, 0.0, budget, budget.work_left)
     program._highs.run()
     rows = program._violated()
@@ -359,8 +366,8 @@ def test_a_local_search_ends_when_it_is_asked_to(monkeypatch: pytest.MonkeyPatch
         return len(asked) > 100
 
     tries: list[bool] = []
-    honest = iterated_local_search._put_back
-    monkeypatch.setattr(iterated_local_search, "_put_back", lambda *given: (tries.append(True), honest(*given))[1])
+    honest = LocalSearch._rivals
+    monkeypatch.setattr(LocalSearch, "_rivals", lambda search: (tries.append(True), honest(search))[1])
     found = solve(crowd(2, variables=6, candidates=40), HIGHS, stop=stop)
     assert (found.status, found.closed_by) == ("stopped", "interrupt")
     assert 0 < len(tries) < 100
@@ -433,14 +440,13 @@ def with_copies(problem: LayoutProblem, copies: int) -> LayoutProblem:
         (3, {}, False),
         (1, {"memory_limit": 200}, False),
         (1, {"work_limit": 1_000_000}, False),
-        (1, {"time_limit": 5.0}, False),
     ],
 )
 def test_few_labels_are_looked_at_one_by_one_within_limits(copies: int, limits: dict[str, Any], single: bool) -> None:
     labels = all_labels(with_copies(crowd(3, variables=5, candidates=300), copies))
     blocks = partition.first_blocks(labels, Budget(replace(HIGHS, **limits)))
     assert (blocks.sizes.max() == 1) == single
-    assert np.sort(blocks.members).tolist() == list(range(len(labels.label)))
+    assert np.sort(blocks.members).tolist() == list(range(len(labels.cost)))
 
 
 def test_work_ends_near_its_limit() -> None:
@@ -478,17 +484,16 @@ def test_only_variables_that_interact_take_memory() -> None:
 def test_tables_of_variables_that_interact_give_the_bounds_of_one_matrix() -> None:
     problem, budget = crowds_apart(2), Budget(HIGHS)
     labels = all_labels(problem)
-    label_set = labels.label_set
-    pairs = pair_costs(problem, label_set, near_blocks(problem, label_set, budget), labels.label)
+    pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget))
     sparse, full = (
-        ReducedProblem(label_set.variable, np.arange(len(labels.label)), label_set.cost.copy(), tables)
-        for tables in (sparse_tables(label_set.variable, pairs), pairs.matrix())
+        ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost.copy(), each)
+        for each in (pairs, pairs.toarray())
     )
     for each in (sparse, full):
         each.normalize()
         each.sweep()
         raise_bound(each, budget)
-    assert sparse.tables.entries < full.tables.entries
+    assert sparse.entries < full.entries
     assert sparse.bound() == pytest.approx(full.bound())
     assert sparse.label_lower_bounds() == pytest.approx(full.label_lower_bounds())
     assert sparse.value(sparse.start[:-1]) == pytest.approx(full.value(full.start[:-1]))
@@ -558,5 +563,5 @@ def test_explicit_costs_of_tables_do_not_add_up_to_a_price() -> None:
     pairs = np.indices((20, 20)).reshape(2, -1)
     extra = ExtraPairs(0, 1, pairs[0], pairs[1], np.full(400, 0.5))
     labels = all_labels(problem)
-    more = forbidden_price(replace(problem, extra=(extra,)), labels) - forbidden_price(problem, labels)
+    more = infeasible_penalty(replace(problem, extra=(extra,)), labels) - infeasible_penalty(problem, labels)
     assert more == pytest.approx(0.5)  # a layout uses one entry of the table

@@ -21,8 +21,9 @@ from usdrigui.settings import SolveSettings
 from usdrigui.solve import load_problem, partition, save_problem, solve
 from usdrigui.solve.branch_and_bound import _folded, _Node
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.iterated_local_search import label_costs
-from usdrigui.solve.pair_costs import PairCosts
+from usdrigui.solve.exact import infeasible_penalty
+from usdrigui.solve.label_geometry import all_labels
+from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.reduced_problem import ReducedProblem
 from usdrigui.solve.toulbar2 import solve_by_toulbar2
 
@@ -200,20 +201,23 @@ def test_explicit_costs_of_no_candidates_are_refused(tmp_path: Path, wrong: dict
         load_problem(tmp_path / "a.npz")
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_an_excluded_pair_costs_local_search_more_than_any_layout_without_one(seed):
-    random = np.random.default_rng(seed)
-    first, second = np.array([(i, j) for i in range(6) for j in range(6) if i // 2 < j // 2]).T
-    costs = np.where(np.arange(len(first)) % 4 == 0, np.inf, random.uniform(0.0, 5.0, len(first)))
-    start, linear = np.array([0, 2, 4, 6]), random.uniform(-1.0, 1.0, 6)
-    found = label_costs(start, linear, PairCosts(6, first, second, costs))
-    layouts = [np.array(each) for each in itertools.product((0, 1), (2, 3), (4, 5))]
-    excluded = [
-        any({a, b} <= set(each.tolist()) for a, b in zip(first[np.isinf(costs)], second[np.isinf(costs)], strict=True))
-        for each in layouts
-    ]
-    values = np.array([found.value(each) for each in layouts])
-    assert values[excluded].min() > values[~np.array(excluded)].max()
+def test_a_forbidden_pair_costs_local_search_more_than_any_layout_without_one() -> None:
+    seen = 0
+    for seed in range(30):
+        problem = random_problem(seed, 3, 4)
+        labels = all_labels(problem)
+        if not np.diff(labels.start).all():
+            continue
+        pairs = pair_costs(problem, labels, near_blocks(problem, labels, Budget(SolveSettings()))).toarray()
+        penalty = infeasible_penalty(problem, labels)
+        layouts = list(itertools.product(*(range(*ends) for ends in itertools.pairwise(labels.start))))
+        tables = [pairs[np.ix_(each, each)] for each in layouts]
+        values = np.array([labels.cost[list(each)].sum() for each in layouts])
+        values += [np.minimum(each, penalty).sum() for each in tables]
+        forbidden = np.array([np.isinf(each).any() for each in tables])
+        seen += forbidden.any()
+        assert values[forbidden].min(initial=np.inf) > values[~forbidden].max(initial=-np.inf)
+    assert seen > 5
 
 
 def test_a_node_costs_the_same_with_its_decided_variables_folded() -> None:

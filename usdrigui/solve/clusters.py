@@ -6,8 +6,7 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from scipy.cluster.hierarchy import cut_tree, linkage
-from scipy.spatial.distance import cdist, squareform
+from scipy.spatial.distance import cdist
 
 from usdrigui.model import Floats, LayoutProblem, Variable
 
@@ -32,35 +31,24 @@ def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> 
     homeless = [at for at, each in enumerate(problem.variables) if not len(each.cost)]
     if not placed:
         return [homeless] if homeless else []
-    variables = [problem.variables[at] for at in placed]
-    count = min(count, len(placed))
-    parts = _by_nearest(variables, count) if method == "single" else _by_sums(variables, count)
+    distance = _mean_distances([problem.variables[at] for at in placed])
+    if method == "sum":
+        sizes = np.array([len(problem.variables[at].cost) for at in placed], dtype=np.float64)
+        distance *= np.outer(sizes, sizes)
+    parts = _merged(distance, count, np.minimum if method == "single" else np.add)
     found = sorted(
         (sorted(placed[at] for at in part) for part in parts), key=lambda each: (-len(each), each)
     )
     return [sorted(found[0] + homeless), *found[1:]]
 
 
-def _by_nearest(variables: list[Variable], count: int) -> list[list[int]]:
-    """Single linkage: the distance of clusters is that of their nearest members."""
-    if len(variables) == 1:
-        return [[0]]
-    tree = linkage(squareform(_mean_distances(variables), checks=False), method="single")
-    label = cut_tree(tree, n_clusters=count)[:, 0]
-    return [[int(at) for at in np.flatnonzero(label == each)] for each in range(count)]
-
-
-def _by_sums(variables: list[Variable], count: int) -> list[list[int]]:
-    """The printed formula: the distance of clusters is the sum over all pairs of their
-    candidates."""
-    sizes = np.array([len(each.cost) for each in variables], dtype=np.float64)
-    distance = _mean_distances(variables) * np.outer(sizes, sizes)
+def _merged(distance: Floats, count: int, linkage: np.ufunc) -> list[list[int]]:
+    """Merge the nearest two until `count` are left; `linkage` makes one distance of two."""
+    members = [[at] for at in range(len(distance))]
     np.fill_diagonal(distance, np.inf)
-    members = [[at] for at in range(len(variables))]
     while len(members) > count:
         a, b = sorted(divmod(int(distance.argmin()), len(members)))
-        distance[a] += distance[b]
-        distance[:, a] = distance[a]
+        distance[a] = distance[:, a] = linkage(distance[a], distance[b])
         distance[a, a] = np.inf
         distance = np.delete(np.delete(distance, b, axis=0), b, axis=1)
         members[a] += members.pop(b)

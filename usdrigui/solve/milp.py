@@ -71,9 +71,8 @@ class _Program:
         self._highs.cbSimplexInterrupt.subscribe(self._interrupt_simplex)
         self._infinity = highspy.kHighsInf
         self._rows = 0
-        self._stated: list[bytes] = []
-        """Rows added since the first, in order: HiGHS's tolerances let a solution violate them a
-        little."""
+        self._stated: set[bytes] = set()
+        """Rows added since the first: HiGHS's tolerances let a solution violate them a little."""
         self._nodes = 0
         self._bound = self._base
         self._lp_bound = self._base
@@ -101,14 +100,11 @@ class _Program:
         groups = [np.arange(each.start, each.stop) for each in problem.slices]
         self._add([(each, np.ones(len(each))) for each in groups], 1.0, 1.0)
         self._add([(each, np.ones(len(each))) for each in _cliques(problem)], -self._infinity, 1.0)
-        self._fixed_rows = self._rows
 
     def solved(self) -> Solution:
         """Linear program, program with whole labels, rows, until nothing is violated or a limit is
         reached."""
         if self._linear():
-            self._fix_labels()
-            self._drop_slack_rows()
             self._whole()
         figures = {
             "columns": len(self._problem.costs) + len(self._tables) + len(self._triplets),
@@ -129,16 +125,17 @@ class _Program:
             self._highs.run()
             info = self._highs.getInfo()
             self._budget.spend(1000 + max(0, int(info.simplex_iteration_count)) * self._rows // 4)
-            if self._infeasible():
+            if self._status("kInfeasible", "kObjectiveBound"):
                 self._bound = self._lp_bound = self._cutoff
                 return False
-            if not self._optimal():  # The value of a program that is not solved bounds nothing.
+            if not self._status(
+                "kOptimal"
+            ):  # The value of a program that is not solved bounds nothing.
                 return False
             self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
             self._raise(self._lp_bound)
             if self._bound >= self._cutoff or self._stopped():
                 return False
-            self._solution = self._highs.getSolution()
             rows = self._violated()
             if not rows:
                 return True
@@ -158,7 +155,7 @@ class _Program:
             self._highs.run()
             info = self._highs.getInfo()
             self._nodes += max(0, int(info.mip_node_count))
-            if self._infeasible():
+            if self._status("kInfeasible", "kObjectiveBound"):
                 self._raise(self._limit)
                 return
             self._raise(min(self._lowered(info.mip_dual_bound), self._limit))
@@ -192,18 +189,9 @@ class _Program:
         """Layouts that cost at least this are of no interest."""
         return min(self._cutoff, self._best[0])
 
-    def _infeasible(self) -> bool:
-        import highspy
-
-        return self._highs.getModelStatus() in (
-            highspy.HighsModelStatus.kInfeasible,
-            highspy.HighsModelStatus.kObjectiveBound,
-        )
-
-    def _optimal(self) -> bool:
-        import highspy
-
-        return bool(self._highs.getModelStatus() == highspy.HighsModelStatus.kOptimal)
+    def _status(self, *names: str) -> bool:
+        """Whether the last run ended so."""
+        return self._highs.getModelStatus().name in names
 
     def _lowered(self, value: float) -> float:
         """A bound of the program as one of the problem, less what rounding may have added."""
@@ -240,7 +228,7 @@ class _Program:
 
     def _add_violated(self, rows: Mapping[bytes, Row]) -> None:
         self._add(list(rows.values()), 0.0, self._infinity)
-        self._stated += rows
+        self._stated |= rows.keys()
 
     def _add(self, rows: Sequence[Row], low: float, high: float) -> None:
         if not rows:
@@ -257,61 +245,35 @@ class _Program:
         )
         self._rows += len(rows)
 
-    def _fix_labels(self) -> None:
-        """Exclude the labels whose reduced costs reach the cutoff."""
-        reduced_costs = np.array(self._solution.col_dual)[: len(self._problem.costs)]
-        gone = np.flatnonzero(self._lp_bound + reduced_costs >= self._cutoff)
-        self._highs.changeColsBounds(
-            len(gone), gone.astype(np.int32), np.zeros(len(gone)), np.zeros(len(gone))
-        )
-
-    def _drop_slack_rows(self) -> None:
-        """Forget the added rows that do not hold the linear program's bound."""
-        duals = np.array(self._solution.row_dual)[self._fixed_rows :]
-        slack = self._fixed_rows + np.flatnonzero(np.abs(duals) <= EPSILON)
-        self._highs.deleteRows(len(slack), slack.astype(np.int32))
-        self._rows -= len(slack)
-        kept = [key for key, dual in zip(self._stated, duals, strict=False) if abs(dual) > EPSILON]
-        self._stated = kept + self._stated[len(duals) :]
-
 
 class _Table:
     """The column of two variables that interact, and its rows."""
 
     def __init__(self, problem: ReducedProblem, ends: tuple[int, int], column: int) -> None:
         self._column = column
-        slices = problem.slices
-        a, b = (slices[each] for each in ends)
+        a, b = (problem.slices[each] for each in ends)
         costs = problem.table(*ends)
-        self._sides = [_Lifted(costs, a, b), _Lifted(costs.T, b, a)]
+        self._sides = [(a, b, *_lifted(costs)), (b, a, *_lifted(costs.T))]
 
     def violated(self, values: Floats) -> list[Row]:
         """The most violated rows of both directions."""
         found = []
-        for side in self._sides:
-            over = (
-                side.costs @ values[side.theirs]
-                - side.lifts @ values[side.mine]
-                - values[self._column]
-            )
+        for mine, theirs, costs, lifts in self._sides:
+            over = costs @ values[theirs] - lifts @ values[mine] - values[self._column]
             most = np.argsort(-over, kind="stable")[:PER_TABLE]
             found += [
-                _row(self._column, (side.theirs, -side.costs[at]), (side.mine, side.lifts[at]))
+                _row(self._column, (theirs, -costs[at]), (mine, lifts[at]))
                 for at in most[over[most] > VIOLATED]
             ]
         return found
 
 
-class _Lifted:
-    """The rows of a table for all labels of one of its ends."""
-
-    def __init__(self, costs: Floats, mine: slice, theirs: slice) -> None:
-        self.mine, self.theirs = mine, theirs
-        self.costs = np.where(np.isfinite(costs), costs, 0.0)
-        """(m, t) c; a pair that is excluded may have any, and these need no lift."""
-        self.lifts = np.stack([(each - costs).max(axis=1) for each in self.costs])
-        """(m, m) d."""
-        np.maximum(self.lifts, 0.0, out=self.lifts)
+def _lifted(costs: Floats) -> tuple[Floats, Floats]:
+    """(m, t) c and (m, m) d of the rows for all labels of one variable; a pair that is excluded may
+    have any cost, and needs no lift."""
+    finite = np.where(np.isfinite(costs), costs, 0.0)
+    lifts = np.stack([(each - costs).max(axis=1) for each in finite])
+    return finite, np.maximum(lifts, 0.0)
 
 
 class _TripletTable:
@@ -360,12 +322,12 @@ def _row(column: int, *parts: tuple[slice, Floats]) -> Row:
 
 def _interacting(problem: ReducedProblem) -> list[tuple[int, int]]:
     """Variables with a finite pair cost above 0."""
-    variables = itertools.combinations(range(problem.count), 2)
-    return [(a, b) for a, b in variables if _costs_anything(problem.table(a, b))]
-
-
-def _costs_anything(costs: Floats) -> bool:
-    return bool(((costs > EPSILON) & (costs < np.inf)).any())
+    found = []
+    for a, b in itertools.combinations(range(problem.count), 2):
+        costs = problem.table(a, b)
+        if ((costs > EPSILON) & (costs < np.inf)).any():
+            found.append((a, b))
+    return found
 
 
 def _cliques(problem: ReducedProblem) -> list[Indices]:

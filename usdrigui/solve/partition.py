@@ -1,59 +1,65 @@
-"""Which blocks there are at first, which are split, and into what: halves, or all their labels."""
+"""Blocks of neighbouring labels: the first ones, which are split, and what is left of them."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from usdrigui.model import Floats, Indices
+from usdrigui.model import Flags, Floats, Indices, Record
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import (
-    Blocks,
-    Labels,
-    halve,
-    member_slack,
-    singled,
-    thinned,
-    whole,
-)
+from usdrigui.solve.label_geometry import SEVERAL, LabelSet, bounding
 from usdrigui.solve.pair_costs import NearPairs
 
 ONE_BY_ONE = 2500
 """Labels up to which a problem is not cut into blocks at all."""
-FIRST_LOOK = 0.25
-"""Share of the work and time left that the first look at all of those may take."""
-PAIRS_A_SECOND = 200_000
-"""Pairs of elements that a slow machine looks at."""
 BYTES_PER_PAIR = 250
 """Of a near pair of blocks: itself, and in keys while those of two rounds are held."""
 BYTES_PER_ENTRY = 20
 """Of a table: its cost before and after labels go, and what is worked out of a part of it."""
 
 
-def first_blocks(labels: Labels, budget: Budget) -> Blocks:
+@dataclass(frozen=True, eq=False)
+class Blocks(Record):
+    """A partition of some labels into blocks."""
+
+    members: Indices
+    """(n,) labels, those of one block next to each other."""
+    start: Indices
+    """(blocks + 1,) first member of each block."""
+    variable: Indices
+    """(blocks,) ascending."""
+
+    @property
+    def sizes(self) -> Indices:
+        """(blocks,) number of members."""
+        return np.diff(self.start)
+
+
+def first_blocks(labels: LabelSet, budget: Budget) -> Blocks:
     """A few blocks of every variable, or the labels one by one where there are few."""
-    blocks = whole(labels)
+    count = len(labels.cost)
     if affordable_at_once(labels, budget):
-        return singled(labels, blocks)[0]
+        return Blocks(np.arange(count), np.arange(count + 1), labels.variable)
+    blocks = blocks_of_variables(labels)
     for _ in range(3):
-        finer, _parent = halve(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
+        finer, _parent = bisect(labels, blocks, np.ones(len(blocks.variable), dtype=bool))
         if planned(len(finer.variable) ** 2 // 2, 0) > budget.settings.memory_limit:
             return blocks
         blocks = finer
     return blocks
 
 
-def affordable_at_once(labels: Labels, budget: Budget) -> bool:
-    """Whether labels are few, and all pairs of elements can be looked at within the limits, should
-    every two of different variables be near."""
-    if len(labels.label) > ONE_BY_ONE:
-        return False
-    owners = np.concatenate(
-        [np.empty(0, dtype=np.int64), *(each.owner for each in labels.label_set.geometries)]
-    )
-    elements = np.bincount(labels.label_set.variable[owners])
+def affordable_at_once(labels: LabelSet, budget: Budget) -> bool:
+    """Whether labels are few, and all pairs of elements can be looked at with a quarter of the work
+    that is left, should every two of different variables be near."""
+    elements = np.zeros(len(labels.start) - 1, dtype=np.int64)
+    for each in labels.geometries:
+        elements += np.bincount(labels.variable[each.owner], minlength=len(elements))
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
-    in_time = pairs <= FIRST_LOOK * min(budget.work_left, PAIRS_A_SECOND * budget.seconds_left)
-    return in_time and planned(len(labels.label) ** 2 // 2, pairs) <= budget.settings.memory_limit
+    memory = planned(len(labels.cost) ** 2 // 2, pairs)
+    few = len(labels.cost) <= ONE_BY_ONE and 4 * pairs <= budget.work_left
+    return few and memory <= budget.settings.memory_limit
 
 
 def planned(entries: int, pairs: int) -> float:
@@ -61,39 +67,117 @@ def planned(entries: int, pairs: int) -> float:
     return (BYTES_PER_ENTRY * entries + BYTES_PER_PAIR * pairs) / 2**20
 
 
+def blocks_of_variables(labels: LabelSet) -> Blocks:
+    """One block per variable, with the board as a block of its own."""
+    first = (np.diff(labels.variable, prepend=-1) > 0) | (labels.candidate < 0)
+    start = np.append(np.flatnonzero(first), len(first))
+    return Blocks(np.arange(len(first)), start, labels.variable[start[:-1]])
+
+
+def bisect(labels: LabelSet, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Indices]:
+    """Cut the chosen blocks of more than one member in two where they are widest.
+
+    Returns the new blocks and, for each, the block it came from.
+    """
+    cut = chosen & (blocks.sizes > 1)
+    group = np.repeat(np.arange(len(cut)), blocks.sizes)
+    order = np.lexsort((blocks.members, _along_widest(labels, blocks, cut), group))
+    half = blocks.start[:-1] + (blocks.sizes + 1) // 2
+    start = np.sort(np.concatenate([blocks.start, half[cut]]))
+    parent = group[start[:-1]]
+    return Blocks(blocks.members[order], start, blocks.variable[parent]), parent
+
+
+def _along_widest(labels: LabelSet, blocks: Blocks, cut: Flags) -> Floats:
+    """(members,) coordinate of the first copy along the widest direction of each block to cut; 0 in
+    the others."""
+    key = np.zeros(len(blocks.members))
+    group = np.repeat(np.arange(len(cut)), blocks.sizes)
+    for geometry in reversed(labels.geometries):
+        place = geometry.places(len(labels.cost))[blocks.members]
+        chosen = (place >= 0) & cut[group]
+        first = np.flatnonzero(np.diff(group[chosen], prepend=-1))
+        if len(first):
+            values = geometry.samples[:, :, place[chosen]]
+            values = values.reshape(-1, values.shape[-1])
+            width = np.maximum.reduceat(values, first, axis=-1)
+            width -= np.minimum.reduceat(values, first, axis=-1)
+            axis = np.repeat(width.argmax(axis=0), np.diff(np.append(first, values.shape[-1])))
+            key[chosen] = values[axis, np.arange(len(axis))]
+    return key
+
+
+def block_set(labels: LabelSet, blocks: Blocks) -> LabelSet:
+    """The blocks as labels: their costs and bounding geometry."""
+    first, group = blocks.start[:-1], np.repeat(np.arange(len(blocks.variable)), blocks.sizes)
+    geometries = [
+        bounding(each, each.places(len(labels.cost))[blocks.members], group)
+        for each in labels.geometries
+    ]
+    return LabelSet(
+        blocks.variable,
+        np.searchsorted(blocks.variable, np.arange(len(labels.start))),
+        np.where(blocks.sizes == 1, labels.candidate[blocks.members[first]], SEVERAL),
+        np.minimum.reduceat(labels.cost[blocks.members], first),
+        tuple(geometries),
+    )
+
+
+def cheapest(labels: LabelSet, blocks: Blocks) -> Indices:
+    """(blocks,) the member of least linear cost of each block."""
+    group = np.repeat(np.arange(len(blocks.variable)), blocks.sizes)
+    order = np.lexsort((blocks.members, labels.cost[blocks.members], group))
+    return blocks.members[order[blocks.start[:-1]]]
+
+
+def thinned(labels: LabelSet, blocks: Blocks, slack: Floats) -> Blocks:
+    """The blocks without the labels that cannot be in a better solution, those left empty left out.
+
+    `slack` (blocks,) is how far the bound of solutions that use the block lies below the cutoff.
+    """
+    alive = member_slack(labels, blocks, slack) >= 0
+    sizes = np.add.reduceat(alive, blocks.start[:-1], dtype=np.int64)
+    start = np.concatenate([[0], np.cumsum(sizes[sizes > 0])])
+    return Blocks(blocks.members[alive], start, blocks.variable[sizes > 0])
+
+
+def member_slack(labels: LabelSet, blocks: Blocks, slack: Floats) -> Floats:
+    """(members,) the slack of each member of the blocks, in their order.
+
+    The bound of a block counts the cost of its cheapest member; solutions that use another member
+    cost more by what that one costs more, all else being bounded for every member alike.
+    """
+    cost = labels.cost[blocks.members]
+    least = np.repeat(np.minimum.reduceat(cost, blocks.start[:-1]), blocks.sizes)
+    return np.asarray(np.repeat(slack, blocks.sizes) - (cost - least))
+
+
 def split(
-    labels: Labels,
+    labels: LabelSet,
     blocks: Blocks,
     near: list[NearPairs],
-    room: Floats,
-    bound: float,
+    lower_bounds: Floats,
     share: float,
     budget: Budget,
 ) -> tuple[Blocks, Indices] | None:
     """Smaller blocks without the labels that bounds rule out, and the block that each is part of.
 
-    `room` (blocks,) is the least cost of layouts that use a block, `bound` that of all.  Blocks are
-    halved within `share` of the way from the bound to the cutoff; `share` 0 asks for all labels one
-    by one, if they are few enough. None, with a note, when neither fits into the memory allowed.
+    `lower_bounds` (blocks,) is the least cost of layouts that use a block.  Blocks are halved
+    within `share` of the way from the least bound to the cutoff, or nearer the bound where the
+    memory allowed is too small; None, with a note, when nothing fits into it.
     """
-    slack = budget.cutoff - room
-    alive = room <= budget.cutoff
-    rest = thinned(labels, blocks, slack)
-    left = np.add.reduceat(
-        member_slack(labels, blocks, slack) >= 0, blocks.start[:-1], dtype=np.int64
-    )
-    if share == 0 and _planned(near, blocks.variable, left) <= budget.settings.memory_limit:
-        finer, parent = singled(labels, rest)
-        return finer, np.flatnonzero(alive)[parent]
+    bound, cutoff = lower_bounds.min(), budget.cutoff
+    alive = np.flatnonzero(lower_bounds <= cutoff)
+    rest = thinned(labels, blocks, cutoff - lower_bounds)
     several = rest.sizes > 1
-    for wanted in ((share or 1.0) / 2**halved for halved in range(8)):
-        chosen = several & (room[alive] <= bound + wanted * (budget.cutoff - bound))
+    for nearer in range(8):
+        chosen = several & (lower_bounds[alive] <= bound + share / 2**nearer * (cutoff - bound))
         chosen = chosen if chosen.any() else several
-        parts = alive.astype(np.int64)
-        parts[np.flatnonzero(alive)[chosen]] = 2
+        parts = np.zeros(len(lower_bounds), dtype=np.int64)
+        parts[alive] = 1 + chosen
         if _planned(near, blocks.variable, parts) <= budget.settings.memory_limit:
-            finer, parent = halve(labels, rest, chosen)
-            return finer, np.flatnonzero(alive)[parent]
+            finer, parent = bisect(labels, rest, chosen)
+            return finer, alive[parent]
     budget.reach("memory limit")
     return None
 

@@ -3,30 +3,26 @@ split the rest."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from scipy.sparse import csr_array
 
-from usdrigui.model import Indices, LayoutProblem
+from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
-from usdrigui.solve.iterated_local_search import descended, iterated_local_search, label_costs
-from usdrigui.solve.label_geometry import (
-    Blocks,
-    Labels,
-    LabelSet,
+from usdrigui.solve.label_geometry import LabelSet
+from usdrigui.solve.local_search import KnownRows, LocalSearch
+from usdrigui.solve.pair_costs import near_blocks, pair_costs, refined
+from usdrigui.solve.partition import (
+    ONE_BY_ONE,
     block_set,
+    cheapest,
+    first_blocks,
     member_slack,
-    selected,
+    split,
 )
-from usdrigui.solve.local_search import Incumbent
-from usdrigui.solve.pair_costs import NearPairs, PairCosts, near_blocks, pair_costs, refined
-from usdrigui.solve.partition import ONE_BY_ONE, first_blocks, split
-from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced, sparse_tables
+from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduced
 from usdrigui.solve.triplets import raise_bound
 
-STEP = "blocks"
-"""Name of the reduction in what is told of it."""
 SWEEPS = 8
 """Of dual ascent on new blocks."""
 FRUSTRATED = 0.7
@@ -34,239 +30,224 @@ FRUSTRATED = 0.7
 looked for."""
 NEAR = 0.02
 """Share of the way to the cutoff in which blocks are split while the bound rises well."""
-STALLED = 0.05
-"""Share of the distance to the cutoff by which triplets must raise the bound to go on."""
 SLOW = 0.1
 """Share of the labels, or of what the bound misses, by which a step must reduce them to be worth
 another one."""
-
-
-@dataclass(eq=False)
-class Partition:
-    """Blocks of candidates, and what is left of the problem that they bound from below.
-
-    It shrinks in place: what goes must free its memory at once.
-    """
-
-    blocks: Blocks
-    label_set: LabelSet
-    near: list[NearPairs]
-    problem: ReducedProblem
-    """Its labels are blocks."""
-    pairs: PairCosts
-    """Of its labels, without messages."""
-
-    @property
-    def exact(self) -> bool:
-        """Whether every block is a single label."""
-        return bool(self.blocks.sizes.max(initial=1) == 1)
-
-    def keep(self, left: ReducedProblem) -> None:
-        """Go on with less of its problem."""
-        if len(left.labels) < self.pairs.count:
-            self.pairs = self.pairs.among(np.searchsorted(self.problem.labels, left.labels))
-        self.problem = left
-
-    def representatives(self, labels: Labels, chosen: Indices) -> Indices:
-        """(variables,) for the block that a solution of the problem chooses its member of least
-        linear cost."""
-        found = np.empty(len(chosen), dtype=np.int64)
-        for variable, at in enumerate(self.problem.labels[chosen]):
-            members = self.blocks.members[self.blocks.start[at] : self.blocks.start[at + 1]]
-            found[variable] = members[labels.label_set.cost[members].argmin()]
-        return found
+TRIES = 20
+"""Of local search per variable where all pair costs are at hand: thousands take a second."""
 
 
 def reduce(
-    problem: LayoutProblem, labels: Labels, budget: Budget, incumbent: Incumbent
-) -> Partition | None:
+    problem: LayoutProblem, labels: LabelSet, budget: Budget, incumbent: LocalSearch
+) -> Reduction | None:
     """What bounds leave of a problem: labels, and pairs of them, that a layout below
     `budget.cutoff` may use.
 
     None when nothing is left.  At a limit blocks of several labels may be left.  `incumbent` holds
     the best layout known of these labels; it is improved on the way.
     """
-    found = _bounded(problem, labels, first_blocks(labels, budget), budget)
-    share, searched = NEAR, False
-    while _swept(found, budget) and (not found.exact or _thinned(found, budget)):
-        chosen, value = _layout(found, budget)
-        incumbent.improve_from(found.representatives(labels, chosen))
-        bound = found.problem.bound()
-        frustrated = value - bound > FRUSTRATED * (budget.cutoff - bound)
-        if frustrated and not found.exact and not searched:
-            incumbent.improve_from(_likely_layout(problem, labels, found, budget))
-            searched = True
-        if (frustrated or found.exact) and not _tightened(found, budget):
-            break
-        if found.exact or budget.closed() or budget.stopped():
-            return found
-        bound = found.problem.bound()
-        smaller = _split(problem, labels, found, share, budget)
-        if smaller is None:
-            return found
-        found = smaller
-        slow = found.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
-        share = min(1.0, 2.0 * share) if slow else NEAR
-    budget.found(STEP, bound=budget.cutoff)
+    left = Reduction(problem, labels, budget, incumbent)
+    if left.done():
+        return left
+    budget.found("blocks", bound=budget.cutoff)
     return None
 
 
-def _bounded(
-    problem: LayoutProblem,
-    labels: Labels,
-    blocks: Blocks,
-    budget: Budget,
-    older: Partition | None = None,
-    parent: Indices | None = None,
-) -> Partition:
-    """The problem of some blocks after a few sweeps of dual ascent, from the messages of the blocks
-    that they are part of: `parent` (blocks,) tells which of the `older`."""
-    label_set = block_set(labels, blocks)
-    candidate = np.where(blocks.sizes == 1, labels.label[blocks.members[blocks.start[:-1]]], -2)
-    numbers = np.arange(len(label_set.cost))
-    if older is None or parent is None:
-        near = near_blocks(problem, label_set, budget)
-        pairs = pair_costs(problem, label_set, near, candidate)
-        tables = sparse_tables(label_set.variable, pairs)
-        left = ReducedProblem(label_set.variable, numbers, label_set.cost.copy(), tables)
-    else:
-        same = (blocks.sizes > 1) | (older.blocks.sizes[parent] == 1)
-        near = refined(problem, label_set, older.near, parent, budget, same)
-        pairs = pair_costs(problem, label_set, near, candidate)
-        place = np.empty(len(older.label_set.cost), dtype=np.int64)
-        place[older.problem.labels] = np.arange(len(older.problem.labels))
-        left = older.problem.refined(
-            numbers,
-            place[parent],
-            label_set.cost - older.label_set.cost[parent],
-            older.pairs,
-            pairs,
+class Reduction:
+    """Blocks of labels, and what is left of the problem that they bound from below.
+
+    It shrinks in place: what goes must free its memory at once.
+    """
+
+    def __init__(
+        self, problem: LayoutProblem, labels: LabelSet, budget: Budget, incumbent: LocalSearch
+    ) -> None:
+        self._whole, self._labels, self._budget = problem, labels, budget
+        self._incumbent, self._searched = incumbent, False
+        self.blocks = first_blocks(labels, budget)
+        self.block_set = block_set(labels, self.blocks)
+        self._near = near_blocks(problem, self.block_set, budget)
+        self.pairs = pair_costs(problem, self.block_set, self._near)
+        """Pair costs of the problem's labels, without messages."""
+        numbers = np.arange(len(self.block_set.cost))
+        self.problem = ReducedProblem(
+            self.block_set.variable, numbers, self.block_set.cost.copy(), self.pairs
         )
-    return Partition(blocks, label_set, near, left, pairs)
+        """Its labels are blocks."""
 
+    @property
+    def exact(self) -> bool:
+        """Whether every block is a single label."""
+        return bool(self.blocks.sizes.max(initial=1) == 1)
 
-def _layout(partition: Partition, budget: Budget) -> tuple[Indices, float]:
-    """A good layout of the partition's blocks: one of its problem's labels per variable, and what
-    it costs them."""
-    left = partition.problem
-    costs = label_costs(left.start, partition.label_set.cost[left.labels], partition.pairs)
-    first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
-    chosen = (
-        iterated_local_search(costs, first, budget) if partition.exact else descended(costs, first)
-    )
-    return chosen, costs.value(chosen)
+    def representatives(self, chosen: Indices) -> Indices:
+        """(variables,) the labels of least linear cost of the blocks that a solution of the problem
+        chooses."""
+        return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
 
-
-def _likely_layout(
-    problem: LayoutProblem, labels: Labels, partition: Partition, budget: Budget
-) -> Indices:
-    """(variables,) a good layout of the labels, held in blocks, that most likely are part of
-    one."""
-    left = partition.problem
-    room = np.full(len(partition.label_set.cost), -np.inf)
-    room[left.labels] = -left.label_lower_bounds()
-    slack = np.full(len(labels.label), -np.inf)
-    slack[partition.blocks.members] = member_slack(labels, partition.blocks, room)
-    likeliest = np.lexsort((-slack, labels.label_set.variable))[labels.label_set.start[:-1]]
-    slack[likeliest] = np.inf
-    kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, labels.label_set.count)])
-    part = selected(labels, kept)
-    pairs = pair_costs(
-        problem, part.label_set, near_blocks(problem, part.label_set, budget), part.label
-    )
-    first = np.flatnonzero(np.isin(kept, likeliest))
-    costs = label_costs(part.label_set.start, part.label_set.cost, pairs)
-    return kept[iterated_local_search(costs, first, budget)]
-
-
-def _swept(partition: Partition, budget: Budget) -> bool:
-    """Raise the bound of a partition by dual ascent and take the blocks away that it excludes;
-    whether any are left."""
-    partition.problem.normalize()
-    left = _reduced(partition, budget)
-    while left and not budget.stopped():
-        before = len(partition.problem.costs)
-        for _ in range(SWEEPS):
-            partition.problem.sweep()
-            partition.problem.normalize()
-        budget.spend(1000 + SWEEPS * partition.problem.tables.entries // 32)
-        left = _reduced(partition, budget)
-        if len(partition.problem.costs) > (1.0 - SLOW) * before:
-            break
-    return left
-
-
-def _reduced(partition: Partition, budget: Budget) -> bool:
-    """Take the blocks away that no layout below the cutoff uses; whether any are left."""
-    left = reduced(partition.problem, budget.cutoff)
-    if left is None:
+    def done(self) -> bool:
+        """Sweep, tighten, split, as long as something is left and this gains anything; whether
+        anything is left."""
+        budget, share = self._budget, NEAR
+        while self._swept() and (not self.exact or self._thinned()):
+            frustrated = self._frustrated()
+            if frustrated and not self.exact and not self._searched:
+                self._search_likely_labels()
+            if (frustrated or self.exact) and not self._tightened():
+                return False
+            if self.exact or budget.closed() or budget.stopped():
+                return True
+            bound = self.problem.bound()
+            if not self._split(share):
+                return True
+            slow = self.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
+            share = min(1.0, 2.0 * share) if slow else NEAR
         return False
-    budget.found(STEP, bound=min(left.bound(), budget.cutoff))
-    partition.keep(left)
-    return True
 
+    # --- local search -----------------------------------------------------------------------------
 
-def _thinned(partition: Partition, budget: Budget) -> bool:
-    """Take labels away that others dominate, of which bounds then exclude more, in turn, from a
-    partition of single ones; whether any are left."""
-    while not budget.stopped():
-        before = len(partition.problem.costs)
-        _take_dominated(partition, budget)
-        if not (_swept(partition, budget) and _excluded(partition, budget)):
+    def _frustrated(self) -> bool:
+        """Look for a good layout of the blocks, which may be one of the labels; whether it is far
+        above the bound."""
+        left = self.problem
+        first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
+        found = self._descended(left.start, self.block_set.cost[left.labels], self.pairs, first)
+        if self.exact:
+            found.search(TRIES)
+        self._incumbent.improve_from(self.representatives(found.chosen))
+        return found.cost - left.bound() > FRUSTRATED * (self._budget.cutoff - left.bound())
+
+    def _search_likely_labels(self) -> None:
+        """Look for a good layout of the labels, held in blocks, that most likely are part of
+        one."""
+        self._searched = True
+        labels, slack = self._labels, np.full(len(self._labels.cost), -np.inf)
+        slack[self.blocks.members] = member_slack(labels, self.blocks, -self._lower_bounds())
+        likeliest = np.lexsort((-slack, labels.variable))[labels.start[:-1]]
+        slack[likeliest] = np.inf
+        kept = np.sort(np.argsort(-slack, kind="stable")[: max(ONE_BY_ONE, len(likeliest))])
+        part = labels.of(kept)
+        pairs = pair_costs(self._whole, part, near_blocks(self._whole, part, self._budget))
+        first = np.searchsorted(kept, likeliest)
+        found = self._descended(part.start, part.cost, pairs, first)
+        found.search(TRIES)
+        self._incumbent.improve_from(kept[found.chosen])
+
+    def _descended(
+        self, start: Indices, linear: Floats, pairs: csr_array, first: Indices
+    ) -> LocalSearch:
+        """A local search of labels with known costs at the end of its descent from a first
+        layout."""
+        rows, penalty = KnownRows(pairs), self._incumbent.penalty
+        found = LocalSearch(start, linear, rows, self._budget, penalty)
+        found.improve_from(first)
+        return found
+
+    # --- bounds -----------------------------------------------------------------------------------
+
+    def _lower_bounds(self) -> Floats:
+        """(blocks,) no layout that uses a block costs less."""
+        found = np.full(len(self.block_set.cost), np.inf)
+        found[self.problem.labels] = self.problem.label_lower_bounds()
+        return found
+
+    def _swept(self) -> bool:
+        """Raise the bound by dual ascent and take the blocks away that it excludes; whether any are
+        left."""
+        self.problem.normalize()
+        left = self._reduced()
+        while left and not self._budget.stopped():
+            before = len(self.problem.costs)
+            for _ in range(SWEEPS):
+                self.problem.sweep()
+                self.problem.normalize()
+            self._budget.spend(1000 + SWEEPS * self.problem.entries // 32)
+            left = self._reduced()
+            if len(self.problem.costs) > (1.0 - SLOW) * before:
+                break
+        return left
+
+    def _reduced(self) -> bool:
+        """Take the blocks away that no layout below the cutoff uses; whether any are left."""
+        left = reduced(self.problem, self._budget.cutoff)
+        if left is None:
             return False
-        if len(partition.problem.costs) > (1.0 - SLOW) * before:
-            break
-    return True
-
-
-def _take_dominated(partition: Partition, budget: Budget) -> None:
-    """Take the labels away that another one can always replace."""
-    left = partition.problem
-    if len(left.costs) > LARGEST_TESTED:
-        return
-    budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
-    both = partition.pairs.matrix()
-    both += both.T
-    linear = partition.label_set.cost[left.labels]
-    alive = undominated(left.start, linear, both, np.isinf(left.both_ways()))
-    partition.keep(left.restricted(alive))
-
-
-def _excluded(partition: Partition, budget: Budget) -> bool:
-    """Exclude pairs by tests of pairs, and then labels; whether any are left."""
-    if len(partition.problem.costs) > LARGEST_TESTED:
+        self._budget.found("blocks", bound=min(left.bound(), self._budget.cutoff))
+        self._keep(left)
         return True
-    budget.spend(len(partition.problem.costs) ** 3 // 1024)
-    partition.problem.exclude_pairs(budget.cutoff)
-    return _reduced(partition, budget)
 
+    def _keep(self, left: ReducedProblem) -> None:
+        """Go on with less of the problem."""
+        if len(left.labels) < self.pairs.shape[0]:
+            kept = np.searchsorted(self.problem.labels, left.labels)
+            self.pairs = self.pairs[kept][:, kept]
+        self.problem = left
 
-def _tightened(partition: Partition, budget: Budget) -> bool:
-    """Raise the bound by triplets and take away what it excludes, as long as this gains anything;
-    whether any are left."""
-    while True:
-        before, bound = len(partition.problem.costs), partition.problem.bound()
-        raise_bound(partition.problem, budget)
-        if not (_reduced(partition, budget) and _excluded(partition, budget)):
-            return False
-        if partition.exact:
-            _take_dominated(partition, budget)
-        now, labels = partition.problem.bound(), len(partition.problem.costs)
-        if partition.exact and labels > LARGEST_TESTED and now > bound and not budget.stopped():
-            continue  # The solvers of what is left could do nothing with so many.
-        few_gone = labels > (1.0 - SLOW) * before
-        if budget.stopped() or (few_gone and now - bound < STALLED * (budget.cutoff - now)):
+    def _thinned(self) -> bool:
+        """Take single labels away that others dominate, of which bounds then exclude more, in turn;
+        whether any are left."""
+        while not self._budget.stopped():
+            before = len(self.problem.costs)
+            self._take_dominated()
+            if not (self._swept() and self._excluded()):
+                return False
+            if len(self.problem.costs) > (1.0 - SLOW) * before:
+                break
+        return True
+
+    def _take_dominated(self) -> None:
+        """Take the labels away that another one can always replace."""
+        left = self.problem
+        if len(left.costs) > LARGEST_TESTED:
+            return
+        self._budget.spend(len(left.costs) * int(np.square(np.diff(left.start)).sum()) // 64)
+        both = self.pairs.toarray()
+        both += both.T
+        linear = self.block_set.cost[left.labels]
+        alive = undominated(left.start, linear, both, np.isinf(left.both_ways()))
+        self._keep(left.restricted(alive))
+
+    def _excluded(self) -> bool:
+        """Exclude pairs by tests of pairs, and then labels; whether any are left."""
+        if len(self.problem.costs) > LARGEST_TESTED:
             return True
+        self._budget.spend(len(self.problem.costs) ** 3 // 1024)
+        self.problem.exclude_pairs(self._budget.cutoff)
+        return self._reduced()
 
+    def _tightened(self) -> bool:
+        """Raise the bound by triplets and take away what it excludes, as long as this gains
+        anything; whether any are left."""
+        while True:
+            before, bound = len(self.problem.costs), self.problem.bound()
+            raise_bound(self.problem, self._budget)
+            if not (self._reduced() and self._excluded()):
+                return False
+            if self.exact:
+                self._take_dominated()
+            now, labels = self.problem.bound(), len(self.problem.costs)
+            stopped = self._budget.stopped()
+            if self.exact and labels > LARGEST_TESTED and now > bound and not stopped:
+                continue  # The solvers of what is left could do nothing with so many.
+            few_gone = labels > (1.0 - SLOW) * before
+            if stopped or (few_gone and now - bound < SLOW * (self._budget.cutoff - now)):
+                return True
 
-def _split(
-    problem: LayoutProblem, labels: Labels, partition: Partition, share: float, budget: Budget
-) -> Partition | None:
-    """The partition with smaller blocks; None when there is no memory for more."""
-    left = partition.problem
-    room = np.full(len(partition.label_set.cost), np.inf)
-    room[left.labels] = left.label_lower_bounds()
-    parts = split(labels, partition.blocks, partition.near, room, left.bound(), share, budget)
-    return (
-        None if parts is None else _bounded(problem, labels, parts[0], budget, partition, parts[1])
-    )
+    def _split(self, share: float) -> bool:
+        """Split blocks, and go on from the messages of those that the new ones are part of; whether
+        there is memory for more."""
+        bounds = self._lower_bounds()
+        parts = split(self._labels, self.blocks, self._near, bounds, share, self._budget)
+        if parts is None:
+            return False
+        older, (blocks, parent) = self.block_set, parts
+        same = (blocks.sizes > 1) | (self.blocks.sizes[parent] == 1)
+        self.blocks, self.block_set = blocks, block_set(self._labels, blocks)
+        self._near = refined(self._whole, self.block_set, self._near, parent, same, self._budget)
+        pairs = pair_costs(self._whole, self.block_set, self._near)
+        place = np.searchsorted(self.problem.labels, parent)
+        more = self.block_set.cost - older.cost[parent]
+        numbers = np.arange(len(parent))
+        self.problem = self.problem.refined(numbers, place, more, self.pairs, pairs)
+        self.pairs = pairs
+        return True

@@ -15,10 +15,10 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from scipy.sparse import csr_array
 from scipy.spatial.distance import cdist
 
 from usdrigui.model import Flags, Floats, Indices, Singles
-from usdrigui.solve.pair_costs import PairCosts
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
@@ -48,51 +48,56 @@ class Solution:
     """For the report."""
 
 
-@dataclass(frozen=True, eq=False)
-class PairTables:
-    """Pair costs of labels, in one table for each two variables that interact; every other pair
-    costs nothing.
+class Strip(NamedTuple):
+    """The tables of a variable with later ones, side by side, so that one pass goes over all."""
 
-    The tables of a variable with later ones stand side by side, so that one pass goes over all of
-    them.
-    """
+    costs: Floats
+    """(labels, q) >= 0, +inf for a pair that is excluded; changed in place."""
+    mine: slice
+    """The labels of the variable."""
+    columns: Indices
+    """(q,) labels of the later variables, ascending: all of each."""
+    first: Indices
+    """(tables,) column at which each begins."""
+    others: Indices
+    """(tables,) the later variables."""
+    sizes: Indices
+    """(tables,) how many labels they have."""
 
-    strips: list[Floats]
-    """For each variable (labels, q) >= 0, +inf for a pair that is excluded."""
-    columns: list[Indices]
-    """For each variable (q,) the labels of later variables that it has tables with, ascending: all
-    of each."""
-
-    @property
-    def entries(self) -> int:
-        """Pairs that are held."""
-        return sum(each.size for each in self.strips)
-
-
-def full_tables(owner: Indices, pairs: Floats) -> PairTables:
-    """Tables of all variables from one matrix (n, n) of costs, of which the part above the diagonal
-    blocks counts."""
-    every = np.arange(len(owner))
-    starts = np.searchsorted(owner, np.arange(int(owner[-1]) + 2 if len(owner) else 1))
-    bounds = list(itertools.pairwise(starts.tolist()))
-    return PairTables(
-        [pairs[low:high, high:].copy() for low, high in bounds],
-        [every[high:] for _, high in bounds],
-    )
+    def each(self, of_variables: Flags) -> Floats:
+        """(q,) 1 for the columns of the variables that are flagged, 0 for others."""
+        return np.repeat(of_variables[self.others], self.sizes).astype(np.float64)
 
 
-def sparse_tables(owner: Indices, pairs: PairCosts) -> PairTables:
-    """Tables of the variables that have a pair; `owner` (n,) is the variable of each label."""
-    used = pairs.interacting(owner)
-    strips, columns = [], []
-    for at in range(len(used)):
-        low, high = np.searchsorted(owner, (at, at + 1)).tolist()
-        theirs = high + np.flatnonzero(used[at, owner[high:]])
-        rows, others, costs = pairs.of_rows(low, high)
-        strips.append(np.zeros((high - low, len(theirs))))
-        strips[-1][rows, np.searchsorted(theirs, others)] = costs
-        columns.append(theirs)
-    return PairTables(strips, columns)
+def _strip(owner: Indices, mine: slice, columns: Indices, costs: Floats) -> Strip:
+    first = np.flatnonzero(np.diff(owner[columns], prepend=-1))
+    sizes = np.diff(np.append(first, len(columns)))
+    return Strip(costs, mine, columns, first, owner[columns[first]], sizes)
+
+
+def tables_of(owner: Indices, pairs: Floats | csr_array) -> list[Strip]:
+    """Tables of (n, n) pair costs, the earlier variable first: of all variables where the costs are
+    dense, of those that have a pair where they are sparse.  `owner` (n,) is each label's
+    variable."""
+    start = np.searchsorted(owner, np.arange(int(owner[-1]) + 2 if len(owner) else 1))
+    every = np.ones((len(start), len(start)), dtype=bool)
+    used = every if isinstance(pairs, np.ndarray) else interacting(owner, pairs)
+    found = []
+    for at, (low, high) in enumerate(itertools.pairwise(start.tolist())):
+        columns = high + np.flatnonzero(used[at, owner[high:]])
+        costs = pairs[low:high][:, columns]
+        table = costs if isinstance(costs, np.ndarray) else costs.toarray()
+        found.append(_strip(owner, slice(low, high), columns, np.ascontiguousarray(table)))
+    return found
+
+
+def interacting(owner: Indices, pairs: csr_array) -> Flags:
+    """(variables, variables) which have a pair."""
+    variables = int(owner[-1]) + 1 if len(owner) else 0
+    found = np.zeros((variables, variables), dtype=bool)
+    first, second = pairs.nonzero()
+    found[owner[first], owner[second]] = True
+    return np.asarray(found | found.T)
 
 
 class ReducedProblem:
@@ -104,7 +109,7 @@ class ReducedProblem:
         owner: Indices,
         labels: Indices,
         costs: Floats,
-        pairs: Floats | PairTables,
+        pairs: Floats | csr_array | list[Strip],
         constant: float = 0.0,
     ) -> None:
         self.owner = owner
@@ -124,32 +129,13 @@ class ReducedProblem:
         what it did not give, ``-(ab[i, j] + ac[i, k] + bc[j, k])``, which is never below 0."""
         self.linked: Flags = np.zeros((self.count, self.count), dtype=bool)
         """(count, count) whether any pair of two variables costs anything."""
-        self.tables = pairs if isinstance(pairs, PairTables) else full_tables(owner, pairs)
+        self.tables = pairs if isinstance(pairs, list) else tables_of(owner, pairs)
+        """The pair costs: one strip per variable."""
 
     @property
-    def tables(self) -> PairTables:
-        """Its pair costs."""
-        return self._tables
-
-    @tables.setter
-    def tables(self, tables: PairTables) -> None:
-        self._tables = tables
-        first = [np.flatnonzero(np.diff(self.owner[each], prepend=-1)) for each in tables.columns]
-        self._others = [
-            self.owner[each[at]] for each, at in zip(tables.columns, first, strict=True)
-        ]
-        sizes = np.diff(self.start)
-        self._strips = [
-            _Strip(
-                strip,
-                self.slices[at],
-                columns,
-                first[at],
-                self._others[at],
-                sizes[self._others[at]],
-            )
-            for at, (strip, columns) in enumerate(zip(tables.strips, tables.columns, strict=True))
-        ]
+    def entries(self) -> int:
+        """Pairs that are held."""
+        return sum(each.costs.size for each in self.tables)
 
     def bound(self) -> float:
         """No layout costs less."""
@@ -162,22 +148,17 @@ class ReducedProblem:
     def table(self, a: int, b: int) -> Floats:
         """(labels of a, labels of b) pair costs of two variables a < b, to be changed in place
         where they interact."""
-        strip = self._strips[a]
+        strip = self.tables[a]
         at = int(np.searchsorted(strip.others, b))
         if at == len(strip.others) or strip.others[at] != b:
-            return np.zeros(
-                (
-                    self.slices[a].stop - self.slices[a].start,
-                    self.slices[b].stop - self.slices[b].start,
-                )
-            )
+            return np.zeros(np.diff(self.start)[[a, b]])
         low = int(strip.first[at])
         return strip.costs[:, low : low + int(strip.sizes[at])]
 
     def matrix(self) -> Floats:
         """(n, n) pair costs above the diagonal blocks, 0 elsewhere."""
         found = np.zeros((len(self.costs), len(self.costs)))
-        for strip in self._strips:
+        for strip in self.tables:
             found[strip.mine, strip.columns] = strip.costs
         return found
 
@@ -189,7 +170,7 @@ class ReducedProblem:
     def costs_with(self, chosen: Flags) -> Floats:
         """(n,) what every label costs in pairs with the chosen ones."""
         found = np.zeros(len(self.costs))
-        for strip in self._strips:
+        for strip in self.tables:
             found[strip.columns] += strip.costs[chosen[strip.mine]].sum(axis=0)
             found[strip.mine] += strip.costs[:, chosen[strip.columns]].sum(axis=1)
         return found
@@ -225,15 +206,23 @@ class ReducedProblem:
         number = np.cumsum(alive) - 1
         has_any = np.logical_or.reduceat(alive, self.start[:-1])
         owner = (np.cumsum(has_any) - 1)[self.owner[alive]]
-        left = [self._strips[at] for at in np.flatnonzero(has_any)]
-        tables = PairTables(
-            [each.costs[np.ix_(alive[each.mine], alive[each.columns])] for each in left],
-            [number[each.columns[alive[each.columns]]] for each in left],
-        )
+        ends = itertools.pairwise(np.searchsorted(owner, np.arange(int(has_any.sum()) + 1)))
+        tables = []
+        for at, (low, high) in zip(np.flatnonzero(has_any), ends, strict=True):
+            strip = self.tables[at]
+            columns = alive[strip.columns]
+            left = strip.costs[np.ix_(alive[strip.mine], columns)]
+            mine = slice(int(low), int(high))
+            tables.append(_strip(owner, mine, number[strip.columns[columns]], left))
         return ReducedProblem(owner, self.labels[alive], costs, tables, constant)
 
     def refined(
-        self, labels: Indices, parent: Indices, costs: Floats, older: PairCosts, pairs: PairCosts
+        self,
+        labels: Indices,
+        parent: Indices,
+        costs: Floats,
+        older: csr_array,
+        pairs: csr_array,
     ) -> ReducedProblem:
         """The problem of smaller blocks, with the messages of the blocks that they are part of.
 
@@ -243,23 +232,18 @@ class ReducedProblem:
         """
         owner = self.owner[parent]
         start = np.searchsorted(owner, np.arange(self.count + 1))
-        used = pairs.interacting(owner) | self.linked
-        strips, columns = [], []
-        for at, strip in enumerate(self._strips):
-            before = _without(strip, older)
-            mine = parent[start[at] : start[at + 1]] - strip.mine.start
-            theirs = start[at + 1] + np.flatnonzero(used[at, owner[start[at + 1] :]])
-            place = np.searchsorted(strip.columns, parent[theirs])
-            found = np.zeros((len(mine), len(theirs)))
-            held = np.isin(parent[theirs], strip.columns, assume_unique=False)
-            found[:, held] = before[np.ix_(mine, place[held])]
-            rows, others, more = pairs.of_rows(int(start[at]), int(start[at + 1]))
-            found[rows, np.searchsorted(theirs, others)] += more
-            strips.append(found)
-            columns.append(theirs)
-        part = ReducedProblem(
-            owner, labels, self.costs[parent] + costs, PairTables(strips, columns), self.constant
-        )
+        used = interacting(owner, pairs) | self.linked
+        tables = []
+        for at, strip in enumerate(self.tables):
+            messages = _without(strip, older)
+            mine = slice(*start[at : at + 2].tolist())
+            columns = mine.stop + np.flatnonzero(used[at, owner[mine.stop :]])
+            found = pairs[mine][:, columns].toarray()
+            held = np.isin(parent[columns], strip.columns)
+            place = np.searchsorted(strip.columns, parent[columns[held]])
+            found[:, held] += messages[np.ix_(parent[mine] - strip.mine.start, place)]
+            tables.append(_strip(owner, mine, columns, found))
+        part = ReducedProblem(owner, labels, self.costs[parent] + costs, tables, self.constant)
         part.inherit(self, parent)
         return part
 
@@ -280,7 +264,7 @@ class ReducedProblem:
         """Move the least cost of every table into the constant, and note which tables cost
         anything."""
         self.linked[:] = False
-        for at, strip in enumerate(self._strips):
+        for at, strip in enumerate(self.tables):
             if not len(strip.others):
                 continue
             least = np.minimum.reduceat(strip.costs.min(axis=0), strip.first)
@@ -300,7 +284,7 @@ class ReducedProblem:
         ahead, behind = np.triu(self.linked).sum(axis=1), np.tril(self.linked).sum(axis=1)
         portion = 1.0 / np.maximum(np.maximum(ahead, behind), 1)
         for at in np.flatnonzero(ahead).tolist():
-            strip = self._strips[at]
+            strip = self.tables[at]
             share = self.costs[strip.mine] * portion[at]
             self.costs[strip.mine] -= share * ahead[at]
             strip.costs[...] += share[:, None] * strip.each(self.linked[at])
@@ -308,10 +292,9 @@ class ReducedProblem:
             strip.costs[...] -= least
             self.costs[strip.columns] += least
         shares = np.zeros(len(self.costs))
-        for at, strip in reversed(list(enumerate(self._strips))):
-            if ahead[
-                at
-            ]:  # Later variables have all that comes from behind, and have set their shares aside.
+        for at, strip in reversed(list(enumerate(self.tables))):
+            # Later variables have all that comes from behind, and have set their shares aside.
+            if ahead[at]:
                 strip.costs[...] += shares[strip.columns] * strip.each(self.linked[at])
                 given = _finite(np.minimum.reduceat(strip.costs, strip.first, axis=1))
                 strip.costs[...] -= np.repeat(given, strip.sizes, axis=1)
@@ -323,7 +306,7 @@ class ReducedProblem:
         """Move all linear costs of linked variables into their tables, evenly."""
         degree = self.linked.sum(axis=1)
         share = self.costs / np.maximum(degree, 1)[self.owner]
-        for at, strip in enumerate(self._strips):
+        for at, strip in enumerate(self.tables):
             linked = strip.each(self.linked[at])
             strip.costs[...] += share[strip.mine, None] * linked
             strip.costs[...] += share[strip.columns] * linked
@@ -336,7 +319,7 @@ class ReducedProblem:
         excludes."""
         excess = self.excess()
         least = np.zeros(len(excess))
-        for strip in self._strips:
+        for strip in self.tables:
             if len(strip.others):
                 least[strip.columns] += (strip.costs + excess[strip.mine, None]).min(axis=0)
                 theirs = np.minimum.reduceat(
@@ -360,7 +343,7 @@ class ReducedProblem:
             pairs[mine, later][bad] = np.inf
             pairs[later, mine][bad.T] = np.inf
         if found:  # between variables that do not interact, too
-            self.tables = full_tables(self.owner, pairs)
+            self.tables = tables_of(self.owner, pairs)
         return found
 
     def _pair_lower_bounds(self, variable: int, excess: Floats, pairs: Floats) -> Floats:
@@ -401,36 +384,12 @@ def least_sums(one: Floats, other: Floats) -> Floats:
     return np.asarray(most - ROUNDING - cdist(most - one, other, "chebyshev"))
 
 
-class _Strip(NamedTuple):
-    """The tables of a variable with later ones."""
-
-    costs: Floats
-    """(labels, q) view of `PairTables.strips`."""
-    mine: slice
-    """The labels of the variable."""
-    columns: Indices
-    """(q,) labels of the later ones."""
-    first: Indices
-    """(tables,) column at which each begins."""
-    others: Indices
-    """(tables,) the later variables."""
-    sizes: Indices
-    """(tables,) how many labels they have."""
-
-    def each(self, of_variables: Flags) -> Floats:
-        """(q,) 1 for the columns of the variables that are flagged, 0 for others."""
-        return np.repeat(of_variables[self.others], self.sizes).astype(np.float64)
-
-
 def _finite(least: Floats) -> Floats:
     """Costs to be moved: nothing from labels that are excluded."""
     return np.where(least < np.inf, least, 0.0)
 
 
-def _without(strip: _Strip, pairs: PairCosts) -> Floats:
+def _without(strip: Strip, pairs: csr_array) -> Floats:
     """The costs of a strip less those of the pairs: what messages gave; +inf stays."""
-    found = strip.costs.copy()
-    rows, others, costs = pairs.of_rows(strip.mine.start, strip.mine.stop)
-    finite = costs < np.inf
-    found[rows[finite], np.searchsorted(strip.columns, others[finite])] -= costs[finite]
-    return found
+    own = pairs[strip.mine][:, strip.columns].toarray()
+    return np.asarray(strip.costs - np.where(own < np.inf, own, 0.0))

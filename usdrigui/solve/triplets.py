@@ -54,7 +54,7 @@ def work_of(problem: ReducedProblem) -> int:
     """Work that a pass over the triplets counts as."""
     sizes = np.diff(problem.start)
     cubes = sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages)
-    return cubes // 300 + problem.tables.entries // 24
+    return cubes // 300 + problem.entries // 24
 
 
 def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Singles, Singles, Singles]:
