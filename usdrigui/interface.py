@@ -224,14 +224,14 @@ class OpenLayout:
         rig, layout = self._character(root)
         return evaluate(prepare(rig, layout), values_of(rig, values, layout.base_values))
 
-    def picture(self, *, labels: bool = False) -> Image:
-        """What `usdrigui picture` draws."""
+    def picture(self, *, labels: bool = False, pose: Mapping[str, float] | None = None) -> Image:
+        """What `usdrigui picture` draws; `pose` as of `pose`, for all characters that have its
+        controls."""
         from usdrigui.levels import shown
         from usdrigui.view.sheet import sheet_png
 
-        return Image(
-            sheet_png([(rig, shown(layout)) for rig, layout in self.characters], labels=labels)
-        )
+        characters = [(rig, shown(layout)) for rig, layout in self.characters]
+        return Image(sheet_png(characters, labels=labels, pose=pose))
 
     def view(self) -> Page:
         """The page that `usdrigui view` shows."""

@@ -9,6 +9,7 @@ from pxr import Sdf, Usd
 
 import usdrigui
 from usdrigui import RigUIError
+from usdrigui.cli import main
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"solve": {"gap": 5e-2}}
@@ -70,6 +71,17 @@ def test_a_layout_on_an_open_stage_is_opened_posed_seen_and_checked(folder):
     with pytest.raises(usdrigui.RigUIError) as refused:
         usdrigui.open(stage)
     assert refused.value.issue.code == "LAYOUT_MESH_GONE"
+
+
+def test_a_picture_at_a_pose_is_the_same_from_python_and_the_command(folder):
+    report = usdrigui.process(folder / "char.usda")
+    layout, target = usdrigui.open(report.output), folder / "posed.png"
+    posed = layout.picture(pose={"smile_L": 1.0}).png
+    assert posed != layout.picture().png
+    assert main(["picture", str(report.output), "-o", str(target), "--set", "read.pose.smile_L=1.0"]) == 0
+    assert target.read_bytes() == posed
+    with pytest.raises(usdrigui.RigUIError, match="POSE_CONTROL nobody"):
+        layout.picture(pose={"nobody": 1.0})
 
 
 def test_wrong_arguments_are_told_in_the_words_of_the_interface(folder):

@@ -74,6 +74,12 @@ def add_picture(commands: Any) -> None:
         help="a .png, or a .gif that moves",
     )
     parser.add_argument("--labels", action="store_true", help="name the elements")
+    parser.add_argument(
+        "--pose",
+        type=Path,
+        metavar="TOML",
+        help="the pose of a .png: a file of control = value lines, as `--set read.pose.smile=1`",
+    )
     _add_levels(parser)
     parser.add_argument("--frames", type=int, default=24, metavar="N", help="pictures in a .gif")
     add_configuration(parser)
@@ -221,13 +227,15 @@ def _picture(arguments: argparse.Namespace) -> Exit:
             "--output",
             f"a picture ends in .png or .gif, not in {arguments.output.suffix!r}",
         )
-    loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
+    settings = settings_of(arguments)
+    loaded = pipeline.load_layer(arguments.layer, settings)
     read = _spared((arguments.output,), loaded, arguments)
     characters = _visible(loaded.characters, arguments)
     if arguments.output.suffix == ".gif":
         content = sheet.film_gif(characters, frames=arguments.frames)
     else:
-        content = sheet.sheet_png(characters, labels=arguments.labels)
+        pose = settings.read.pose
+        content = sheet.sheet_png(characters, labels=arguments.labels, pose=pose)
     state = pipeline.write_file(content, arguments.output, read)
     for line in (f"{state} {arguments.output}", *sheet.spelt_out(characters)):
         say(f"usdrigui: {line}", arguments)

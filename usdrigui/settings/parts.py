@@ -454,7 +454,8 @@ class ObjectiveSettings:
     max_neighbours: float = setting(
         8.0,
         "Handles shrink until around the places that a control wants, within four handle widths, no"
-        " more than this many controls want theirs, on average; 0 keeps `handle_size`.",
+        " more than this many controls want theirs, on average; 0 keeps `handle_size`,"
+        " and a search for wide handles may take minutes then.",
         unit="controls",
         bounds=(0.0, 1000000.0),
         level="expert",

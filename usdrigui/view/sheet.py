@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PIL import Image
 
 from usdrigui.errors import visible
 from usdrigui.model import Layout, Rig
 from usdrigui.palette import SIDES
+from usdrigui.pose.evaluate import values_of
 from usdrigui.view import lettering
 from usdrigui.view.clip import clip_values
 from usdrigui.view.picture import contact_sheet, film, render
@@ -18,9 +19,28 @@ _FRAME = 80
 """Milliseconds that a frame of an animation is shown."""
 
 
-def sheet_png(characters: Sequence[tuple[Rig, Layout]], *, labels: bool = False) -> bytes:
-    """PNG bytes of all `characters`, the same for the same input."""
-    images = [render(rig, layout, labels=labels) for rig, layout in characters]
+def sheet_png(
+    characters: Sequence[tuple[Rig, Layout]],
+    *,
+    labels: bool = False,
+    pose: Mapping[str, float] | None = None,
+) -> bytes:
+    """PNG bytes of all `characters`, the same for the same input.
+
+    `pose` holds values by the name of the control, the others at the base pose; of several
+    characters each takes those of its own controls.  Raises POSE_CONTROL for a name that none of
+    them has, POSE_VALUE.
+    """
+    pose, known = pose or {}, {name for rig, _ in characters for name in rig.control_names}
+    images = []
+    for rig, layout in characters:
+        own = {
+            name: value
+            for name, value in pose.items()
+            if name in rig.control_names or name not in known
+        }
+        values = values_of(rig, own, layout.base_values) if own else None
+        images.append(render(rig, layout, values, labels=labels))
     page = (
         images[0] if len(images) == 1 else contact_sheet(images)
     )  # each names its character itself

@@ -251,11 +251,13 @@ def _reasons(
             f"{one.mesh} has other points or faces: {one.point_count} points then,"
             f" {other.point_count} now"
         )
-    if kind in ("moved", "board", "regrouped") and not one.on_board:
+    decided = "anchor" in new.element.pinned
+    if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
         yield from _crowd(after, old, new)
     if kind == "board" and new.element.reason:
         yield new.element.reason
-    if "anchor" in set(new.element.pinned) - set(old.element.pinned):
+    newly = decided and "anchor" not in old.element.pinned
+    if newly or (decided and one.topology_hash == other.topology_hash and one.place != other.place):
         yield "its anchor, or its twin's, was decided by a person"
     if "anchor" in set(old.element.pinned) - set(new.element.pinned):
         yield "its anchor is no longer the one that a person had decided"
@@ -293,4 +295,5 @@ def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
             continue
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
         if apart < after.handle_width * (1.0 - _STILL):
-            yield f"its place is taken by {element.name}"
+            decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
+            yield f"its place is taken by {element.name}{decided}"

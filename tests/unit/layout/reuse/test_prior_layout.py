@@ -223,6 +223,24 @@ def test_every_move_between_two_layouts_has_a_reason(before):
         assert all(any(reason in clause for clause in change.why) for change in changes)
 
 
+@pytest.mark.parametrize("pinned_before", [(), ("anchor",)])
+def test_of_a_swap_the_control_that_a_person_anchored_is_the_cause(before, pinned_before):
+    chin, pucker = (next(e for e in before.layout.elements if e.name == name) for name in ("chin", "pucker"))
+    swapped = {
+        "chin": replace(chin, anchor=pucker.anchor, pinned=("anchor",)),
+        "pucker": replace(pucker, anchor=chin.anchor),
+    }
+
+    def of(changed):
+        return replace(before.layout, elements=tuple(changed.get(e.name, e) for e in before.layout.elements))
+
+    found = difference(of({"chin": replace(chin, pinned=pinned_before)}), of(swapped))
+    assert {change.control: change.why for change in found.changes} == {
+        "chin": ("its anchor, or its twin's, was decided by a person",),
+        "pucker": ("its place is taken by chin, whose anchor was decided by a person",),
+    }
+
+
 def test_a_group_that_lost_a_member_is_its_survivors(face, before):
     smaller = without(face, "jawRight")
     again = lay_out(smaller, prior=of_previous(before.layout, smaller, 0.1))
