@@ -22,6 +22,8 @@ _OWNS = 1e-3
 """Largest weight below which no skin hangs on a joint."""
 _PARALLEL = 0.6
 """Least cosine of a chain to the mean direction of its fan; a thumb stays ahead."""
+_SAME = 1e-4
+"""Share of the skeleton's size within which two joints stand at the same place."""
 _ON_PLANE = 0.02
 """Share of the skeleton's size within which a joint lies on the mirror plane."""
 _AIM = 0.95
@@ -30,9 +32,79 @@ _AHEAD = 0.5
 """The same for a joint that no other looks at so closely."""
 _ALONG = 0.1
 """Share of a bone's length from it within which a joint lies on the bone."""
+_DETOUR = 1.5
+"""Way past a joint without skin, times the straight way to the next one with skin, from which the
+joint lies aside."""
+_AWAY = 3.0
+"""The same for a joint with no skin below it: its distance from the joint above, times that of the
+farthest skin of that."""
 _STRAIGHT = 8
 """Power of that cosine by which a distance is divided: the next joint lies straight ahead rather
 than near."""
+
+
+@dataclass(frozen=True, eq=False)
+class Hanging:
+    """What hangs on what as the skin tells it."""
+
+    parents: tuple[int, ...]
+    """Of each joint the one above on which it hangs, past those that lie aside; -1 for roots."""
+    aside: frozenset[int]
+    """Joints without skin off the way of their chains, as helpers at the origin are: the bones of a
+    character neither end nor begin there."""
+
+
+def hanging(joints: Sequence[Joint], meshes: Sequence[RigMesh]) -> Hanging:
+    """What hangs on what, at the bind pose."""
+    places = np.array([joint.bind[3, :3] for joint in joints]).reshape(-1, 3)
+    reach = _reach_of_skin(places, meshes)
+    parents, aside = [joint.parent for joint in joints], set[int]()
+    for joint, parent in enumerate(parents):
+        if parent in aside:
+            parents[joint] = parent = parents[parent]
+        if parent >= 0 and reach[joint] < 0.0:
+            ends = places[_next_with_skin(joints, joint, reach)]
+            if _lies_aside(places[parent], places[joint], ends, float(reach[parent])):
+                aside.add(joint)
+    return Hanging(tuple(parents), frozenset(aside))
+
+
+def _lies_aside(parent: Floats, place: Floats, ends: Floats, reach: float) -> bool:
+    """Whether a joint without skin lies off the way from the one above, whose skin goes as far as
+    `reach` (-1 without), to the next ones with skin at `ends` (e, 3)."""
+    away = float(np.linalg.norm(place - parent))
+    if not len(ends):
+        return reach >= 0.0 and away > _AWAY * reach
+    past = away + np.linalg.norm(ends - place, axis=1)
+    return bool((past > _DETOUR * np.linalg.norm(ends - parent, axis=1)).all())
+
+
+def _next_with_skin(joints: Sequence[Joint], joint: int, reach: Floats) -> list[int]:
+    """The joints with skin below a joint that have none between them and it."""
+    found, open_ended = [], {joint}
+    for below in range(joint + 1, len(joints)):
+        if joints[below].parent in open_ended:
+            if reach[below] < 0.0:
+                open_ended.add(below)
+            else:
+                found.append(below)
+    return found
+
+
+def _reach_of_skin(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
+    """(joints,) distance of the farthest skin of each joint, bound; -1 without skin."""
+    found = np.full(len(places), -1.0)
+    for mesh in meshes:
+        if mesh.skin is None:
+            continue
+        bound = mesh.points @ mesh.skin.geom_bind[:3, :3] + mesh.skin.geom_bind[3, :3]
+        points, weights, present, starts = mesh.skin.by_joint
+        for row, joint in enumerate(present.tolist()):
+            part = slice(starts[row], starts[row + 1])
+            own = points[part][weights[part] > _OWNS]
+            apart = np.linalg.norm(bound[own] - places[joint], axis=1)
+            found[joint] = max(found[joint], float(apart.max(initial=-1.0)))
+    return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,11 +138,15 @@ class Tree:
         return all(joint.parent < 0 for joint in self.joints)
 
     @cached_property
+    def hanging(self) -> Hanging:
+        """What hangs on what, as authored."""
+        return hanging(self.joints, self.meshes)
+
+    @cached_property
     def parents(self) -> tuple[int, ...]:
-        """As authored; where all joints of a flat skeleton are roots, as they look at each
-        other."""
-        authored = tuple(joint.parent for joint in self.joints)
-        return authored if not self.flat else _looking(self.places, self.frames)
+        """As authored, past what lies aside; where all joints of a flat skeleton are roots, as they
+        look at each other."""
+        return self.hanging.parents if not self.flat else _looking(self.places, self.frames)
 
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
@@ -83,7 +159,8 @@ class Tree:
 
     @cached_property
     def skin(self) -> tuple[tuple[Floats, Floats], ...]:
-        """Of each joint the points (p, 3) on which it acts, bound, and its weights (p,)."""
+        """Of each joint the points (p, 3) on which it acts, bound, and its weights (p,); what a
+        stand-in holds is of the joint above."""
         parts: list[list[tuple[Floats, Floats]]] = [[] for _ in self.joints]
         for mesh in self.meshes:
             if mesh.skin is None:
@@ -93,6 +170,9 @@ class Tree:
             for row, joint in enumerate(present.tolist()):
                 part = slice(starts[row], starts[row + 1])
                 parts[joint].append((bound[points[part]], weights[part]))
+        for joint, parent in self._stand_ins(frozenset(i for i, each in enumerate(parts) if each)):
+            parts[parent] += parts[joint]
+            parts[joint] = []
         empty = (np.zeros((0, 3)), np.zeros(0))
         return tuple(
             (
@@ -102,6 +182,20 @@ class Tree:
             )
             for each in parts
         )
+
+    def _stand_ins(self, skinned: frozenset[int]) -> list[tuple[int, int]]:
+        """Joints at the end of a chain that hold the skin of the joint above, which stands at the
+        same place and holds none, and that one: exports have a joint to pose and one to deform."""
+        ends = skinned - {joint.parent for joint in self.joints}
+        size = float(np.ptp(self.places, axis=0).max()) if ends else 0.0
+        pairs = [(i, self.joints[i].parent) for i in sorted(ends)]
+        return [
+            (i, p)
+            for i, p in pairs
+            if p >= 0
+            and p not in skinned
+            and np.linalg.norm(self.places[i] - self.places[p]) <= _SAME * size
+        ]
 
     @cached_property
     def owners(self) -> frozenset[int]:
@@ -184,7 +278,8 @@ class Tree:
     def next(self, joint: int) -> int:
         """The child that carries the chain on, or -1 at its end; a child without skin ends the last
         bone, a twist joint lies on it."""
-        children = [c for c in self.children[joint] if c not in self.twists]
+        beside = self.twists.keys() | self.hanging.aside
+        children = [c for c in self.children[joint] if c not in beside]
         length = {
             child: float(np.linalg.norm(self.places[child] - self.places[joint]))
             for child in children
@@ -208,7 +303,8 @@ class Tree:
     def reach(self, joint: int, start: int) -> float:
         """Greatest distance from the joint `start` to `joint` and what hangs on it."""
         own = float(np.linalg.norm(self.places[joint] - self.places[start]))
-        return max([own, *(self.reach(child, start) for child in self.children[joint])])
+        children = (c for c in self.children[joint] if c not in self.hanging.aside)
+        return max([own, *(self.reach(child, start) for child in children)])
 
     def direction(self, chain: Sequence[int]) -> Floats:
         """(3,) unit vector along a chain."""
@@ -256,17 +352,19 @@ class Fan:
 
 
 def fans(tree: Tree) -> list[Fan]:
-    """The fans of at least three chains of two joints or more, in the order of their joints."""
+    """The fans of at least three chains of two joints with skin or more, in the order of their
+    joints."""
     found = []
     for joint in range(len(tree.joints)):
-        chains = [chain for child in tree.children[joint] if len(chain := tree.chain(child)) >= 2]
+        ahead = [child for child in tree.children[joint] if tree.depth[child] >= 2]
+        chains = [chain for child in ahead if (chain := tree.chain(child))]
         if len(chains) < FINGERS:
             continue
         directions = np.array([tree.direction(chain[-FINGERS:]) for chain in chains])
         middle = unit(np.median(directions, axis=0))
-        ahead = directions @ middle
-        if (ahead >= _PARALLEL).sum() >= FINGERS:
-            kept = [i for i in range(len(chains)) if ahead[i] > 0.0]
+        cosines = directions @ middle
+        if (cosines >= _PARALLEL).sum() >= FINGERS:
+            kept = [i for i in range(len(chains)) if cosines[i] > 0.0]
             found.append(Fan(joint, tuple(chains[i] for i in kept), directions[kept], middle))
     return found
 

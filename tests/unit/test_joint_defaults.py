@@ -1,5 +1,6 @@
 """Laws of the controls that a rig driven by joints alone has by default: read from geometry, never from names."""
 
+import re
 from dataclasses import replace
 
 import limbs
@@ -127,3 +128,26 @@ def test_a_limb_whose_skin_hangs_on_twist_joints_turns_as_one_with_skin_of_its_o
 def kinds_of(rig):
     """Path of the first joint and kind of every turn."""
     return {(rig.joints[turn.joints[0]].path, turn.name) for turn in default_turns(Tree(rig.joints, rig.meshes))}
+
+
+def test_helpers_off_the_way_change_no_degree_of_freedom():
+    """A joint without skin on the ground above each limb, as exports have those of constraints."""
+    body = limbs.body_rig()
+    at = {re.sub(r"/([abcd])0", r"/m\1/\g<1>0", joint.path): joint.bind[3, :3] for joint in body.joints}
+    at |= {path: np.array([0.0, -2.0, 0.0]) for path in ("h/s/ma", "h/s/mb", "h/mc", "h/md")}
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    owners = [i for i, name in enumerate(names) if name[-1] not in "e3" and name[-3:-1] != "/m"]
+    helped = limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)
+    assert {(path[-2:], kind) for path, kind in kinds_of(helped)} == {
+        (path[-2:], kind) for path, kind in kinds_of(body)
+    }
+
+
+@pytest.mark.parametrize("made", [HAND, limbs.body_rig()], ids=["hand", "body"])
+def test_a_joint_to_deform_below_each_joint_to_pose_changes_no_degree_of_freedom(made):
+    at = {joint.path: joint.bind[3, :3] for joint in made.joints}
+    skinned = {made.joints[i].path for i in made.meshes[0].skin.joints.ravel()}
+    at |= {f"{path}/def": at[path] for path in skinned}
+    names = sorted(at, key=lambda path: (path.count("/"), path))
+    owners = [i for i, name in enumerate(names) if name.endswith("/def")]
+    assert kinds_of(limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)) == kinds_of(made)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from usdrigui.joint_tree import Hanging
 from usdrigui.model import Control, Flags, Floats, Rig
 
 _SPAN = (0.2, 0.7)
@@ -31,7 +32,7 @@ _NOTHING = 1e-3
 """Weight below which a point does not count as skin of a joint."""
 
 
-def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
+def owned_skin(rig: Rig, hanging: Hanging, control: Control, points: Floats) -> Floats | None:
     """(n,) how much of each point the joints of a joint control own, in [0, 1]; None for other
     controls and where no skin hangs on them.
 
@@ -42,8 +43,8 @@ def owned_skin(rig: Rig, control: Control, points: Floats) -> Floats | None:
     joints = {i for i in driven if rig.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    below, bones = _below(rig, joints), _bones(rig)
-    has_bone = any(bone.joint in joints and bone.next in below for bone in bones)
+    below, bones = _below(rig, joints), _bones(rig, hanging)
+    has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else _levels(rig, joints))):
         weights = _weights(rig, holders)
         if weights.max(initial=0.0) > _NOTHING:
@@ -84,7 +85,7 @@ def _by_own_bone(
     """(n,) one where a point lies along a bone of `joints`, less at its ends and where a bone above
     or below is nearer."""
     factor = np.ones(len(points))
-    own = [bone for bone in bones if bone.joint in joints and bone.next not in joints]
+    own = [b for b in bones if b.joint in joints and b.next not in joints]
     if not own:
         return factor
     above, below = _above(rig, joints), _below(rig, joints)
@@ -110,15 +111,16 @@ class _Bone:
     chain."""
 
 
-def _bones(rig: Rig) -> list[_Bone]:
+def _bones(rig: Rig, hanging: Hanging) -> list[_Bone]:
     """The bones between joints apart from each other, and those of joints at the end of a chain."""
-    places, parents = joint_places(rig), [joint.parent for joint in rig.joints]
+    places, parents = joint_places(rig), hanging.parents
+    joined = [k for k, i in enumerate(parents) if i >= 0 and k not in hanging.aside]
     found = [
-        _Bone(i, k, places[i], places[k] - places[i])
-        for k, i in enumerate(parents)
-        if i >= 0 and (places[i] != places[k]).any()
+        _Bone(parents[k], k, places[parents[k]], places[k] - places[parents[k]])
+        for k in joined
+        if (places[parents[k]] != places[k]).any()
     ]
-    ends = [k for k in range(len(parents)) if parents[k] >= 0 and k not in parents]
+    ends = sorted(set(joined) - {parents[k] for k in joined})
     fan = Counter(parents[k] for k in ends)
     for k in ends:
         along = _LAST * (places[k] - places[parents[k]])

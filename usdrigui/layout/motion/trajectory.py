@@ -9,6 +9,7 @@ import numpy as np
 
 from usdrigui.deform import Posed, knots, posed, sweep
 from usdrigui.errors import Issue, issue
+from usdrigui.joint_tree import Hanging, hanging
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
 from usdrigui.model import (
@@ -59,15 +60,16 @@ def trajectories(
     """
     base = posed(rig, base_values)
     size = _diagonal(base.points)
+    chains = hanging(rig.joints, rig.meshes)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
         start, value = _start(rig, base, base_values, index)
-        motion = _motion(rig, start, index, value, settings)
+        motion = _motion(rig, chains, start, index, value, settings)
         if motion.arc_length.max(initial=0.0) > _EMPTY * size:
             motions.append(motion)
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
-    excluded = _excluded(rig, size, settings)
+    excluded = _excluded(rig, chains, size, settings)
     told = _without_drift(rig, motions) if settings.noise > 0.0 else tuple(motions)
     return _assembled(rig, base.points, told, excluded, tuple(left_off), settings)
 
@@ -144,12 +146,14 @@ def total_motion(motions: Sequence[Motion], count: int) -> Singles:
     return total
 
 
-def _excluded(rig: Rig, size: float, settings: TrajectorySettings) -> tuple[Motion, ...]:
+def _excluded(
+    rig: Rig, chains: Hanging, size: float, settings: TrajectorySettings
+) -> tuple[Motion, ...]:
     """Motions of the controls that the configuration leaves out, from the default pose."""
     alone = replace(rig, controls=rig.excluded)
     start = posed(alone, None)
     found = (
-        _motion(alone, start, i, control.default, settings)
+        _motion(alone, chains, start, i, control.default, settings)
         for i, control in enumerate(rig.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
@@ -167,7 +171,7 @@ def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tup
 
 
 def _motion(
-    rig: Rig, start: Posed, index: int, value: float, settings: TrajectorySettings
+    rig: Rig, chains: Hanging, start: Posed, index: int, value: float, settings: TrajectorySettings
 ) -> Motion:
     values = knots(rig, index)
     if value not in values:
@@ -183,7 +187,7 @@ def _motion(
     moving = arc > max(settings.noise * arc.max(initial=0.0), 0.0)
     if not moving.all():
         points, offsets, arc = points[moving], offsets[:, moving], arc[moving]
-    owned = owned_skin(rig, rig.controls[index], start.points)
+    owned = owned_skin(rig, chains, rig.controls[index], start.points)
     return Motion(index, values, points, offsets, arc, None if owned is None else owned[points])
 
 

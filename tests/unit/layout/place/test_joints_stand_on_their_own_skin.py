@@ -75,3 +75,13 @@ def test_a_joint_that_is_its_own_mirror_image_stands_on_the_plane():
     assert min(anchors) >= 0
     apart = (line.face.trajectories.base[anchors] - symmetry.origin) @ symmetry.normal
     assert np.abs(apart).max() <= 0.5 * line.face.handle_width
+
+
+def test_a_helper_at_the_origin_is_no_end_of_a_bone():
+    """Importers leave joints without skin at the origin; a line to there runs along the whole trunk."""
+    rig = limbs.chain_rig(5)
+    away = np.linalg.inv(rig.joints[4].bind)
+    helper = Joint(f"{rig.joints[4].path}/h", 0, 4, np.eye(4), away, away)
+    plain, helped = candidates(rig), candidates(replace(rig, joints=(*rig.joints, helper)))
+    for name, points in plain.items():
+        np.testing.assert_array_equal(helped[name], points, name)
