@@ -160,7 +160,8 @@ def _variable(
     requests: Requests,
 ) -> tuple[Variable, Choice]:
     """The variable of group `index`, with loosened candidates where its copies collide at all
-    others, or its members share none."""
+    others, or its members share none; of a group that the face needs also where they are one spot,
+    which another one may take."""
     face, group = costs.face, groups[index]
     settings, objective = costs.settings.candidates, costs.settings.objective
     toward, min_track = face.views.flat_direction(settings.space), costs.settings.output.min_track
@@ -187,7 +188,8 @@ def _variable(
             costs.existing, costs.overlap, costs.separation, samples, handles
         )
         kept = np.isfinite(cost)
-        if kept.any():
+        spot = np.ptp(handles[kept][:, 0], axis=0).max() if kept.any() else 0.0
+        if kept.any() and (not _needed(group, requests) or spot >= costs.separation):
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     stay, leave = penalties_of_leaving(face, requests, choice)
@@ -214,11 +216,16 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
         each.place in ("face", "proxy") or each.anchor for each in overrides
     ):
         return float(np.inf)
-    meanings = [requests.meaning(control) for control in group.controls]
-    needed = sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
     # Where the earlier layout had it on the board, nothing leaves the face.
-    leaves = len(meanings) * (not requests.prior.stood_on_board(group.controls))
+    leaves = len(group.controls) * (not requests.prior.stood_on_board(group.controls))
+    needed = _needed(group, requests)
     return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
+
+
+def _needed(group: Group, requests: Requests) -> int:
+    """How many controls of the element are missed where they leave the face."""
+    meanings = [requests.meaning(control) for control in group.controls]
+    return sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
 
 
 # --- fixed anchors --------------------------------------------------------------------------------

@@ -194,3 +194,15 @@ def test_copies_of_a_control_stand_where_it_keeps_a_third_of_its_peak_or_nowhere
     )
     (variable,) = (each for each in line.problem.variables if each.name == "press")
     assert bool(len(variable.points)) is stands
+
+
+@pytest.mark.parametrize(("name", "stands"), [("jawOpen", True), ("swelling", False)])
+def test_what_a_face_needs_is_not_bound_to_one_spot(name, stands):
+    """Coarse meshes: another control takes the only point that moves by half of the peak."""
+    apart = np.linalg.norm(POINTS[:, :2] - [0.0, -0.5], axis=1)
+    spot = int(np.argmin(apart))
+    amount = np.where(apart < 0.02, 0.1, np.where(apart < 0.08, 0.04, 0.0))
+    shapes = {name: amount[:, None] * [0.0, -1.0, 0.2], "fixed": makers.bump(POINTS, (0.0, -0.5), (0, 0, 1))}
+    settings = chain.settings(controls={"fixed": {"anchor": f"/Root/mesh#{spot}"}})
+    elements = chain.by_name(chain.lay_out(makers.rig(POINTS, QUADS, shapes), settings))
+    assert elements[name].anchor.on_board != stands
