@@ -80,10 +80,14 @@ def _is_plain(rig: Rig, control: Control) -> bool:
 
 def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
-    reach = max((float(np.abs(joint.rest[3, :3]).max()) for joint in rig.joints), default=0.0)
+    extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in rig.joints), default=0.0)
     turns, shifts, scales = (
         np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
-        for rows, unit in ((drive.rotations, 1.0), (drive.translations, reach), (drive.scales, 1.0))
+        for rows, unit in (
+            (drive.rotations, 1.0),
+            (drive.translations, extent),
+            (drive.scales, 1.0),
+        )
     )
     moved = np.flatnonzero(
         np.any([rows.any(axis=(0, 2)) for rows in (turns, shifts, scales)], axis=0)

@@ -152,21 +152,21 @@ def _bent(member: Member, normal: Floats, width: float) -> Member:
     """
     steps = np.diff(member.track, axis=0)
     length = float(np.sqrt((steps * steps).sum(axis=1)).sum())
-    reach = max(_BEND * width, _LONG_BEND * length)
-    shift = _to_the_middle(member.track, normal, reach)
+    tolerance = max(_BEND * width, _LONG_BEND * length)
+    shift = _to_the_middle(member.track, normal, tolerance)
     places = np.arange(len(member.track))
-    kept = places[[0, -1]] if shift is not None else fewest_points(member.track, reach)
+    kept = places[[0, -1]] if shift is not None else fewest_points(member.track, tolerance)
     pieces = np.stack([np.interp(places, kept, column) for column in member.track[kept].T], axis=1)
     above = ((member.track - pieces) * normal).sum(axis=1).max()
     moved = above * normal + (0.0 if shift is None else shift)
     return replace(member, track=member.track[kept] + moved, values=member.values[kept])
 
 
-def _to_the_middle(line: Floats, normal: Floats, reach: float) -> Floats | None:
+def _to_the_middle(line: Floats, normal: Floats, tolerance: float) -> Floats | None:
     """(3,) what takes the chord of an arch (k, 3) to the middle between it and the arch, seen
     against the normal.
 
-    None if the arch passes it there by more than `reach`, or leaves the skin by twice as much.
+    None if the arch passes it there by more than `tolerance`, or leaves the skin by twice as much.
     """
     chord, away = line[-1] - line[0], line - line[0]
     squared = float((chord * chord).sum())
@@ -176,7 +176,7 @@ def _to_the_middle(line: Floats, normal: Floats, reach: float) -> Floats | None:
     beside = away - above[:, None] * normal
     shift = _ARCH * beside.mean(axis=0)
     farthest = float(np.sqrt(((beside - shift) ** 2).sum(axis=1)).max())
-    return shift if farthest <= reach and np.ptp(above) <= 2.0 * reach else None
+    return shift if farthest <= tolerance and np.ptp(above) <= 2.0 * tolerance else None
 
 
 def _values_along(base: Floats, position: int, member: Member) -> Floats:
