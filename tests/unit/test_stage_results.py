@@ -1,0 +1,279 @@
+"""What every stage makes of small characters is what it was: numbers that no other test looks at, by their digests.
+
+A digest that differs says which functions return something else than before.  Where that is meant:
+``USDRIGUI_GOLDEN=write pytest tests/unit/test_stage_results.py``, and a look at which functions changed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import chain
+import laid_out
+import layout_problems
+import limbs
+import makers
+import numpy as np
+import pytest
+import skel_stages
+import skinned_stages
+import stage_digests
+import valid_rigs
+from pxr import Sdf, Usd
+
+from usdrigui.errors import RigUIError
+from usdrigui.examples import Examples
+from usdrigui.layout.review.difference import difference
+from usdrigui.layout.review.improvement import improvements
+from usdrigui.layout.review.review import review
+from usdrigui.layout.review.shortfalls import shortfalls
+from usdrigui.pipeline.stages import build_problem, layout_of
+from usdrigui.pose.drag import begin_drag, drag_to, values_at
+from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.settings import OutputSettings, Settings, load
+from usdrigui.solve import solve
+from usdrigui.usd.clips import read_performances
+from usdrigui.usd.faults import stage_faults
+from usdrigui.usd.layer import layer_bytes, layer_for, stage_metadata
+from usdrigui.usd.read_layout import composed_layouts, read_layout
+from usdrigui.usd.rig import read_rigs
+
+GOLDEN = Path(__file__).parent / "stage_results"
+WRITE = os.environ.get("USDRIGUI_GOLDEN") == "write"
+PACKAGES = ("layout", "pose", "solve", "usd")
+SAMPLE = Path(__file__).resolve().parents[2] / "sample_assets" / "char.usda"
+
+
+# --- characters -----------------------------------------------------------------------------------
+
+
+def odd_face():
+    """A face that is not symmetric, with shapes that others explain, tiny ones and ones of the whole head."""
+    points, faces = makers.mask(19, 23)
+    points = points * 1.7 + np.array([0.3, -2.0, 0.1])
+    shapes = makers.face_shapes((points - np.array([0.3, -2.0, 0.1])) / 1.7)
+    shapes |= {
+        "smile": shapes["smile_L"] + shapes["smile_R"],
+        "half": 0.5 * shapes["brow_L"],
+        "nearly": shapes["blink_R"] + 0.05 * shapes["chin"],
+        "corner": makers.bump(points, (1.2, -1.5), (1.0, -0.3, 0.2), 0.5, 0.2),
+        "tiny": 1e-3 * shapes["chin"],
+        "head": np.tile([0.2, 0.1, 0.0], (len(points), 1)),
+        "bulge": 0.1 * (points - points.mean(axis=0)),
+    }
+    ranges = {"smile_L": (-1.0, 1.0), "head": (-0.5, 2.0), "chin": (0.0, 0.4)}
+    return makers.rig(points, faces, shapes, ranges)
+
+
+def lay_out(rig, examples=None, base_values=None, **parts):
+    """A character laid out as the pipeline does, and its layout reviewed."""
+    settings = load(parts)
+    if base_values is not None:
+        found = chain.lay_out(rig, settings, base_values)
+        inputs, assignment, layout = found.inputs, found.assignment, found.layout
+    else:
+        inputs = build_problem(rig, settings, examples=Examples(**(examples or {})))
+        assignment = solve(inputs.placement.problem, settings.solve)
+        layout = layout_of(inputs, assignment)
+    shortfalls(inputs.face, layout, settings)
+    review(inputs.face, inputs.candidates, inputs.requests, inputs.settings, layout)
+    return inputs, assignment, layout
+
+
+# --- scenes ---------------------------------------------------------------------------------------
+
+
+def of_a_face():
+    lay_out(makers.face(17, 21))
+    lay_out(makers.face_with_teeth(0.1))
+
+
+def of_an_odd_face():
+    rig = odd_face()
+    lay_out(rig)
+    lay_out(rig, base_values=np.linspace(0.1, 0.6, len(rig.controls)))
+    lay_out(rig, candidates={"space": "view", "view": "25,10"}, objective={"handle_size": 0.05})
+
+
+def as_configured():
+    rig = makers.face(17, 21)
+    controls = {
+        "brow_L": {"importance": 2.0, "place": "face", "label": "Brow"},
+        "chin": {"place": "board"},
+        "pucker": {"exclude": True},
+        "smile_L": {"near": "/Root/mesh.point[200]", "within": 0.3},
+    }
+    lay_out(
+        rig, controls=controls, groups={"groups": {"odd": ["sneer_L", "brow_R"]}}, symmetry={"double_middle": "always"}
+    )
+    lay_out(rig, levels={"members": {"pucker": ["smile_R", "chin"]}}, groups={"patches": True, "fan_size": 4})
+
+
+def of_the_paper():
+    rig = makers.face(17, 21)
+    settings = load(preset="paper")
+    chain.solved(chain.problem_of(rig, settings), settings.solve)
+
+
+def of_limbs():
+    chain.laid_parts(limbs.whole_body())
+    lay_out(limbs.with_default_controls(limbs.flattened(limbs.hand_rig())))
+    lay_out(limbs.chain_rig(late=0.2))
+    lay_out(limbs.with_default_controls(limbs.posed_body()))
+
+
+def of_layouts_that_exist():
+    rig = makers.face(17, 21)
+    first = lay_out(rig)[2]
+    some = replace(rig, controls=tuple(each for each in rig.controls if each.name not in ("chin", "sneer_L")))
+    named = replace(
+        rig,
+        controls=tuple(
+            replace(each, name=each.name.replace("smile", "grin"), label=each.name) for each in rig.controls
+        ),
+    )
+    other = makers.face(23, 25, height=30.0)
+    for ours, examples in (
+        (some, {"previous": {rig.root: first}}),
+        (named, {"previous": {rig.root: first}}),
+        (other, {"like": ((rig, first),)}),
+        (rig, {"fixed": {rig.root: first}}),
+    ):
+        inputs, assignment, layout = lay_out(ours, examples)
+        better = improvements(inputs.face, inputs.requests, inputs.placement, assignment.labels)
+        difference(first, layout, better, next(iter(inputs.matchings.values()), None))
+
+
+def of_solvers():
+    for seed in range(12):
+        for method in ("highs", "enumerate", "paper"):
+            solved(layout_problems.random_problem(seed), method, clusters=2)
+    for seed in (0, 1):
+        solved(layout_problems.crowd(seed, 4, 16), "highs")
+        solved(layout_problems.crowd(seed, 8, 20), "paper", linkage="sum", clusters=3)
+
+
+def solved(problem, method, **options):
+    with contextlib.suppress(RigUIError):  # some have no solution
+        solve(problem, load({"solve": {"method": method, **options}}).solve)
+
+
+def of_files():
+    sources = [
+        skel_stages.character(Path("all.usda")),
+        skinned_stages.character(
+            Path("skinned.usda"), moved=True, meshes=2, reordered=True, animated_joints=("Hips/Head",)
+        ),
+        *(valid_rigs.make_rig(seed, Path(f"valid{seed}.usda"), valid_rigs.SMALL) for seed in range(4)),
+    ]
+    for number, source in enumerate(sources):
+        stage_faults(Usd.Stage.Open(str(source)))
+        for rig in read_rigs(source, Settings()):
+            posed(source, rig, number)
+        with contextlib.suppress(RigUIError):  # some have no animation
+            read_performances(source)
+
+
+def posed(source, rig, seed):
+    """A layout of a rig at random points, written, read and posed."""
+    rng = np.random.default_rng(seed)
+    names = [each.name for each in rig.controls][:24]
+    sizes = np.cumsum([1, 2, 3, 1, 4])
+    groups = [tuple(names[a:b]) for a, b in zip([0, *sizes[:-1]], sizes, strict=True) if names[a:b]]
+    layout = laid_out.layout_of(
+        rig, seed, groups, 0.3 * laid_out.random_values(rig, rng), beside=names[1:2], adapt="deform"
+    )
+    layer = layer_for(
+        ((rig, layout),), source.name, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source)))
+    )
+    layer_bytes(layer, ".usda")
+    (again,) = read_layout(layer)
+    poser = prepare(rig, layout)
+    for _ in range(2):
+        found = evaluate(poser, laid_out.random_values(rig, rng))
+        assert len(found.elements) == len(again.elements)
+    for element in layout.elements:
+        dragged(rig, layout, element, rng)
+
+
+def dragged(rig, layout, element, rng):
+    """A handle dragged along a zigzag."""
+    index = {control.name: i for i, control in enumerate(rig.controls)}
+    owned = [index[member.control] for member in element.members]
+    ranges = [(each.minimum, each.default, each.maximum) for each in (rig.controls[i] for i in owned)]
+    base = layout.base_values[owned]
+    tracks = [200.0 * member.track[:, :2] for member in element.members]
+    drag = begin_drag(tracks, [member.values for member in element.members], element.axes, ranges, base, base)
+    at = drag.start
+    for to in rng.uniform(-150.0, 150.0, (4, 2)):
+        at = drag_to(drag, at, to)
+        values_at(drag, at)
+
+
+def of_the_sample():
+    (rig,) = read_rigs(SAMPLE, Settings())
+    layout = lay_out(rig)[2]
+    layer = layer_for(((rig, layout),), "char.usda", OutputSettings(), {})
+    layer_bytes(layer, ".usda")
+    composed_layouts(Usd.Stage.Open(layer))
+    read_layout(layer)
+
+
+SCENES: dict[str, Callable[[], object]] = {
+    each.__name__: each
+    for each in (
+        of_a_face,
+        of_an_odd_face,
+        as_configured,
+        of_the_paper,
+        of_limbs,
+        of_layouts_that_exist,
+        of_solvers,
+        of_files,
+        of_the_sample,
+    )
+}
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_every_function_returns_what_it_did(scene, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with stage_digests.returned(PACKAGES) as found:
+        SCENES[scene]()
+    digests = {name: each.read() for name, each in sorted(found.items())}
+    file = GOLDEN / f"{scene}.json"
+    if WRITE:
+        lines = ",\n".join(f" {json.dumps(name)}: {json.dumps(each)}" for name, each in digests.items())
+        file.write_text("{\n" + lines + "\n}\n", encoding="utf-8")
+    golden = json.loads(file.read_text(encoding="utf-8"))
+    changed = [name for name, each in digests.items() if name in golden and not stage_digests.alike(each, golden[name])]
+    assert (changed, sorted(golden.keys() ^ digests.keys())) == ([], []), "USDRIGUI_GOLDEN=write if this is meant"
+
+
+def digest_of(value):
+    digest = stage_digests.Digest({})
+    digest.add(value)
+    return digest.read()
+
+
+@pytest.mark.parametrize(
+    ("value", "other"),
+    [
+        ((1, 2), (2, 1)),
+        (((1,), 2), ((1, 2),)),
+        (np.arange(3.0), np.arange(3.0)[::-1]),
+        (np.zeros((2, 3)), np.zeros((3, 2))),
+        ({"a": 1e-5}, {"a": 2e-5}),
+        (np.append(np.ones(500), 0.01), np.append(np.ones(500), 0.011)),
+        (np.inf, -np.inf),
+    ],
+)
+def test_a_digest_tells_values_apart_but_not_their_last_digits(value, other):
+    assert not stage_digests.alike(digest_of(value), digest_of(other))
+    if isinstance(value, np.ndarray):
+        assert stage_digests.alike(digest_of(value), digest_of(value * (1.0 + 1e-9)))
