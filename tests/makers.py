@@ -155,6 +155,21 @@ TEETH = np.array([[-0.3, -0.6, 0.2], [0.3, -0.6, 0.2], [0.3, -0.3, 0.2], [-0.3, 
 """(4, 3) a plate behind the skin of the face."""
 
 
+def star(arms=5):
+    """A disc with one bump in each of `arms` directions."""
+    angles = np.arange(60) * 2.0 * np.pi / 60
+    rings = np.linspace(0.1, 1.0, 10)
+    points = np.array([[r * np.cos(a), r * np.sin(a), 0.0] for r in rings for a in angles])
+    faces = [
+        [r * 60 + i, r * 60 + (i + 1) % 60, (r + 1) * 60 + (i + 1) % 60, (r + 1) * 60 + i]
+        for r in range(9)
+        for i in range(60)
+    ]
+    turns = 2.0 * np.pi * np.arange(arms) / arms
+    shapes = {f"arm{k}": bump(points, (0.6 * np.cos(a), 0.6 * np.sin(a)), (0, 0, 1), 0.3) for k, a in enumerate(turns)}
+    return rig(points, faces, shapes)
+
+
 def face_with(**more):
     """The face with further shapes, by name."""
     points, faces = mask()

@@ -138,6 +138,26 @@ def head(path, tokens=("smile", "frown"), edit=None):
 JOINTS = ("neck", "neck/jaw", "neck/jaw/lip")
 
 
+def posed(path, names):
+    """A mesh on two joints with a pose on each of four frames, named by `names`."""
+    stage, _ = new_stage(path)
+    rest = (matrix(), matrix(translation=(0, 1, 0)))
+    add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest)
+    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
+    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
+    frames = {
+        0.0: rest,
+        1.0: (rest[0], matrix((0, 0, 30), (0, 1, 0))),
+        2.0: (matrix((0, 0, 0), (0, 0, 2)), rest[1]),
+        3.0: rest,
+    }
+    add_animation(stage, "/Char/Anim", "/Char/Skel", (), None, ("a", "a/b"), frames)
+    if names is not None:
+        stage.GetRootLayer().customLayerData = {"framemapping": names}
+    stage.GetRootLayer().Save()
+    return path
+
+
 def character(path):
     """Everything at once; see the module's docstring."""
     stage, root = new_stage(path, "/World/Char")

@@ -20,6 +20,7 @@ from skel_stages import (
     head,
     matrix,
     new_stage,
+    posed,
 )
 
 from usdrigui.deform import channel_state, deform
@@ -393,39 +394,20 @@ def test_a_joint_without_axes_is_no_control(tmp_path):
 
 
 def test_joints_that_are_moved_or_scaled_are_mentioned(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", None))
+    rig = read(posed(tmp_path / "p.usda", None))
     assert [(each.code, each.message) for each in rig.issues] == [("JOINT_MOTION_IGNORED", "1 joints: a")]
-    rig = read(_posed_stage(tmp_path / "q.usda", None), {"read": {"joints": "none"}, "poses": {"p": {"frame": 2.0}}})
+    rig = read(posed(tmp_path / "q.usda", None), {"read": {"joints": "none"}, "poses": {"p": {"frame": 2.0}}})
     assert rig.issues == ()
 
 
 # --- poses -------------------------------------------------------------------------------------------
 
 
-def _posed_stage(path, names):
-    stage, _ = new_stage(path)
-    rest = (matrix(), matrix(translation=(0, 1, 0)))
-    add_skeleton(stage, "/Char/Skel", ("a", "a/b"), rest)
-    mesh = add_mesh(stage, "/Char/Face", "/Char/Skel")
-    add_skin(mesh, [[0, 1]] * SIDE**2, [[0.5, 0.5]] * SIDE**2, 2)
-    frames = {
-        0.0: rest,
-        1.0: (rest[0], matrix((0, 0, 30), (0, 1, 0))),
-        2.0: (matrix((0, 0, 0), (0, 0, 2)), rest[1]),
-        3.0: rest,
-    }
-    add_animation(stage, "/Char/Anim", "/Char/Skel", (), None, ("a", "a/b"), frames)
-    if names is not None:
-        stage.GetRootLayer().customLayerData = {"framemapping": names}
-    stage.GetRootLayer().Save()
-    return path
-
-
 @pytest.mark.parametrize(
     "names", [json.dumps(["Rest", "turn", "shift", "same"]), Vt.StringArray(["Rest", "turn", "shift", "same"])]
 )
 def test_named_frames_become_poses(tmp_path, names):
-    rig = read(_posed_stage(tmp_path / "p.usda", names))
+    rig = read(posed(tmp_path / "p.usda", names))
     assert [(control.name, control.kind) for control in rig.controls] == [("turn", "pose"), ("shift", "pose")]
     assert [(each.control, each.reason) for each in rig.left_off] == [("same", "the pose equals the base pose")]
     local = channel_state(rig, [0.5, 0.5])[1]
@@ -434,29 +416,29 @@ def test_named_frames_become_poses(tmp_path, names):
 
 
 def test_named_frames_as_a_table_of_times(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", json.dumps({"rest": 0, "shift": 2})))
+    rig = read(posed(tmp_path / "p.usda", json.dumps({"rest": 0, "shift": 2})))
     assert [control.name for control in rig.controls] == ["shift"]
 
 
 def test_too_few_frames_for_the_names(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same", "lost"])))
+    rig = read(posed(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same", "lost"])))
     assert {each.control for each in rig.left_off} == {"lost", "same"}
     assert [each.code for each in rig.issues] == ["POSES_MISMATCH"]
 
 
 def test_without_names_the_joints_are_controls(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", None))
+    rig = read(posed(tmp_path / "p.usda", None))
     assert [control.name for control in rig.controls] == ["b:rz"]
 
 
 def test_named_frames_and_joints_when_asked(tmp_path):
-    path = _posed_stage(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same"]))
+    path = posed(tmp_path / "p.usda", json.dumps(["Rest", "turn", "shift", "same"]))
     rig = read(path, {"read": {"joints": "animated"}})
     assert [control.name for control in rig.controls] == ["b:rz", "turn", "shift"]
 
 
 def test_a_clip_passes_through_its_frames(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [0.0, 2.0]}}})
+    rig = read(posed(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [0.0, 2.0]}}})
     story = next(i for i, control in enumerate(rig.controls) if control.name == "story")
     assert rig.controls[story].drive.values.tolist() == [0.0, 0.5, 1.0]
     values = np.zeros(len(rig.controls))
@@ -465,7 +447,7 @@ def test_a_clip_passes_through_its_frames(tmp_path):
 
 
 def test_a_clip_that_starts_elsewhere_starts_at_the_base_pose(tmp_path):
-    rig = read(_posed_stage(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [1.0, 2.0]}}})
+    rig = read(posed(tmp_path / "p.usda", None), {"poses": {"story": {"clip": [1.0, 2.0]}}})
     story = next(control for control in rig.controls if control.name == "story")
     assert story.drive.values[0] == 0.0
     assert story.drive.values[-1] == 1.0

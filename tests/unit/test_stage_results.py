@@ -7,8 +7,10 @@ A digest that differs says which functions return something else than before.  W
 from __future__ import annotations
 
 import contextlib
+import io
 import json
 import os
+import shutil
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -18,29 +20,39 @@ import laid_out
 import layout_problems
 import limbs
 import makers
+import minimal_assets
 import numpy as np
 import pytest
+import shot_stages
 import skel_stages
 import skinned_stages
 import stage_digests
+import traps
 import valid_rigs
 from pxr import Sdf, Usd
+from rig_copies import resculpted
 
+from usdrigui.animation import animation_facts
+from usdrigui.cli import main
 from usdrigui.errors import RigUIError
 from usdrigui.examples import Examples
+from usdrigui.layout.reuse.identity import match_layouts
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.layout.review.review import review
 from usdrigui.layout.review.shortfalls import shortfalls
+from usdrigui.model import Performance
 from usdrigui.pipeline.stages import build_problem, layout_of
 from usdrigui.pose.drag import begin_drag, drag_to, values_at
 from usdrigui.pose.evaluate import evaluate, prepare
-from usdrigui.settings import OutputSettings, Settings, load
-from usdrigui.solve import solve
+from usdrigui.settings import OutputSettings, ReadSettings, Settings, load
+from usdrigui.solve import load_problem, save_problem, solve
+from usdrigui.usd import reader_main, reader_process
 from usdrigui.usd.clips import read_performances
 from usdrigui.usd.faults import stage_faults
 from usdrigui.usd.layer import layer_bytes, layer_for, stage_metadata
 from usdrigui.usd.read_layout import composed_layouts, read_layout
+from usdrigui.usd.reader_records import Request
 from usdrigui.usd.rig import read_rigs
 
 GOLDEN = Path(__file__).parent / "stage_results"
@@ -85,6 +97,21 @@ def lay_out(rig, examples=None, base_values=None, **parts):
     return inputs, assignment, layout
 
 
+ARROW = """#usda 1.0
+def Mesh "Arrow" {
+    point3f[] points = [(5, 7, -3), (4, 7, 0), (6, 7, 0)]
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+}
+"""
+DECISIONS = {
+    "controls": {"brow_L": {"anchor": "/Root/mesh#267"}, "sneer_R": {"place": "board"}},
+    "groups": {"groups": {"mouth": ["pucker", "chin"]}},
+}
+TURNED = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+"""From Y up to Z up."""
+
+
 # --- scenes ---------------------------------------------------------------------------------------
 
 
@@ -114,6 +141,26 @@ def as_configured():
     lay_out(rig, levels={"members": {"pucker": ["smile_R", "chin"]}}, groups={"patches": True, "fan_size": 4})
 
 
+def of_requests():
+    rig = makers.face_with_teeth(0.1)
+    fan = {"fan": ["sneer_L", "sneer_R", "pucker", "blink_L", "chin"]}
+    controls = {
+        "teeth": {"place": "proxy", "adapt": "static"},
+        "jawLeft": {"near": "/Root/teeth", "within": 0.4, "minimum": -0.5},
+        "brow_L": {"anchor": "/Root/mesh#914", "follow_twin": False},
+        "brow_R": {"near": "/Root/mesh.point[700]"},
+    }
+    lay_out(rig, controls=controls, groups={"groups": fan})
+    star = makers.star(5)
+    lay_out(star, controls={"arm0": {"orbit": [f"arm{k}" for k in range(5)]}}, candidates={"occlusion": False})
+    ramp = np.array([0.0, 0.5, 1.0, 0.5, 0.0, 0.0, 0.0, 0.0])
+    weights = np.stack([ramp, 0.9 * ramp, ramp[::-1], 0.2 * ramp], axis=1)
+    tokens = ("chin", "pucker", "smile_L", "brow_R")
+    clip = Performance("clip.usda", "/Anim", np.arange(8.0), tokens, weights, (), np.zeros((8, 0, 3, 3)))
+    inputs = lay_out(makers.face(17, 21), {"clips": (clip,)}, animation={"weight": 0.7})[0]
+    animation_facts(inputs.face, inputs.candidates, inputs.similarity, inputs.requests, inputs.settings, (clip,))
+
+
 def of_the_paper():
     rig = makers.face(17, 21)
     settings = load(preset="paper")
@@ -137,16 +184,27 @@ def of_layouts_that_exist():
             replace(each, name=each.name.replace("smile", "grin"), label=each.name) for each in rig.controls
         ),
     )
-    other = makers.face(23, 25, height=30.0)
+    numbered = replace(rig, controls=as_numbers(rig.controls))
+    decided = lay_out(rig, **DECISIONS)[2]
+    other = makers.moved(makers.face(23, 25, height=30.0), TURNED, (3.0, 1.0, -40.0))
+    unnamed = replace(other, controls=as_numbers(other.controls[::-1]))
     for ours, examples in (
         (some, {"previous": {rig.root: first}}),
         (named, {"previous": {rig.root: first}}),
-        (other, {"like": ((rig, first),)}),
+        (numbered, {"previous": {rig.root: decided}}),
+        (resculpted(rig, 1), {"previous": {rig.root: decided}}),
+        (other, {"like": ((rig, decided),)}),
+        (unnamed, {"like": ((rig, first),)}),
         (rig, {"fixed": {rig.root: first}}),
     ):
         inputs, assignment, layout = lay_out(ours, examples)
         better = improvements(inputs.face, inputs.requests, inputs.placement, assignment.labels)
         difference(first, layout, better, next(iter(inputs.matchings.values()), None))
+        match_layouts(first, layout)
+
+
+def as_numbers(controls):
+    return tuple(replace(each, name=f"c{number}") for number, each in enumerate(controls))
 
 
 def of_solvers():
@@ -155,6 +213,9 @@ def of_solvers():
             solved(layout_problems.random_problem(seed), method, clusters=2)
     for seed in (0, 1):
         solved(layout_problems.crowd(seed, 4, 16), "highs")
+        solved(layout_problems.crowd(seed, 5, 30), "highs", work_limit=2_000_000)
+        save_problem(Path("problem.npz"), layout_problems.random_problem(seed))
+        load_problem(Path("problem.npz"))
         solved(layout_problems.crowd(seed, 8, 20), "paper", linkage="sum", clusters=3)
 
 
@@ -177,6 +238,55 @@ def of_files():
             posed(source, rig, number)
         with contextlib.suppress(RigUIError):  # some have no animation
             read_performances(source)
+
+
+def of_small_assets():
+    for number, code in enumerate(minimal_assets.EDITS):
+        asked("rigs" if number % 4 else "faults", minimal_assets.character(Path(), code))
+    for number, name in enumerate(traps.TRAPS):
+        asked("faults" if number % 4 else "rigs", traps.trapped(Path(), name))
+    for seed in range(4, 10):
+        asked("rigs", valid_rigs.make_rig(seed, Path("valid.usda"), valid_rigs.SMALL))
+    first = SAMPLE.parents[1] / "tests" / "first_format"
+    shutil.copytree(first, "first")
+    asked("layouts", Path("first/char.rigui.usda"))
+    asked("composed", Path("first/char.rigui.usda"))
+    frames = skel_stages.posed(Path("posed.usda"), json.dumps(["Rest", "turn", "shift", "same"]))
+    asked("rigs", frames, poses={"story": {"clip": [0.0, 2.0]}}, read={"joints": "none"})
+    asked("clips", frames)
+
+
+def asked(task, path, **parts):
+    """What the reader responds, in this process."""
+    limits = reader_process.Limits.of(ReadSettings())
+    return reader_main.respond(Request(task, str(path.absolute()), load(parts), limits, os.getpid()))
+
+
+def of_commands():
+    """A character, its shot, its layouts added to and attached, read in this process."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reader_process, "_from_reader", lambda request, _: reader_main.respond(request))
+        Path("glyphs.usda").write_text(ARROW, encoding="utf-8")
+        char = str(skinned_stages.character(Path("char.usda"), moved=True))
+        glyph = 'controls.chin.glyph="glyphs.usda</Arrow>"'
+        for line in (
+            f"process {char} --set {glyph}",
+            f"process {char} --previous char.rigui.usda --set {glyph} -o again.usda",
+            f"process {char} --bare -o bare.usda",
+            "check char.rigui.usda",
+            "diff char.rigui.usda again.usda",
+            f"attach {char} bare.usda",
+            f"inspect {char}",
+        ):
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+                main(line.split())
+        shot_stages.shot(
+            Path("shot.usda"), "./char.usda", "/World/Char/face0", {"ears": ((0.5, 0.2), (1.0, 0.0, 0.0), 0.3, 0.1)}
+        )
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            main(["process", "shot.usda", "--base", "char.usda", "-o", "shot.rigui.usda"])
+        for path in sorted(Path().glob("*.rigui.usda")):
+            read_layout(path)
 
 
 def posed(source, rig, seed):
@@ -234,7 +344,10 @@ SCENES: dict[str, Callable[[], object]] = {
         of_limbs,
         of_layouts_that_exist,
         of_solvers,
+        of_requests,
         of_files,
+        of_small_assets,
+        of_commands,
         of_the_sample,
     )
 }

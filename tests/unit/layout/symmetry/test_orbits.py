@@ -11,26 +11,9 @@ from usdrigui.errors import RigUIError
 from usdrigui.layout.symmetry.orbits import orbit_points
 
 
-def star(arms=5):
-    """A disc with one bump in each of `arms` directions."""
-    angles = np.arange(60) * 2.0 * np.pi / 60
-    rings = np.linspace(0.1, 1.0, 10)
-    points = np.array([[r * np.cos(a), r * np.sin(a), 0.0] for r in rings for a in angles])
-    faces = [
-        [r * 60 + i, r * 60 + (i + 1) % 60, (r + 1) * 60 + (i + 1) % 60, (r + 1) * 60 + i]
-        for r in range(9)
-        for i in range(60)
-    ]
-    turns = 2.0 * np.pi * np.arange(arms) / arms
-    shapes = {
-        f"arm{k}": makers.bump(points, (0.6 * np.cos(a), 0.6 * np.sin(a)), (0, 0, 1), 0.3) for k, a in enumerate(turns)
-    }
-    return makers.rig(points, faces, shapes)
-
-
 @pytest.mark.parametrize("arms", [2, 3, 5])
 def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
-    rig = star(arms)
+    rig = makers.star(arms)
     orbit = {"orbit": tuple(f"arm{k}" for k in range(arms))}
     said = chain.settings(controls={"arm0": orbit}, candidates={"occlusion": False})
     if arms == 2:
@@ -50,11 +33,11 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
 @pytest.mark.parametrize("orbit", [("arm0",), ("arm0", "nobody"), ("arm0", "arm0")])
 def test_wrong_orbits_are_refused(orbit):
     with pytest.raises(RigUIError):
-        chain.problem_of(star(3), chain.settings(controls={"arm0": {"orbit": orbit}}))
+        chain.problem_of(makers.star(3), chain.settings(controls={"arm0": {"orbit": orbit}}))
 
 
 def test_an_orbit_of_two_does_not_depend_on_where_the_character_is():
-    rig = replace(star(2), up=np.array([0.0, 0.0, 1.0]))
+    rig = replace(makers.star(2), up=np.array([0.0, 0.0, 1.0]))
     moved = replace(
         rig, meshes=tuple(replace(mesh, points=mesh.points + np.array([3.0, 5.0, -2.0])) for mesh in rig.meshes)
     )
