@@ -10,6 +10,7 @@ import dataclasses
 import functools
 import importlib
 import pkgutil
+import re
 import sys
 import types
 import zlib
@@ -102,8 +103,9 @@ class Digest:
 
 
 def _word(value: Any) -> str:
-    """A plain value as text; paths are told from the working folder."""
-    return repr(value.item() if isinstance(value, np.generic) else value).replace(f"{Path.cwd()}/", "")
+    """A plain value as text; paths are told from the working folder, and layers without a file have no address."""
+    text = repr(value.item() if isinstance(value, np.generic) else value)
+    return re.sub("0x[0-9a-f]+", "", text.replace(f"{Path.cwd()}/", ""))
 
 
 def alike(found: list[Any], golden: list[Any]) -> bool:
