@@ -103,9 +103,9 @@ class Digest:
 
 
 def _word(value: Any) -> str:
-    """A plain value as text; paths are told from the working folder, and layers without a file have no address."""
+    """A plain value as text, without the working folder, the random part of a name and the address of a layer."""
     text = repr(value.item() if isinstance(value, np.generic) else value)
-    return re.sub("0x[0-9a-f]+", "", text.replace(f"{Path.cwd()}/", ""))
+    return re.sub(r"0x[0-9a-f]+|\.[0-9a-f-]{40,}\.rigui-tmp", "", text.replace(f"{Path.cwd()}/", ""))
 
 
 def alike(found: list[Any], golden: list[Any]) -> bool:

@@ -10,22 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from usdrigui.errors import Issue, issue, refuse
+from usdrigui.errors import refuse
 from usdrigui.model import Element, Layout
 
 
 def inner_names(elements: Iterable[Element]) -> frozenset[str]:
     """Names of the elements that are members of a coarse one, and so on the second level."""
     return frozenset(name for element in elements for name in element.inner)
-
-
-def mesh_gone(layout: Layout, mesh: str, controls: int = 0) -> Issue:
-    """LAYOUT_MESH_GONE of a mesh that is not there, with how many elements stand on it; `controls`
-    of the layout are gone too."""
-    elements = sum(element.anchor.mesh == mesh for element in layout.elements)
-    told = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
-    more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
-    return issue("LAYOUT_MESH_GONE", mesh, f"{told}{more * bool(controls)}", layout.root)
 
 
 def outer_first(elements: Iterable[Element]) -> tuple[Element, ...]:

@@ -17,7 +17,7 @@ from pxr import Sdf
 
 from usdrigui.cli import main
 from usdrigui.clients.batch import jobs, places, run, state
-from usdrigui.clients.batch.job import Job
+from usdrigui.clients.batch.job import Job, JobOptions
 from usdrigui.errors import RigUIError
 
 
@@ -86,7 +86,7 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
     output, picture = tmp_path / "split.rigui.usda", tmp_path / "split.rigui.png"
     output.write_text("layer")
     picture.write_text("picture")
-    job = Job(str(asset), str(output), str(picture), (), "settings")
+    job = Job(str(asset), str(output), str(picture), JobOptions(settings="settings"))
     files = [Path("split.usda"), Path("a0/char.usda")]
     sources = [{"path": each.as_posix(), "sha256": state.hashed(folder / each).sha256} for each in files]
     paths = tuple(os.path.realpath(folder / each) for each in files)
@@ -131,7 +131,7 @@ def fake(monkeypatch, tmp_path, text):
     script.write_text(f"#!/bin/sh\n{text}\n")
     script.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(script))
-    return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "", (), "")
+    return Job(str(tmp_path / "char.usda"), str(tmp_path / "char.rigui.usda"), "", JobOptions())
 
 
 END = """echo '{"what": "end", "code": 0, "out": "rubbish", "err": ""}'"""
@@ -156,7 +156,7 @@ def test_a_process_that_dies_is_a_row(monkeypatch, tmp_path, text, code, exit_co
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
     job = fake(monkeypatch, tmp_path, f"sleep 1000 & echo $! > {tmp_path}/pid; wait")
-    row = jobs.run_job(Job(job.asset, job.output, "", (), "", timeout=1.0))
+    row = jobs.run_job(Job(job.asset, job.output, "", JobOptions(timeout=1.0)))
     assert (row.outcome, row.code, row.exit) == ("failed", "BATCH_TIME_LIMIT", 4)
     assert not alive(int((tmp_path / "pid").read_text()))
 
@@ -164,7 +164,7 @@ def test_a_process_that_hangs_is_ended_with_its_children(monkeypatch, tmp_path):
 @pytest.mark.skipif(os.name != "posix", reason="needs a shell")
 def test_leaving_early_ends_what_still_runs(monkeypatch, tmp_path):
     fake(monkeypatch, tmp_path, f"[ $5 = {tmp_path}/0.usda ] && exit 0; echo $$ > {tmp_path}/pid; exec sleep 1000")
-    many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", (), "") for i in range(6)]
+    many = [Job(str(tmp_path / f"{i}.usda"), str(tmp_path / f"{i}.rigui.usda"), "", JobOptions()) for i in range(6)]
     rows = run.run_local(many, 2)
     assert next(rows).code == "WORKER_CRASHED"
     deadline = time.monotonic() + 30

@@ -241,12 +241,13 @@ def of_files():
 
 
 def of_small_assets():
+    # Each in a folder of its own: USD may still hold the file that another one replaces.
     for number, code in enumerate(minimal_assets.EDITS):
-        asked("rigs" if number % 4 else "faults", minimal_assets.character(Path(), code))
+        asked("rigs" if number % 4 else "faults", minimal_assets.character(folder(f"e{number}"), code))
     for number, name in enumerate(traps.TRAPS):
-        asked("faults" if number % 4 else "rigs", traps.trapped(Path(), name))
+        asked("faults" if number % 4 else "rigs", traps.trapped(folder(f"t{number}"), name))
     for seed in range(4, 10):
-        asked("rigs", valid_rigs.make_rig(seed, Path("valid.usda"), valid_rigs.SMALL))
+        asked("rigs", valid_rigs.make_rig(seed, Path(f"valid{seed}.usda"), valid_rigs.SMALL))
     first = SAMPLE.parents[1] / "tests" / "first_format"
     shutil.copytree(first, "first")
     asked("layouts", Path("first/char.rigui.usda"))
@@ -254,6 +255,11 @@ def of_small_assets():
     frames = skel_stages.posed(Path("posed.usda"), json.dumps(["Rest", "turn", "shift", "same"]))
     asked("rigs", frames, poses={"story": {"clip": [0.0, 2.0]}}, read={"joints": "none"})
     asked("clips", frames)
+
+
+def folder(name):
+    Path(name).mkdir()
+    return Path(name)
 
 
 def asked(task, path, **parts):

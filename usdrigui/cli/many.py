@@ -197,7 +197,7 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
     """One job per asset, each with the settings that its own configuration gives, and the files
     named to be read."""
     from usdrigui.clients.batch import places
-    from usdrigui.clients.batch.job import Job
+    from usdrigui.clients.batch.job import Job, JobOptions
 
     settings_quietly(arguments)  # what is wrong with the command line is wrong for all assets
     assets = places.find_assets(arguments.patterns)
@@ -213,9 +213,8 @@ def _jobs(arguments: argparse.Namespace) -> tuple[list[Job], list[Path]]:
             # configuration
             digest = ""
         read += files_read(arguments)  # known once the settings were read
-        again, named = arguments.again, str(asset) in arguments.patterns
-        found.append(
-            Job(str(asset), str(output), picture, passed, digest, arguments.timeout, again, named)
-        )
+        options = JobOptions(passed, digest, arguments.timeout, arguments.again)
+        named = str(asset) in arguments.patterns
+        found.append(Job(str(asset), str(output), picture, options, named))
     del arguments.asset
     return found, read

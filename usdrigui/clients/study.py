@@ -37,7 +37,7 @@ PAPER: Mapping[str, Mapping[str, float]] = {
 }
 PAPER_PARTICIPANTS = 12
 
-Row = Mapping[str, str]
+Answers = Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +66,7 @@ class Study:
 
 def summed(paths: Sequence[Path]) -> Study:
     """Sum the results of files, one participant each.  Raises STUDY_RESULTS."""
-    found: dict[str, list[Row]] = {}
+    found: dict[str, list[Answers]] = {}
     left_out = []
     for path in paths:
         rows = _rows(path)
@@ -141,12 +141,12 @@ _ASKED = ("question", "answer")
 """In files of later versions."""
 
 
-def _rows(path: Path) -> list[Row]:
+def _rows(path: Path) -> list[Answers]:
     """The rows of a file, all of one participant."""
     try:
         with path.open(newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file, restval="")
-            rows: list[Row] = [
+            rows: list[Answers] = [
                 {key: row.get(key) or "" for key in (*_NEEDED, *_ASKED)} for row in reader
             ]
             known = set(_NEEDED) <= set(reader.fieldnames or ())
@@ -161,7 +161,7 @@ def _rows(path: Path) -> list[Row]:
     return rows
 
 
-def _numbers(row: Row) -> tuple[str, ...]:
+def _numbers(row: Answers) -> tuple[str, ...]:
     """What must be a number in a row: of a face its time and errors, of an answer its score."""
     if row["face"]:
         return tuple(row[key] for key in _NEEDED[3:])
@@ -171,7 +171,7 @@ def _numbers(row: Row) -> tuple[str, ...]:
 # --- measures -------------------------------------------------------------------------------------
 
 
-def _measures(people: Sequence[Sequence[Row]]) -> Iterable[Measure]:
+def _measures(people: Sequence[Sequence[Answers]]) -> Iterable[Measure]:
     for measure, value in _OF_FACES.items():
         for name in INTERFACES:
             yield _over(measure, name, [value(rows, name) for rows in people])
@@ -192,28 +192,28 @@ def _over(measure: str, name: str, values: Sequence[float]) -> Measure:
     )
 
 
-def _share(rows: Sequence[Row], name: str) -> float:
+def _share(rows: Sequence[Answers], name: str) -> float:
     return (
         100.0 * _seconds(rows, name) / max(sum(_seconds(rows, each) for each in INTERFACES), 1e-9)
     )
 
 
-def _common(rows: Sequence[Row], name: str) -> float:
+def _common(rows: Sequence[Answers], name: str) -> float:
     common = [row for row in rows if row["face"] == "common"]
     return _seconds(common, name) / max(_seconds(common, "face"), 1e-9)
 
 
-def _seconds(rows: Sequence[Row], name: str) -> float:
+def _seconds(rows: Sequence[Answers], name: str) -> float:
     return sum(float(row["seconds"]) for row in rows if row["face"] and row["interface"] == name)
 
 
-def _mean_of(key: str) -> Callable[[Sequence[Row], str], float]:
+def _mean_of(key: str) -> Callable[[Sequence[Answers], str], float]:
     return lambda rows, name: fmean(
         float(row[key]) for row in rows if row["face"] and row["interface"] == name
     )
 
 
-_OF_FACES: Mapping[str, Callable[[Sequence[Row], str], float]] = {
+_OF_FACES: Mapping[str, Callable[[Sequence[Answers], str], float]] = {
     "minutes": lambda rows, name: _seconds(rows, name) / 60.0,
     "share of time, %": _share,
     "time on the common face, of that on the face": _common,

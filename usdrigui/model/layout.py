@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from usdrigui.errors import Issue, issue
 from usdrigui.model.assignment import Status
 from usdrigui.model.candidates import ElementKind, axes_of
 from usdrigui.model.record import Floats, Record
@@ -59,6 +60,14 @@ class Layout(Record):
     def controls(self) -> frozenset[str]:
         """Names of all controls that have an element."""
         return frozenset().union(*(element.controls for element in self.elements))
+
+    def mesh_gone(self, mesh: str, controls: int = 0) -> Issue:
+        """LAYOUT_MESH_GONE of a mesh that is not there, with how many elements stand on it;
+        `controls` of the layout are gone too."""
+        elements = sum(element.anchor.mesh == mesh for element in self.elements)
+        told = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
+        more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
+        return issue("LAYOUT_MESH_GONE", mesh, f"{told}{more * bool(controls)}", self.root)
 
 
 @dataclass(frozen=True, eq=False)

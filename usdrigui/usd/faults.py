@@ -15,7 +15,6 @@ import numpy as np
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
-from usdrigui.levels import mesh_gone
 from usdrigui.model import Floats
 from usdrigui.usd.arrays import (
     check_range,
@@ -87,7 +86,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                         stage.GetPrimAtPath(anchor.mesh) if anchor.mesh else None
                     )
             if not hashes[anchor.mesh]:
-                found.append(mesh_gone(layout, anchor.mesh))
+                found.append(layout.mesh_gone(anchor.mesh))
             elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
                 found.append(
                     issue(

@@ -66,7 +66,7 @@ class Row:
 def run_job(job: Job) -> Row:
     """Lay out one asset, unless nothing has changed since that was last done."""
     try:
-        known = None if job.again else _recalled(job)
+        known = None if job.options.again else _recalled(job)
         return known or _laid_out(job)
     except Exception as error:
         return failed(job, refuse("BUG", "", f"{type(error).__name__}: {error}"))
@@ -125,17 +125,18 @@ def _supervised(job: Job) -> Outcome:
         "-o",
         _no_option(job.output),
         "--json",
-        *job.arguments,
+        *job.options.arguments,
     ]
     if job.picture:
         command += ["--preview", _no_option(job.picture)]
-    late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {job.timeout:g} s")
+    timeout = job.options.timeout
+    late = refuse("BATCH_TIME_LIMIT", "", f"was not done within {timeout:g} s")
     events: Events = SimpleQueue()
     with _ENTERING:
         _RUNNING.add(events)
     try:
         return supervise(
-            command, _ignore, events, limit=(job.timeout, late) if job.timeout else None, alone=True
+            command, _ignore, events, limit=(timeout, late) if timeout else None, alone=True
         )
     finally:
         with _ENTERING:

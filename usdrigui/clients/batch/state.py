@@ -88,7 +88,7 @@ def _about(job: Job, sources: Sequence[Mapping[str, str]]) -> dict[str, Any]:
     """Everything that the result depends on, as it is now; raises OSError where a file is gone."""
     return {
         "usdrigui": __version__,
-        "settings": job.settings,
+        "settings": job.options.settings,
         "asset": os.path.relpath(
             os.path.realpath(job.asset), os.path.realpath(Path(job.output).parent)
         ),

@@ -18,7 +18,7 @@ from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
 from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.levels import inner_names, mesh_gone, states
+from usdrigui.levels import inner_names, states
 from usdrigui.model import (
     Candidates,
     CandidateSet,
@@ -146,7 +146,7 @@ def _stale(
     anchored = dict.fromkeys(element.anchor.mesh for element in whole.elements)
     lost = [path for path in anchored if path not in meshes]
     for path in lost:
-        yield mesh_gone(whole, path, len(whole.controls - known))
+        yield whole.mesh_gone(path, len(whole.controls - known))
     # Controls go with the mesh that has their shapes; one that was renamed is told by itself.
     along = layout.controls - renamed.keys() if lost else frozenset[str]()
     for element in layout.elements:
