@@ -98,7 +98,8 @@ def test_everything_that_the_result_depends_on_ends_the_skipping(folder, tmp_pat
         assert state.recall(job) == written
 
     remembered()
-    for other in ({"settings": "others"}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
+    others = JobOptions(settings="others")
+    for other in ({"options": others}, {"asset": "another.usda"}, {"picture": str(tmp_path / "other.png")}):
         assert state.recall(replace(job, **other)) is None
     plain = replace(job, picture="")
     assert state.recall(plain) == {**written, "picture": ""}
