@@ -17,7 +17,6 @@ from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, all_labels
 from usdrigui.solve.pair_costs import near_blocks, refined
-from usdrigui.solve.paper import _with_labels
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
 
@@ -189,6 +188,9 @@ def test_a_label_left_alone_of_a_block_gets_its_own_costs() -> None:
 
 def test_of_equal_candidates_the_first_is_a_label() -> None:
     problem = crowd(0)
-    twice = [np.tile(np.arange(len(each.cost)), 2) for each in problem.variables]
-    doubled = tuple(_with_labels(each, labels) for each, labels in zip(problem.variables, twice, strict=True))
+    arrays = ("points", "cost", "samples", "handles", "displacement")
+    doubled = tuple(
+        replace(each, **{name: np.concatenate([getattr(each, name)] * 2) for name in arrays})
+        for each in problem.variables
+    )
     assert np.array_equal(all_labels(replace(problem, variables=doubled)).candidate, all_labels(problem).candidate)

@@ -10,10 +10,7 @@ from usdrigui.errors import refuse
 from usdrigui.model import GAP_FLOOR, Assignment, Indices, LayoutProblem
 from usdrigui.overlap import pair_costs, total_cost
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelSet
-
-SAFETY = 2e-11
-"""Share of a bound, and of the least costs it is made of, taken off for rounding."""
+from usdrigui.solve.label_geometry import ROUNDING, LabelSet
 
 
 def assignment(
@@ -28,7 +25,8 @@ def assignment(
     if not np.isfinite(cost):
         names = ", ".join(_too_near(problem, chosen))
         raise refuse("SOLVE_INFEASIBLE", "solve", f"no place apart from the others for {names}")
-    rounding = SAFETY * (abs(budget.bound) + float(np.abs(labels.best).sum()))
+    # Of a bound and of the least costs it is made of: thousands of numbers are added up.
+    rounding = 20 * ROUNDING * (abs(budget.bound) + float(np.abs(labels.best).sum()))
     bound = min(budget.bound - rounding, cost) if np.isfinite(budget.bound) else -np.inf
     # A bound that reaches the cost proves it at a gap of 0, too: neither what is taken off for
     # rounding nor the sums of the two costs, in other orders, keep it open.

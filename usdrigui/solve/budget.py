@@ -11,9 +11,6 @@ import numpy as np
 from usdrigui.model import GAP_FLOOR, Step
 from usdrigui.settings import SolveSettings
 
-_NO_TIME = 1e-9
-"""A time limit that has run out; 0 would mean none."""
-
 
 @dataclass(frozen=True, slots=True)
 class Progress:
@@ -83,7 +80,8 @@ class Budget:
         """
         limits = replace(self.settings, work_limit=int(share * self.work_left))
         if self.settings.time_limit > 0:
-            limits = replace(limits, time_limit=max(share * self.seconds_left, _NO_TIME))
+            # Once it has run out, no time is left: 0 would mean no limit.
+            limits = replace(limits, time_limit=max(share * self.seconds_left, 1e-9))
         return Budget(limits, stop=self.stopped)
 
     def spend(self, work: int) -> None:

@@ -12,9 +12,6 @@ from usdrigui.model import Floats, LayoutProblem, Variable
 
 Linkage = Literal["single", "sum"]
 
-PER_VARIABLE = 200
-"""Candidates of a variable whose distances stand for all when clusters are compared."""
-
 
 def clusters(problem: LayoutProblem, count: int, method: Linkage = "single") -> list[list[int]]:
     """Partition of the variables into `count` clusters (fewer where there are fewer variables),
@@ -59,9 +56,9 @@ def _mean_distances(variables: list[Variable]) -> Floats:
     """(variables, variables) mean distance between the candidates' handles, of the nearest two
     copies.
 
-    Estimated from evenly chosen candidates.
+    Estimated from 200 candidates of each, evenly chosen.
     """
-    spots = [each.handles[:: -(-len(each.cost) // PER_VARIABLE)] for each in variables]
+    spots = [each.handles[:: -(-len(each.cost) // 200)] for each in variables]
     found = np.zeros((len(spots), len(spots)))
     for a, one in enumerate(spots):
         for b, other in enumerate(spots[:a]):

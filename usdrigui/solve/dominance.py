@@ -17,7 +17,6 @@ import itertools
 import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
-from usdrigui.solve.reduced_problem import NEVER
 
 
 def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) -> Flags:
@@ -32,7 +31,7 @@ def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) 
     for low, high in itertools.pairwise(start.tolist()):
         others = np.flatnonzero(alive)
         first = np.flatnonzero(np.diff(owner[others], prepend=-1))
-        costs = np.minimum(pairs[low:high, others], NEVER)
+        costs = np.minimum(pairs[low:high, others], 1e30)  # infinite costs have no differences
         used = np.where(excluded[low:high, others], np.inf, costs)
         alive[low:high] = _undominated(linear[low:high], costs, used, first)
     return alive

@@ -40,22 +40,12 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
     best = np.unravel_index(int(total.argmin()), total.shape)
     cost = float(total.min())
     budget.note("enumeration", layouts=layouts)
-    least = sum(float(_finite_least(each.cost, each.off_face_cost)) for each in problem.variables)
-    chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
-    return Assignment(
-        chosen,
-        cost,
-        cost,
-        "optimal",
-        max(0.0, cost - least),
-        "enumerate",
-        "enumerate",
-        tuple(budget.steps),
+    least = sum(
+        min(float(each.cost.min(initial=np.inf)), each.off_face_cost) for each in problem.variables
     )
-
-
-def _finite_least(cost: Floats, off_face_cost: float) -> float:
-    return min(float(cost.min(initial=np.inf)), off_face_cost)
+    chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
+    in_play, steps = max(0.0, cost - least), tuple(budget.steps)
+    return Assignment(chosen, cost, cost, "optimal", in_play, "enumerate", "enumerate", steps)
 
 
 def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.ndarray) -> Floats:

@@ -22,6 +22,7 @@ The cost of a layout is defined at `usdrigui.model.LayoutProblem`; lengths are i
 from __future__ import annotations
 
 import zipfile
+from dataclasses import astuple
 from pathlib import Path
 
 import numpy as np
@@ -37,7 +38,7 @@ def save_problem(path: Path, problem: LayoutProblem) -> None:
     arrays: dict[str, np.ndarray] = {
         "version": np.array(VERSION),
         "names": np.array([each.name for each in problem.variables], dtype=np.str_),
-        "overlap": np.array([getattr(problem.overlap, name) for name in _OVERLAP]),
+        "overlap": np.array(astuple(problem.overlap)),
         "separation": np.array(problem.separation),
         "unit_cost": np.array(problem.unit_cost),
         "off_face_cost": np.array(
@@ -79,7 +80,6 @@ def load_problem(path: Path) -> LayoutProblem:
         raise refuse("PROBLEM_FILE", str(path), f"is no layout problem: {error}") from error
 
 
-_OVERLAP = ("maximum", "radius", "sharpness", "reach", "weight")
 _PER_VARIABLE = ("points", "cost", "samples", "handles", "displacement")
 
 
@@ -106,7 +106,7 @@ def _problem(arrays: np.lib.npyio.NpzFile) -> LayoutProblem:
         for at, (a, b) in enumerate(arrays["extra"])
     )
     _check_extra(variables, extra)
-    overlap = Overlap(**dict(zip(_OVERLAP, arrays["overlap"].tolist(), strict=True)))
+    overlap = Overlap(*arrays["overlap"].tolist())
     return LayoutProblem(
         variables, overlap, float(arrays["separation"]), float(arrays["unit_cost"]), extra
     )

@@ -16,7 +16,7 @@ from scipy.sparse import csr_array
 from usdrigui.model import Floats, Indices, LayoutProblem
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.label_geometry import LabelSet, meeting, pair_bounds
-from usdrigui.solve.pair_costs import explicit_pairs
+from usdrigui.solve.pair_costs import pair_costs
 
 SAME = 1e-9
 """Costs that differ by no more are of the same layout."""
@@ -173,7 +173,7 @@ class LazyRows:
 
     def __init__(self, problem: LayoutProblem, labels: LabelSet, budget: Budget) -> None:
         self._problem, self._labels, self._budget = problem, labels, budget
-        self._explicit = KnownRows(explicit_pairs(problem, labels))
+        self._explicit = KnownRows(pair_costs(problem, labels))
         self._known: dict[int, tuple[Indices, Floats]] = {}
         self._room = self._most = budget.settings.memory_limit * 2**20 // 80
         """Entries of 16 bytes that a fifth of the memory holds."""

@@ -30,12 +30,8 @@ if TYPE_CHECKING:
 
 VIOLATED = 1e-6
 """Least violation of a row that is added."""
-PER_TABLE = 2
-"""Rows added for each direction of a table in a round."""
 CALL = 8
 """Work of HiGHS between two calls, for every row."""
-TOLERANCE = 1e-9
-"""Share by which a bound of a program is lowered for rounding."""
 
 Row = tuple[Indices, Floats]
 
@@ -195,9 +191,7 @@ class _Program:
 
     def _lowered(self, value: float) -> float:
         """A bound of the program as one of the problem, less what rounding may have added."""
-        return (
-            self._base + value - TOLERANCE * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
-        )
+        return self._base + value - 1e-9 * (1.0 + abs(value)) if np.isfinite(value) else -np.inf
 
     def _raise(self, bound: float) -> None:
         if bound > self._bound:
@@ -256,15 +250,13 @@ class _Table:
         self._sides = [(a, b, *_lifted(costs)), (b, a, *_lifted(costs.T))]
 
     def violated(self, values: Floats) -> list[Row]:
-        """The most violated rows of both directions."""
+        """The most violated row of each direction."""
         found = []
         for mine, theirs, costs, lifts in self._sides:
             over = costs @ values[theirs] - lifts @ values[mine] - values[self._column]
-            most = np.argsort(-over, kind="stable")[:PER_TABLE]
-            found += [
-                _row(self._column, (theirs, -costs[at]), (mine, lifts[at]))
-                for at in most[over[most] > VIOLATED]
-            ]
+            at = int(over.argmax())
+            if over[at] > VIOLATED:
+                found.append(_row(self._column, (theirs, -costs[at]), (mine, lifts[at])))
         return found
 
 

@@ -6,6 +6,7 @@ near pairs become pairs of its halves; only those are worked out anew.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +14,7 @@ from scipy.sparse import coo_array, csr_array
 
 from usdrigui.model import ExtraPairs, Flags, Floats, Indices, LayoutProblem, Record
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelSet, meeting, pair_bounds
-
-AT_ONCE = 1_000_000
-"""Pairs of elements held at a time."""
+from usdrigui.solve.label_geometry import CHUNK, LabelSet, meeting, pair_bounds
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +37,7 @@ def near_blocks(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> lis
     found = []
     for a, one in enumerate(labels.geometries):
         for b, other in enumerate(labels.geometries):
-            rows = max(1, AT_ONCE // len(other.owner))
+            rows = max(1, 32 * CHUNK // len(other.owner))
             pieces = []
             for low in range(0, len(one.owner), rows):
                 i, j = np.ix_(range(low, min(low + rows, len(one.owner))), range(len(other.owner)))
@@ -93,7 +91,9 @@ def _children(
         pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same]
     )
     pieces = [old]
-    for part in np.split(split, np.flatnonzero(np.diff(np.cumsum(times[split]) // AT_ONCE)) + 1):
+    for part in np.split(
+        split, np.flatnonzero(np.diff(np.cumsum(times[split]) // (32 * CHUNK))) + 1
+    ):
         source = np.repeat(part, times[part])
         step = np.arange(len(source)) - np.repeat(np.cumsum(times[part]) - times[part], times[part])
         first = child[pairs.first[source]] + step // few[source]
@@ -132,7 +132,9 @@ def _joined(pieces: list[NearPairs]) -> NearPairs:
 # --- all pairs ------------------------------------------------------------------------------------
 
 
-def pair_costs(problem: LayoutProblem, labels: LabelSet, near: list[NearPairs]) -> csr_array:
+def pair_costs(
+    problem: LayoutProblem, labels: LabelSet, near: Sequence[NearPairs] = ()
+) -> csr_array:
     """(n, n) costs of the pairs that cost anything, each once, the label of the earlier variable
     first; +inf where forbidden.
 
@@ -140,28 +142,15 @@ def pair_costs(problem: LayoutProblem, labels: LabelSet, near: list[NearPairs]) 
     blocks of several zero bounds them from below.
     """
     pieces = [(each.first, each.second, each.costs) for each in near]
-    return _summed(pieces + _explicit_pieces(problem, labels), len(labels.cost))
-
-
-def explicit_pairs(problem: LayoutProblem, labels: LabelSet) -> csr_array:
-    """(n, n) the explicit costs alone."""
-    return _summed(_explicit_pieces(problem, labels), len(labels.cost))
-
-
-def _summed(pieces: list[tuple[Indices, Indices, Floats]], count: int) -> csr_array:
+    pieces += [_explicit(labels, each) for each in problem.extra]
     none = np.empty(0, dtype=np.int64)
     first = np.concatenate([none, *(each for each, _, _ in pieces)])
     second = np.concatenate([none, *(each for _, each, _ in pieces)])
     costs = np.concatenate([np.empty(0), *(each for _, _, each in pieces)])
+    count = len(labels.cost)
     found = coo_array((costs, (first, second)), shape=(count, count)).tocsr()
     found.eliminate_zeros()
     return found
-
-
-def _explicit_pieces(
-    problem: LayoutProblem, labels: LabelSet
-) -> list[tuple[Indices, Indices, Floats]]:
-    return [_explicit(labels, each) for each in problem.extra]
 
 
 def _explicit(labels: LabelSet, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:

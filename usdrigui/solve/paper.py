@@ -12,17 +12,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from usdrigui.model import Assignment, ExtraPairs, Flags, Floats, Indices, LayoutProblem, Variable
+from usdrigui.model import Assignment, Flags, Floats, Indices, LayoutProblem, Variable
 from usdrigui.overlap import pair_costs
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.clusters import clusters
 from usdrigui.solve.exact import solve_whole
 from usdrigui.solve.label_geometry import all_labels
-
-_NO_WEIGHT = 1e-9
-"""Weight of candidates that do not move as their viewer sees them: kept when nothing else is
-left."""
 
 
 def solve_by_clusters(
@@ -41,23 +37,18 @@ def solve_by_clusters(
     chosen = np.full(len(problem.variables), -1, dtype=np.int64)
     placed: list[int] = []
     for cluster in clusters(problem, settings.clusters, settings.linkage):
-        priced = [_with_fixed_costs(problem, at, placed, chosen) for at in cluster]
-        kept = sample(
-            [each.displacement for each in priced], settings.sample, generator, _allowed(priced)
-        )
-        part = _restricted(problem, cluster, priced, kept)
+        variables = [_with_fixed_costs(problem, at, placed, chosen) for at in cluster]
+        allowed = [np.isfinite(each.cost) for each in variables]
+        weights = [each.displacement for each in variables]
+        kept = sample(weights, settings.sample, generator, allowed)
         mine = budget.part(len(cluster) / (len(problem.variables) - len(placed)))
-        solution = solve_cluster(part, mine)
+        solution = solve_cluster(_restricted(problem, cluster, variables, kept), mine)
         budget.spend(mine.work)
+        count = sum(map(len, kept))
         budget.note(
-            "cluster",
-            elements=len(cluster),
-            labels=sum(map(len, kept)),
-            cost=solution.cost,
-            work=mine.work,
+            "cluster", elements=len(cluster), labels=count, cost=solution.cost, work=mine.work
         )
-        for variable, labels, label in zip(cluster, kept, solution.labels, strict=True):
-            chosen[variable] = labels[label] if label >= 0 else -1
+        chosen[cluster] = solution.labels
         placed += cluster
     everything = all_labels(problem)
     budget.found("paper", bound=float(everything.best.sum()))
@@ -82,8 +73,8 @@ def sample(
         [np.zeros(0), *(d[each] for d, each in zip(displacements, labels, strict=True))]
     )
     # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and
-    # Spirakis 2006).
-    key = generator.exponential(size=len(owner)) / np.maximum(weight, _NO_WEIGHT)
+    # Spirakis 2006).  Candidates that do not move are kept when nothing else is left.
+    key = generator.exponential(size=len(owner)) / np.maximum(weight, 1e-9)
     kept = np.zeros(len(owner), dtype=bool)
     kept[np.argsort(key, kind="stable")[: int(np.ceil(share * len(owner)))]] = True
     for at in range(len(labels)):
@@ -91,10 +82,6 @@ def sample(
         if len(mine) and not kept[mine].any():
             kept[mine[key[mine].argmin()]] = True
     return [each[kept[owner == at]] for at, each in enumerate(labels)]
-
-
-def _allowed(variables: list[Variable]) -> list[Flags]:
-    return [np.isfinite(each.cost) for each in variables]
 
 
 def _with_fixed_costs(
@@ -120,35 +107,16 @@ def _with_fixed_costs(
 def _restricted(
     problem: LayoutProblem, cluster: list[int], variables: list[Variable], labels: list[Indices]
 ) -> LayoutProblem:
-    """The problem of one cluster over the labels kept."""
-    kept = tuple(_with_labels(each, mine) for each, mine in zip(variables, labels, strict=True))
+    """The problem of one cluster, in which the labels that are not kept cost +inf."""
+    kept = []
+    for each, mine in zip(variables, labels, strict=True):
+        cost = np.full(len(each.cost), np.inf)
+        cost[mine] = each.cost[mine]
+        kept.append(replace(each, cost=cost))
     place = {variable: at for at, variable in enumerate(cluster)}
-    extra = tuple(
-        _extra_between(each, place[each.first], place[each.second], labels)
+    extra = [
+        replace(each, first=place[each.first], second=place[each.second])
         for each in problem.extra
         if each.first in place and each.second in place
-    )
-    return replace(problem, variables=kept, extra=extra)
-
-
-def _with_labels(variable: Variable, labels: Indices) -> Variable:
-    return replace(
-        variable,
-        points=variable.points[labels],
-        cost=variable.cost[labels],
-        samples=variable.samples[labels],
-        handles=variable.handles[labels],
-        displacement=variable.displacement[labels],
-    )
-
-
-def _extra_between(extra: ExtraPairs, first: int, second: int, labels: list[Indices]) -> ExtraPairs:
-    """Explicit costs in the numbering of a restricted problem."""
-    sets = [(first, extra.first_labels), (second, extra.second_labels)]
-    sets.sort(key=lambda each: each[0])
-    at = [np.searchsorted(labels[variable], mine) for variable, mine in sets]
-    known = np.ones(len(extra.costs), dtype=bool)
-    for (variable, mine), place in zip(sets, at, strict=True):
-        held = labels[variable]
-        known &= (place < len(held)) & (np.append(held, -2)[np.minimum(place, len(held))] == mine)
-    return ExtraPairs(sets[0][0], sets[1][0], at[0][known], at[1][known], extra.costs[known])
+    ]
+    return replace(problem, variables=tuple(kept), extra=tuple(extra))

@@ -22,15 +22,11 @@ from usdrigui.model import Flags, Floats, Indices, Singles
 
 EPSILON = 1e-11
 """A cost that is not above is none."""
-NEVER = 1e30
-"""Stands for the cost of a pair that is excluded: infinite costs have no differences."""
 LARGEST_TESTED = 1200
 """Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their
 number."""
 DEAREST = 64.0
 """Cost up to which sums of two are told apart: far above any that a layout is made of."""
-ROUNDING = 1e-13
-"""Taken off least sums: they are differences of numbers as large as twice the dearest."""
 
 Triplet = tuple[int, int, int]
 
@@ -380,8 +376,9 @@ def least_sums(one: Floats, other: Floats) -> Floats:
     finds in half the time that all sums take.
     """
     most = 2.0 * DEAREST
+    rounding = 4.0 * most * np.finfo(np.float64).eps
     one, other = np.minimum(one, DEAREST), np.minimum(other, DEAREST)
-    return np.asarray(most - ROUNDING - cdist(most - one, other, "chebyshev"))
+    return np.asarray(most - rounding - cdist(most - one, other, "chebyshev"))
 
 
 def _finite(least: Floats) -> Floats:

@@ -25,8 +25,6 @@ DIGITS = (15, 9)
 bits."""
 ROUNDED = 1e-6
 """Costs are rounded: so much is taken off its bound, more where fewer decimals are kept."""
-ASKED = 0.1
-"""Seconds between two looks at whether the run is to stop."""
 
 
 def check_installed() -> None:
@@ -81,7 +79,7 @@ def _asked(network: Network, budget: Budget) -> Answer | None:
                     run.kill()
                     return None
                 with suppress(subprocess.TimeoutExpired):
-                    run.wait(ASKED)
+                    run.wait(timeout=0.1)
         answer.seek(0)
         found: Answer = pickle.load(answer)
         return found

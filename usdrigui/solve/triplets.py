@@ -14,9 +14,9 @@ import numpy as np
 from usdrigui.model import Floats, Singles
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import (
+    DEAREST,
     EPSILON,
     LARGEST_TESTED,
-    NEVER,
     ReducedProblem,
     Triplet,
     least_sums,
@@ -26,11 +26,8 @@ CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
 AT_ONCE = 100
 """Triplets taken at a time."""
-SINGLE = 2.0**-23
-"""Share taken off messages: in single precision, which halves their memory, none is larger."""
 PASSES = 6
-"""Passes over the triplets before others are looked for; a third where labels are many, for all
-that is done on the whole matrix in each."""
+"""Passes over the triplets before others are looked for; a third where labels are many, for all that is done on the whole matrix in each."""
 
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
@@ -82,7 +79,8 @@ def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
         tables, problem.messages[triplet], before, given, strict=True
     ):
         moved = np.subtract(new, old, out=np.zeros_like(new), where=new < np.inf)
-        message[...] = moved - SINGLE * np.abs(moved)
+        # In single precision, which halves their memory, no message is larger than it was.
+        message[...] = moved - np.finfo(np.float32).eps * np.abs(moved)
         table[...] = np.where(new < np.inf, old + message, np.inf)
 
 
@@ -120,7 +118,7 @@ def _cheapest(problem: ReducedProblem) -> Floats:
     tables = np.zeros((problem.count, problem.count, CHEAPEST, CHEAPEST))
     place = labels - problem.start[:-1, None]
     for a, b in np.argwhere(np.triu(problem.linked)).tolist():
-        tables[a, b] = np.minimum(problem.table(a, b)[np.ix_(place[a], place[b])], NEVER)
+        tables[a, b] = np.minimum(problem.table(a, b)[np.ix_(place[a], place[b])], DEAREST)
     share = (problem.costs / np.maximum(problem.linked.sum(axis=1), 1)[problem.owner])[labels]
     tables += tables.transpose(1, 0, 3, 2)
     tables += share[:, None, :, None] + share[None, :, None, :]
