@@ -102,18 +102,16 @@ class _Program:
         reached."""
         if self._linear():
             self._whole()
+        labels = len(self._problem.costs)
         figures = {
-            "columns": len(self._problem.costs) + len(self._tables) + len(self._triplets),
+            "labels": labels,
+            "columns": labels + len(self._tables) + len(self._triplets),
             "rows": self._rows,
             "lp_bound": min(self._lp_bound, self._cutoff),
             "nodes": self._nodes,
             "cutoff": self._cutoff,
         }
-        return Solution(
-            min(self._bound, self._limit),
-            self._best[1],
-            {"labels": len(self._problem.costs)} | figures,
-        )
+        return Solution(min(self._bound, self._limit), self._best[1], figures)
 
     def _linear(self) -> bool:
         """Solve the linear program with the rows that it violates; whether more is to be done."""
@@ -124,10 +122,8 @@ class _Program:
             if self._status("kInfeasible", "kObjectiveBound"):
                 self._bound = self._lp_bound = self._cutoff
                 return False
-            if not self._status(
-                "kOptimal"
-            ):  # The value of a program that is not solved bounds nothing.
-                return False
+            if not self._status("kOptimal"):
+                return False  # The value of a program that is not solved bounds nothing.
             self._lp_bound = max(self._lp_bound, self._lowered(info.objective_function_value))
             self._raise(self._lp_bound)
             if self._bound >= self._cutoff or self._stopped():
@@ -170,11 +166,10 @@ class _Program:
 
     def _interrupt(self, event: highspy.HighsCallbackEvent) -> None:
         """End a run at a limit.  HiGHS asks as often on every machine: its iterations are not told,
-        so each call counts as some."""
+        so each call counts as some.  The dual bound that it tells here may be above the optimum."""
         self._budget.spend(CALL * self._rows)
         if self._stopped():
             event.interrupt()
-        self._raise(min(self._lowered(event.data_out.mip_dual_bound), self._limit))
 
     def _stopped(self) -> bool:
         """Whether this program's share of the work is done, or the run ends."""

@@ -247,7 +247,6 @@ class Reduction:
         pairs = pair_costs(self._whole, self.block_set, self._near)
         place = np.searchsorted(self.problem.labels, parent)
         more = self.block_set.cost - older.cost[parent]
-        numbers = np.arange(len(parent))
-        self.problem = self.problem.refined(numbers, place, more, self.pairs, pairs)
+        self.problem = self.problem.refined(place, more, self.pairs, pairs)
         self.pairs = pairs
         return True

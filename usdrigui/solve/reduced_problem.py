@@ -175,9 +175,8 @@ class ReducedProblem:
         """Cost of one label (index into this problem) per variable."""
         is_chosen = np.zeros(len(self.costs), dtype=bool)
         is_chosen[chosen] = True
-        total = (
-            self.constant + self.costs[chosen].sum() + self.costs_with(is_chosen)[chosen].sum() / 2
-        )
+        total = self.constant + self.costs[chosen].sum()
+        total += self.costs_with(is_chosen)[chosen].sum() / 2
         at = chosen - self.start[:-1]
         for (a, b, c), (ab, ac, bc) in self.messages.items():
             total -= sum(map(float, (ab[at[a], at[b]], ac[at[a], at[c]], bc[at[b], at[c]])))
@@ -213,12 +212,7 @@ class ReducedProblem:
         return ReducedProblem(owner, self.labels[alive], costs, tables, constant)
 
     def refined(
-        self,
-        labels: Indices,
-        parent: Indices,
-        costs: Floats,
-        older: csr_array,
-        pairs: csr_array,
+        self, parent: Indices, costs: Floats, older: csr_array, pairs: csr_array
     ) -> ReducedProblem:
         """The problem of smaller blocks, with the messages of the blocks that they are part of.
 
@@ -239,7 +233,8 @@ class ReducedProblem:
             place = np.searchsorted(strip.columns, parent[columns[held]])
             found[:, held] += messages[np.ix_(parent[mine] - strip.mine.start, place)]
             tables.append(_strip(owner, mine, columns, found))
-        part = ReducedProblem(owner, labels, self.costs[parent] + costs, tables, self.constant)
+        labels, costs = np.arange(len(parent)), self.costs[parent] + costs
+        part = ReducedProblem(owner, labels, costs, tables, self.constant)
         part.inherit(self, parent)
         return part
 

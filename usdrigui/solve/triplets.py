@@ -27,7 +27,8 @@ CHEAPEST = 8
 AT_ONCE = 100
 """Triplets taken at a time."""
 PASSES = 6
-"""Passes over the triplets before others are looked for; a third where labels are many, for all that is done on the whole matrix in each."""
+"""Passes over the triplets before others are looked for; a third where labels are many, for all
+that is done on the whole matrix in each."""
 
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
