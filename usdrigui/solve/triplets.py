@@ -92,6 +92,7 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
     least = tables.min(axis=(2, 3))
     strength = np.where(problem.linked, np.minimum(tables, 1.0).mean(axis=(2, 3)), 0.0)
     rank: dict[Triplet, tuple[float, float]] = {}
+    sizes = np.diff(problem.start)
     for a, b in np.argwhere(np.triu(problem.linked)).tolist():
         third = b + 1 + np.flatnonzero(problem.linked[a, b + 1 :] & problem.linked[b, b + 1 :])
         both = (tables[a, third][:, :, None] + tables[b, third][:, None]).min(axis=3)
@@ -102,7 +103,8 @@ def _best_triplets(problem: ReducedProblem) -> list[Triplet]:
         weakest = np.minimum(np.minimum(strength[a, third], strength[b, third]), strength[a, b])
         new = ((a, b, each) not in problem.messages for each in third.tolist())
         for at in np.flatnonzero(np.fromiter(new, dtype=bool)).tolist():
-            rank[a, b, int(third[at])] = (-float(gains[at]), -float(weakest[at]))
+            work = int(sizes[[a, b, third[at]]].prod())
+            rank[a, b, int(third[at])] = (-float(gains[at]) / work, -float(weakest[at]))
     return sorted(rank, key=lambda each: (rank[each], each))[:AT_ONCE]
 
 
