@@ -32,6 +32,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -39,7 +40,7 @@ import numpy as np
 from instances import CROWDED, TABLE_1, face_like, subdivided
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import Assignment, Floats, LayoutProblem
+from usdrigui.model import Assignment, Element, Floats, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings, load
 from usdrigui.solve import load_problem, save_problem, solve
@@ -125,15 +126,17 @@ def _arguments() -> argparse.Namespace:
 
 
 def cases(folder: Path, assets: Path, words: list[str]) -> Any:
-    """Names of the cases wanted and the files of their problems, made one at a time."""
+    """Names of the cases wanted and the files of their problems, made one at a time; a rig has a
+    problem for each of its parts."""
     for rig in (SAMPLE, *sorted(assets.glob("*.usd?"))):
         for fold in (True, False):
             name = f"{rig.stem} {'folded' if fold else 'unfolded'}"
             if _wanted(name, words) and (fold or rig.stem in UNFOLDED):
-                yield name, _saved(folder, _rig_problem(rig, fold=fold, finer=False))
+                for part, problem in _part_problems(rig, fold=fold):
+                    yield f"{name} {part}", _saved(folder, problem)
     name, head = "ict_face57 100K", assets / "ict_face57.usdc"
     if _wanted(name, words) and head.exists():
-        yield name, _saved(folder, _rig_problem(head, fold=True, finer=True))
+        yield name, _saved(folder, _finer_problem(head))
     for model, (points, controls) in TABLE_1.items():
         name = f"{model} {points}/{controls}"
         if _wanted(name, words):
@@ -152,13 +155,30 @@ def _wanted(name: str, words: list[str]) -> bool:
     return not words or any(word in name for word in words)
 
 
-def _rig_problem(asset: Path, *, fold: bool, finer: bool) -> LayoutProblem:
-    from usdrigui.pipeline import build_problem
+def _part_problems(asset: Path, *, fold: bool) -> Iterator[tuple[str, LayoutProblem]]:
+    """Names and problems of a rig's parts as a layout of the rig has them: each among the elements
+    of those before."""
+    from usdrigui.pipeline.stages import divided, layout_of, part_problem
     from usdrigui.usd.reader_process import read_rigs_isolated
 
     settings = load({"symmetry": {"fold": fold}})
-    rig = read_rigs_isolated(asset, settings).rigs[0]
-    return build_problem(subdivided(rig) if finer else rig, settings).placement.problem
+    character = divided(read_rigs_isolated(asset, settings).rigs[0], settings)
+    elements: tuple[Element, ...] = ()
+    for part in character.parts:
+        inputs = part_problem(character, part, elements)
+        yield part.name, inputs.placement.problem
+        if part is not character.parts[-1]:
+            found = solve(inputs.placement.problem, settings.solve)
+            elements += tuple(layout_of(inputs, found).elements)
+
+
+def _finer_problem(asset: Path) -> LayoutProblem:
+    from usdrigui.pipeline import build_problem
+    from usdrigui.usd.reader_process import read_rigs_isolated
+
+    settings = load({"symmetry": {"fold": True}})
+    rig = subdivided(read_rigs_isolated(asset, settings).rigs[0])
+    return build_problem(rig, settings).placement.problem
 
 
 def _saved(folder: Path, problem: LayoutProblem) -> Path:
