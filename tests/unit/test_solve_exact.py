@@ -22,7 +22,7 @@ from usdrigui.errors import RigUIError
 from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Overlap, Variable
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve
+from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
 from usdrigui.solve import branch_and_bound as branch_and_bound_module
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
@@ -165,6 +165,26 @@ def test_a_dense_crowd_is_proved_after_a_share_of_the_work() -> None:
     found = solve(crowd(1, variables=5, candidates=30), HIGHS)
     assert found.status == "optimal"
     assert dict(found.steps[-1].figures)["work"] < 2 * exact.HIGHS_SHARE * HIGHS.work_limit
+
+
+def test_of_triplets_that_raise_the_bound_those_that_take_little_work_come_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    spots, gains = [12] * 3 + [2] * 3, [1.1] * 3 + [1.0] * 3
+    owner = np.repeat(np.arange(6), spots)
+    spot = np.concatenate([np.arange(each) for each in spots])
+    crowd_of = owner // 3
+    together = (crowd_of[:, None] == crowd_of) & (owner[:, None] != owner)
+    meet = together & (spot[:, None] == spot)
+    pairs = np.where(meet, np.repeat(gains, spots), 0.0)
+    costs = np.where(spot < 2, 0.0, 9.0)  # three elements want two spots, once with dearer ones beside
+    problem = ReducedProblem(owner, np.arange(len(owner)), costs, np.triu(pairs))
+    monkeypatch.setattr(triplets, "AT_ONCE", 1)
+    raise_bound(problem, Budget(HIGHS))
+    assert list(problem.messages) == [(3, 4, 5)]
+    assert problem.bound() == pytest.approx(1.0, abs=1e-5)
+    raise_bound(problem, Budget(HIGHS))
+    assert problem.bound() == pytest.approx(2.1, abs=1e-5)
 
 
 @pytest.mark.parametrize("solver", ["highs", "highs with triplets", "branch and bound"])
