@@ -35,20 +35,15 @@ VERSION = 3
 
 def save_problem(path: Path, problem: LayoutProblem) -> None:
     """Write a problem; the same problem gives the same bytes."""
+    ends = [(each.first, each.second) for each in problem.extra]
     arrays: dict[str, np.ndarray] = {
         "version": np.array(VERSION),
         "names": np.array([each.name for each in problem.variables], dtype=np.str_),
         "overlap": np.array(astuple(problem.overlap)),
         "separation": np.array(problem.separation),
         "unit_cost": np.array(problem.unit_cost),
-        "off_face_cost": np.array(
-            [each.off_face_cost for each in problem.variables], dtype=np.float64
-        ),
-        "extra": (
-            np.array([(each.first, each.second) for each in problem.extra], dtype=np.int64).reshape(
-                -1, 2
-            )
-        ),
+        "off_face_cost": np.array([float(each.off_face_cost) for each in problem.variables]),
+        "extra": np.array(ends, dtype=np.int64).reshape(-1, 2),
     }
     for at, variable in enumerate(problem.variables):
         for name in _PER_VARIABLE:
@@ -66,16 +61,12 @@ def load_problem(path: Path) -> LayoutProblem:
     try:
         with np.load(path, allow_pickle=False) as arrays:
             if int(arrays["version"]) != VERSION:
-                raise refuse(
-                    "PROBLEM_FILE",
-                    str(path),
-                    f"is of version {int(arrays['version'])}, not {VERSION}",
-                )
+                message = f"is of version {int(arrays['version'])}, not {VERSION}"
+                raise refuse("PROBLEM_FILE", str(path), message)
             return _problem(arrays)
     except OSError as error:
-        raise refuse(
-            "FILE_NOT_FOUND", str(path), f"cannot be read: {error.strerror or error}"
-        ) from error
+        message = f"cannot be read: {error.strerror or error}"
+        raise refuse("FILE_NOT_FOUND", str(path), message) from error
     except (KeyError, ValueError, TypeError, EOFError, zipfile.BadZipFile) as error:
         raise refuse("PROBLEM_FILE", str(path), f"is no layout problem: {error}") from error
 
@@ -118,16 +109,11 @@ def _check_extra(variables: tuple[Variable, ...], extra: tuple[ExtraPairs, ...])
     for each in extra:
         if not 0 <= each.first < each.second < len(variables):
             raise ValueError(f"explicit costs between variables {each.first} and {each.second}")
-        for variable, labels in (
-            (each.first, each.first_labels),
-            (each.second, each.second_labels),
-        ):
-            if ((labels < 0) | (labels >= len(variables[variable].cost))).any():
-                raise ValueError(f"explicit costs of labels that variable {variable} does not have")
+        sizes = [len(variables[at].cost) for at in (each.first, each.second)]
+        labels = np.column_stack([each.first_labels, each.second_labels])
+        if ((labels < 0) | (labels >= sizes)).any():
+            raise ValueError("explicit costs of labels that a variable does not have")
         if not (each.costs >= 0).all():
             raise ValueError("explicit costs below zero")
-        pairs = each.first_labels * len(variables[each.second].cost) + each.second_labels
-        if len(np.unique(pairs)) < len(pairs):
-            raise ValueError(
-                f"two explicit costs of one pair of variables {each.first} and {each.second}"
-            )
+        if len(np.unique(labels, axis=0)) < len(labels):
+            raise ValueError("two explicit costs of one pair of labels")
