@@ -262,6 +262,13 @@ def folder(name):
     return Path(name)
 
 
+def of_random_characters():
+    for seed in range(10, 22):
+        for rig in read_rigs(valid_rigs.make_rig(seed, Path(f"valid{seed}.usda"), valid_rigs.SMALL), Settings()):
+            with contextlib.suppress(RigUIError):  # some cannot be laid out
+                lay_out(rig)
+
+
 def asked(task, path, **parts):
     """What the reader responds, in this process."""
     limits = reader_process.Limits.of(ReadSettings())
@@ -353,6 +360,7 @@ SCENES: dict[str, Callable[[], object]] = {
         of_requests,
         of_files,
         of_small_assets,
+        of_random_characters,
         of_commands,
         of_the_sample,
     )
