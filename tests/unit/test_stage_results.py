@@ -280,7 +280,7 @@ def of_commands():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(reader_process, "_from_reader", lambda request, _: reader_main.respond(request))
         Path("glyphs.usda").write_text(ARROW, encoding="utf-8")
-        char = str(skinned_stages.character(Path("char.usda"), moved=True))
+        char = str(skinned_stages.character(Path("char.usda")))
         glyph = 'controls.chin.glyph="glyphs.usda</Arrow>"'
         for line in (
             f"process {char} --set {glyph}",
