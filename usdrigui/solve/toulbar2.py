@@ -6,12 +6,13 @@ It runs in a process of its own: it answers no request to stop, so the process i
 
 from __future__ import annotations
 
+import io
 import itertools
-import pickle
 import subprocess
 import sys
 import tempfile
 from contextlib import suppress
+from typing import IO, Any
 
 import numpy as np
 
@@ -69,7 +70,7 @@ def _asked(network: Network, budget: Budget) -> Answer | None:
     """The answer of toulbar2 in a process that ends when the run is to stop; None then."""
     command = [sys.executable, "-m", __name__]
     with tempfile.TemporaryFile() as question, tempfile.TemporaryFile() as answer:
-        pickle.dump(network, question)
+        np.savez(question, *network)
         question.seek(0)
         with subprocess.Popen(
             command, stdin=question, stdout=answer, start_new_session=True
@@ -81,8 +82,14 @@ def _asked(network: Network, budget: Budget) -> Answer | None:
                 with suppress(subprocess.TimeoutExpired):
                     run.wait(timeout=0.1)
         answer.seek(0)
-        found: Answer = pickle.load(answer)
-        return found
+        bound, chosen, rounding = _arrays(answer)
+        return float(bound), chosen if len(chosen) else None, float(rounding)
+
+
+def _arrays(file: IO[bytes]) -> list[Any]:
+    """What `numpy.savez` wrote, in order."""
+    with np.load(file, allow_pickle=False) as found:
+        return [found[name] for name in found.files]
 
 
 def _solved(network: Network) -> Answer:
@@ -110,5 +117,14 @@ def _solved(network: Network) -> Answer:
     return float(model.GetDDualBound()), chosen, (len(slices) + tables) * 10.0**-digits
 
 
+def _main() -> None:
+    """Answer the network on standard input."""
+    start, linear, pairs, spare = _arrays(io.BytesIO(sys.stdin.buffer.read()))
+    bound, chosen, rounding = _solved((start, linear, pairs, float(spare)))
+    written = io.BytesIO()
+    np.savez(written, bound, np.zeros(0, dtype=np.int64) if chosen is None else chosen, rounding)
+    sys.stdout.buffer.write(written.getvalue())
+
+
 if __name__ == "__main__":
-    pickle.dump(_solved(pickle.load(sys.stdin.buffer)), sys.stdout.buffer)
+    _main()
