@@ -21,7 +21,7 @@ from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 HALVINGS = 6
 """The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every
 variable."""
-TRIES = 2
+TRIES = 4
 """Of local search per variable, and again as long as they help."""
 HIGHS_SHARE = 0.01
 """Of the work allowed, before what it has not closed goes to branch and bound (decision 030)."""

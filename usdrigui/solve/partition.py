@@ -164,7 +164,7 @@ def split(
 
     `lower_bounds` (blocks,) is the least cost of layouts that use a block.  Blocks are halved
     within `share` of the way from the least bound to the cutoff, or nearer the bound where the
-    memory allowed is too small; None, with a note, when nothing fits into it.
+    memory allowed is too small; None when nothing fits into it.
     """
     bound, cutoff = lower_bounds.min(), budget.cutoff
     alive = np.flatnonzero(lower_bounds <= cutoff)
@@ -178,7 +178,6 @@ def split(
         if _planned(near, blocks.variable, parts) <= budget.settings.memory_limit:
             finer, parent = bisect(labels, rest, chosen)
             return finer, alive[parent]
-    budget.reach("memory limit")
     return None
 
 

@@ -99,6 +99,9 @@ class Reduction:
                 return True
             bound = self.problem.bound()
             if not self._split(share):
+                if not self._tightened(0.0):
+                    return False
+                budget.reach("memory limit")
                 return True
             slow = self.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
             share = min(1.0, 2.0 * share) if slow else NEAR
@@ -215,9 +218,9 @@ class Reduction:
         self.problem.exclude_pairs(self._budget.cutoff)
         return self._reduced()
 
-    def _tightened(self) -> bool:
+    def _tightened(self, slow: float = SLOW) -> bool:
         """Raise the bound by triplets and take away what it excludes, as long as this gains
-        anything; whether any are left."""
+        more than a share of what the bound misses; whether any are left."""
         while True:
             before, bound = len(self.problem.costs), self.problem.bound()
             raise_bound(self.problem, self._budget)
@@ -230,7 +233,7 @@ class Reduction:
             if self.exact and labels > LARGEST_TESTED and now > bound and not stopped:
                 continue  # The solvers of what is left could do nothing with so many.
             few_gone = labels > (1.0 - SLOW) * before
-            if stopped or (few_gone and now - bound < SLOW * (self._budget.cutoff - now)):
+            if stopped or (few_gone and now - bound <= slow * (self._budget.cutoff - now)):
                 return True
 
     def _split(self, share: float) -> bool:

@@ -24,7 +24,7 @@ from usdrigui.solve.reduced_problem import (
 
 CHEAPEST = 8
 """Labels of a variable that tell which triplets raise the bound: those of least cost."""
-AT_ONCE = 100
+AT_ONCE = 50
 """Triplets taken at a time."""
 PASSES = 6
 """Passes over the triplets before others are looked for; a third where labels are many, for all
