@@ -162,7 +162,7 @@ def by_displacement(inputs: ProblemInputs, _: SolveSettings) -> Indices:
 
 
 def by_overlap(inputs: ProblemInputs, limits: SolveSettings) -> Indices:
-    """As far apart as the candidates allow: no displacement, no occlusion, no price of the plane
+    """As far apart as the candidates allow: no displacement, no occlusion, no cost of the plane
     (figure 6c)."""
     return solve(_on_face(bare_problem(inputs, 0.0)), limits).labels
 
@@ -228,7 +228,7 @@ def _with_settings(
     inputs: ProblemInputs, candidates: Candidates, weight: float, plane: float
 ) -> LayoutProblem:
     """The problem under other settings, its labels those of the full one; `plane` scales the
-    plane's price."""
+    weight of the plane."""
     settings = inputs.settings
     changed = replace(
         settings,
@@ -251,11 +251,11 @@ def _same_labels(full: Variable, other: Variable) -> Variable:
 
 
 def _on_face(problem: LayoutProblem) -> LayoutProblem:
-    """The board at the price of any overlap: without displacement to lose everything would
+    """The board at the cost of any overlap: without displacement to lose everything would
     leave."""
-    price = problem.overlap.maximum * len(problem.variables)
+    penalty = problem.overlap.maximum * len(problem.variables)
     return replace(
-        problem, variables=tuple(replace(each, off_face_cost=price) for each in problem.variables)
+        problem, variables=tuple(replace(each, off_face_cost=penalty) for each in problem.variables)
     )
 
 

@@ -296,7 +296,7 @@ def _mccormick(problem: LayoutProblem, method: str, seconds: float) -> dict[str,
 
 
 def _cplex(problem: LayoutProblem, method: str, seconds: float) -> dict[str, Any]:
-    """CPLEX's integer quadratic program over all candidates, hard pairs priced."""
+    """CPLEX's integer quadratic program over all candidates, hard pairs at a cost."""
     del method
     found = _integer_quadratic(problem, Budget(SolveSettings(time_limit=seconds)))
     return {"cost": found.cost, "bound": found.bound}

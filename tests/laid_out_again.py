@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from usdrigui.examples import Examples
 from usdrigui.pipeline.stages import build_problem, layout_of
+from usdrigui.references import ReferenceLayouts
 from usdrigui.settings import load
 from usdrigui.solve import solve
 from usdrigui.usd.reader_process import read_rigs_isolated
@@ -24,8 +24,8 @@ def read(name):
     return read_rigs_isolated(path, SETTINGS).rigs[0]
 
 
-def lay_out(rig, settings=SETTINGS, **examples):
-    """The problem, its solution and the layout; `examples` as of `usdrigui.examples.Examples`."""
-    inputs = build_problem(rig, settings, examples=Examples(**examples))
+def lay_out(rig, settings=SETTINGS, **references):
+    """The problem, its solution and the layout; `references` as of `usdrigui.references.ReferenceLayouts`."""
+    inputs = build_problem(rig, settings, references=ReferenceLayouts(**references))
     found = solve(inputs.placement.problem, settings.solve)
     return inputs, found, layout_of(inputs, found)

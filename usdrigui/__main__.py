@@ -32,8 +32,8 @@ def main() -> int:
     from usdrigui.cli.supervised import run
 
     code = run(sys.argv[1:], events)
-    # The verdict is out: Python puts the default actions back before it has ended, and must not die
-    # of a signal then.
+    # The closing line is out: Python puts the default actions back before it has ended, and must
+    # not die of a signal then.
     for number in heeded:
         signal.signal(number, signal.SIG_IGN)
     return code

@@ -16,12 +16,12 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from usdrigui import pipeline
 from usdrigui.errors import meant, refuse
-from usdrigui.examples import ExampleLayers
 from usdrigui.inspection import Inspection
 from usdrigui.markup import markup
 from usdrigui.model import Control, Element, Layout, Rig
-from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, Watch
+from usdrigui.pipeline import LayerDifference, LayerReview, Loaded, ProgressCallback
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare, values_of
+from usdrigui.references import ReferenceLayers
 from usdrigui.report import Report
 from usdrigui.settings import Settings
 from usdrigui.settings.loading import load_beside
@@ -44,7 +44,7 @@ def process(
     like: File | None = None,
     base: File | None = None,
     animations: Sequence[File] = (),
-    progress: Watch | None = None,
+    progress: ProgressCallback | None = None,
     stop: Callable[[], bool] | None = None,
 ) -> Report:
     """Lay out every character of an asset.
@@ -70,7 +70,7 @@ def process(
             )
         return pipeline.process_stage(asset, settings or Settings(), progress=progress, stop=stop)
     path = Path(asset)
-    examples = ExampleLayers(
+    references = ReferenceLayers(
         fixed=_path(fixed),
         previous=_path(previous),
         like=_path(like),
@@ -84,7 +84,7 @@ def process(
         dry_run=dry_run,
         progress=progress,
         stop=stop,
-        examples=examples,
+        references=references,
     )
 
 
@@ -100,7 +100,7 @@ def inspect(
 
 
 def check(
-    layout: Source, settings: Settings | None = None, *, progress: Watch | None = None
+    layout: Source, settings: Settings | None = None, *, progress: ProgressCallback | None = None
 ) -> LayerReview:
     """Whether the layouts of a stage still fit their characters, and how good they are.  Raises
     `RigUIError`."""
@@ -239,7 +239,7 @@ class OpenLayout:
 
         return Page(page_html(self.characters, title=self.name))
 
-    def check(self, *, progress: Watch | None = None) -> LayerReview:
+    def check(self, *, progress: ProgressCallback | None = None) -> LayerReview:
         """Whether the layouts fit their characters as these were read, and how good they are."""
         return pipeline.review(self.name, self.loaded, self.settings, progress=progress)
 

@@ -57,41 +57,41 @@ class Hanging:
 def hanging(joints: Sequence[Joint], meshes: Sequence[RigMesh]) -> Hanging:
     """What hangs on what, at the bind pose."""
     places = np.array([joint.bind[3, :3] for joint in joints]).reshape(-1, 3)
-    reach = _reach_of_skin(places, meshes)
+    radius = _skin_radius(places, meshes)
     parents, aside = [joint.parent for joint in joints], set[int]()
     for joint, parent in enumerate(parents):
         if parent in aside:
             parents[joint] = parent = parents[parent]
-        if parent >= 0 and reach[joint] < 0.0:
-            ends = places[_next_with_skin(joints, joint, reach)]
-            if _lies_aside(places[parent], places[joint], ends, float(reach[parent])):
+        if parent >= 0 and radius[joint] < 0.0:
+            ends = places[_next_with_skin(joints, joint, radius)]
+            if _lies_aside(places[parent], places[joint], ends, float(radius[parent])):
                 aside.add(joint)
     return Hanging(tuple(parents), frozenset(aside))
 
 
-def _lies_aside(parent: Floats, place: Floats, ends: Floats, reach: float) -> bool:
+def _lies_aside(parent: Floats, place: Floats, ends: Floats, radius: float) -> bool:
     """Whether a joint without skin lies off the way from the one above, whose skin goes as far as
-    `reach` (-1 without), to the next ones with skin at `ends` (e, 3)."""
+    `radius` (-1 without), to the next ones with skin at `ends` (e, 3)."""
     away = float(np.linalg.norm(place - parent))
     if not len(ends):
-        return reach >= 0.0 and away > _AWAY * reach
+        return radius >= 0.0 and away > _AWAY * radius
     past = away + np.linalg.norm(ends - place, axis=1)
     return bool((past > _DETOUR * np.linalg.norm(ends - parent, axis=1)).all())
 
 
-def _next_with_skin(joints: Sequence[Joint], joint: int, reach: Floats) -> list[int]:
+def _next_with_skin(joints: Sequence[Joint], joint: int, radius: Floats) -> list[int]:
     """The joints with skin below a joint that have none between them and it."""
     found, open_ended = [], {joint}
     for below in range(joint + 1, len(joints)):
         if joints[below].parent in open_ended:
-            if reach[below] < 0.0:
+            if radius[below] < 0.0:
                 open_ended.add(below)
             else:
                 found.append(below)
     return found
 
 
-def _reach_of_skin(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
+def _skin_radius(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
     """(joints,) distance of the farthest skin of each joint, bound; -1 without skin."""
     found = np.full(len(places), -1.0)
     for mesh in meshes:
@@ -300,11 +300,11 @@ class Tree:
             joint = ahead
         return tuple(found)
 
-    def reach(self, joint: int, start: int) -> float:
+    def max_path(self, joint: int, start: int) -> float:
         """Greatest distance from the joint `start` to `joint` and what hangs on it."""
         own = float(np.linalg.norm(self.places[joint] - self.places[start]))
         children = (c for c in self.children[joint] if c not in self.hanging.aside)
-        return max([own, *(self.reach(child, start) for child in children)])
+        return max([own, *(self.max_path(child, start) for child in children)])
 
     def direction(self, chain: Sequence[int]) -> Floats:
         """(3,) unit vector along a chain."""
@@ -409,9 +409,11 @@ def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
     for aim in (sign * frames[:, row] for row in range(3) for sign in (1.0, -1.0)):
         ahead = np.einsum("ijk,ik->ij", way, aim)
         cosine = np.maximum(ahead / apart, 1e-3)
-        reach = apart / cosine**_STRAIGHT
-        parents = _linked([-1] * len(places), np.where(cosine >= _AIM, reach, np.inf), places)
-        whole = _linked(parents, np.where(cosine >= _AHEAD, reach, np.inf), places, roots_only=True)
+        distance = apart / cosine**_STRAIGHT
+        parents = _linked([-1] * len(places), np.where(cosine >= _AIM, distance, np.inf), places)
+        whole = _linked(
+            parents, np.where(cosine >= _AHEAD, distance, np.inf), places, roots_only=True
+        )
         # From its tips to its wrist a hand has as many joints in line; what is left there hangs on
         # no common root.
         linked = sum(parent >= 0 for parent in (*parents, *whole))
@@ -421,17 +423,17 @@ def _looking(places: Floats, frames: Floats) -> tuple[int, ...]:
 
 
 def _linked(
-    parents: list[int], reach: Floats, places: Floats, *, roots_only: bool = False
+    parents: list[int], distance: Floats, places: Floats, *, roots_only: bool = False
 ) -> list[int]:
-    """The parents with those added that see a joint without one, at distances `reach` (joints,
+    """The parents with those added that see a joint without one, at distances `distance` (joints,
     joints): the nearest pairs first, no joint below itself; `roots_only` joints that have no parent
     either."""
     parents = list(parents)
     if not roots_only:
-        reach = np.where(reach <= reach.min(axis=1, keepdims=True), reach, np.inf)
-    for pair in np.argsort(reach, axis=None, kind="stable"):
+        distance = np.where(distance <= distance.min(axis=1, keepdims=True), distance, np.inf)
+    for pair in np.argsort(distance, axis=None, kind="stable"):
         joint, target = divmod(int(pair), len(places))
-        if not np.isfinite(reach[joint, target]):
+        if not np.isfinite(distance[joint, target]):
             break
         above, at = {joint}, joint
         while (at := parents[at]) >= 0:

@@ -247,13 +247,20 @@ def review_json(layer: str, characters: Sequence[tuple[str, Any]], issues: Seque
             {
                 "root": root,
                 "cost": review.cost,
-                "elements": [asdict(each) for each in review.elements],
+                "elements": [_review_row(each) for each in review.elements],
             }
             for root, review in characters
         ],
         "issues": [asdict(each) for each in issues],
     }
     return json.dumps(_finite(document), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _review_row(each: Any) -> dict[str, object]:
+    """An element's review by the names that the document has for its fields."""
+    return {
+        "gain" if name == "improvement" else name: value for name, value in asdict(each).items()
+    }
 
 
 def difference_json(
@@ -397,7 +404,7 @@ def _element(element: Element, existing: bool) -> dict[str, Any]:
         "mesh": anchor.mesh,
         "point": anchor.point,
         "position": anchor.position.tolist(),
-        "gains": [member.gain for member in element.members],
+        "gains": [member.magnification for member in element.members],
         "reason": element.reason,
         "existing": existing,
         "members": list(element.inner),

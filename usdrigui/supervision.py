@@ -60,9 +60,9 @@ class Outcome:
     out: str = ""
     """What belongs on standard output, all of it unless something was printed before."""
     err: str = ""
-    """The verdict, where it belongs on standard error."""
+    """The closing line, where it belongs on standard error."""
     death: RigUIError | None = None
-    """Why there is no verdict of the worker's own."""
+    """Why there is no closing line of the worker's own."""
     written: tuple[str, ...] = ()
     """Files that were put in place."""
     unknown: tuple[str, ...] = ()
@@ -93,7 +93,7 @@ def supervise(
             process = _started(arguments, terminals, alone)
         except (OSError, TypeError, ValueError) as error:
             return _dead(not_started(error, "WORKER_LOST", "", "the working process"))
-    watch = _Watch(process, show, limit, alone)
+    watch = _Supervision(process, show, limit, alone)
     assert process.stdout is not None
     assert process.stderr is not None
     printed = Printed(process.stderr)
@@ -145,7 +145,7 @@ def _collect(messages: IO[bytes], events: Events) -> None:
 
 
 @dataclass
-class _Watch:
+class _Supervision:
     """What a supervisor knows of its worker."""
 
     process: subprocess.Popen[bytes]
@@ -320,6 +320,6 @@ def _interrupted() -> RigUIError:
     return refuse("INTERRUPTED", "", "stopped before there was a result")
 
 
-def _dead(death: RigUIError, watch: _Watch | None = None) -> Outcome:
+def _dead(death: RigUIError, watch: _Supervision | None = None) -> Outcome:
     written, unknown = (tuple(watch.written), watch.writing) if watch is not None else ((), ())
     return Outcome(int(death.exit_code), death=death, written=written, unknown=unknown)

@@ -1,4 +1,4 @@
-"""How a run looks on a terminal, and in a log: progress, tables and the closing verdict line.
+"""How a run looks on a terminal, and in a log: progress, tables and the closing line.
 
 Names come from files, so nothing here interprets markup in them, nor lets them steer the terminal.
 """
@@ -45,7 +45,7 @@ _DISPLACEMENT = "displacement: at the handle, as a share of the control's peak"
 _WEAK, _WEAKEST = 0.9, 3
 """Displacement below which the weakest handles are named, and how many of them."""
 
-Watch = Callable[["Event"], None]
+ProgressCallback = Callable[["Event"], None]
 
 
 class Screen:
@@ -61,7 +61,7 @@ class Screen:
         self._side = Console(stderr=True, markup=False, highlight=False)
 
     @contextmanager
-    def progress(self) -> Iterator[Watch]:
+    def progress(self) -> Iterator[ProgressCallback]:
         """A live line on a terminal, one plain line a stage elsewhere, nothing when quiet."""
         if self._quiet or self._silent:
             yield _ignore
@@ -72,8 +72,8 @@ class Screen:
             yield self._plain
 
     def report(self, report: Report, written: Sequence[str]) -> None:
-        """What is not on the character and why, what is to be looked at, and the verdict; where
-        every control stands, if it is to be told."""
+        """What is not on the character and why, what is to be looked at, and the closing line;
+        where every control stands, if it is to be told."""
         if not self._quiet:
             for character in report.characters:
                 self._character(character)
@@ -84,7 +84,7 @@ class Screen:
                 self._say("  where every control stands and why: --verbose, or --report JSON")
             for line in written:
                 self._say(line)
-        self._say(_verdict(report))
+        self._say(_closing_line(report))
 
     def inspection(self, found: Inspection) -> None:
         """One table a character."""
@@ -136,7 +136,7 @@ class Screen:
         yield tell
 
     def batch(self, summary: Summary, written: Sequence[str]) -> None:
-        """One line an asset in the order given, what was written besides, and the verdict."""
+        """One line an asset in the order given, what was written besides, and the closing line."""
         if not self._quiet:
             self._table(_batch_table(summary.rows))
             for line in written:
@@ -149,11 +149,11 @@ class Screen:
         count = len(summary.rows) - summary.count("part")
         rate = 60.0 * count / max(summary.seconds, 1e-9)
         stopped = "stopped; " if any(row.code == "INTERRUPTED" for row in summary.rows) else ""
-        verdict = f"usdrigui: {stopped}{sound} of {count} assets have their layout: {told}"
-        self._say(f"{verdict}; {summary.seconds:.1f} s, {rate:.1f} a minute")
+        closing = f"usdrigui: {stopped}{sound} of {count} assets have their layout: {told}"
+        self._say(f"{closing}; {summary.seconds:.1f} s, {rate:.1f} a minute")
 
     def review(self, found: LayerReview) -> None:
-        """Faults first, then every element by the objective, then the verdict."""
+        """Faults first, then every element by the objective, then the closing line."""
         if not self._quiet:
             for root, review in found.characters:
                 self._say(
@@ -183,7 +183,7 @@ class Screen:
     def difference(
         self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]
     ) -> None:
-        """Every control that changed, and the verdict."""
+        """Every control that changed, and the closing line."""
         if not self._quiet:
             for character in found:
                 self._changes(character)
@@ -361,10 +361,10 @@ def _review_table(elements: Sequence[ElementReview]) -> Table:
     )
     for each in elements:
         apart = f"{each.distance:.1f} w" if math.isfinite(each.distance) else ""
-        gain = f"{each.gain:.3f}" if each.better else ""
+        improvement = f"{each.improvement:.3f}" if each.better else ""
         numbers = (_percent(each.kept), f"{each.linear:.3f}", f"{each.overlap:.3f}")
         table.add_row(
-            *map(visible, (each.element, *numbers, apart, each.nearest, gain, each.better))
+            *map(visible, (each.element, *numbers, apart, each.nearest, improvement, each.better))
         )
     return table
 
@@ -467,7 +467,7 @@ def _put(stream: TextIO, lines: Iterable[str]) -> None:
     stream.write("".join(f"{line}\n" for line in lines))
 
 
-def _verdict(report: Report) -> str:
+def _closing_line(report: Report) -> str:
     face = sum(character.count("face") for character in report.characters)
     total = sum(len(character.rows) for character in report.characters)
     target = f" {report.output}" if report.output else ""

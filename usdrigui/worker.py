@@ -2,9 +2,10 @@
 asked to stop.
 
 It tells in messages on its standard output, one JSON document a line; what it prints is such a
-message, too, and what it says last, its verdict, comes with the message that closes.  One byte on
-its standard input asks it to stop, and the end of that input means that its supervisor is gone.  In
-a process that has no supervisor, as a host's that uses the Python API, nothing here does anything.
+message, too, and what it says last, its closing line, comes with the message that closes.  One byte
+on its standard input asks it to stop, and the end of that input means that its supervisor is gone.
+In a process that has no supervisor, as a host's that uses the Python API, nothing here does
+anything.
 """
 
 from __future__ import annotations
@@ -128,15 +129,15 @@ def discard_result() -> None:
 
 
 def hold_errors() -> None:
-    """What is printed on standard error from now on is the verdict: it comes with the closing
+    """What is printed on standard error from now on is the closing line: it comes with the closing
     message."""
     if isinstance(sys.stderr, _Stream):
         sys.stderr.kept = True
 
 
 def finish(code: int) -> NoReturn:
-    """Tell the verdict and leave, without the interpreter's farewell, which may crash on what was
-    read."""
+    """Send the closing line and leave, without the interpreter's farewell, which may crash on what
+    was read."""
     assert _worker is not None
     out, err = (
         stream.taken() if isinstance(stream, _Stream) else "" for stream in (sys.stdout, sys.stderr)

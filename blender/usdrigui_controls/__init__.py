@@ -14,16 +14,16 @@ bl_info = {
 
 def register():
     """Called by Blender when the add-on is switched on."""
-    from . import gizmos, importing, interface, shown
+    from . import gizmos, importing, interface, visibility
 
     # Settings first: everything else asks for them.
-    for room in (interface, shown, gizmos, importing):
+    for room in (interface, visibility, gizmos, importing):
         room.register()
 
 
 def unregister():
     """Called by Blender when the add-on is switched off."""
-    from . import gizmos, importing, interface, shown
+    from . import gizmos, importing, interface, visibility
 
-    for room in (importing, gizmos, shown, interface):
+    for room in (importing, gizmos, visibility, interface):
         room.unregister()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 import numpy as np
 
-from . import shown
+from . import visibility
 from .character import Character
 from .drawing import draw_elements, draw_label
 from .screen import Grab, Screen, pick, with_partners
@@ -34,7 +34,7 @@ class RigControls(bpy.types.Gizmo):
 
     def draw(self, context):
         """Draw everything; what is under the pointer, or held, in white."""
-        screen, found = _screen(context), shown.items(context)
+        screen, found = _screen(context), visibility.items(context)
         hot = Hand.active if self.grab else Hand.hot if self.is_highlight else None
         settings = context.scene.usdrigui
         names = [(item.holder, item.element.name) for item in found]
@@ -43,7 +43,7 @@ class RigControls(bpy.types.Gizmo):
 
     def test_select(self, context, location):
         """The number of the element under ``location``, or -1."""
-        screen, found = _screen(context), shown.items(context)
+        screen, found = _screen(context), visibility.items(context)
         pointer = np.array([location[0], screen.height - location[1]])
         index = pick(
             screen,
@@ -62,7 +62,11 @@ class RigControls(bpy.types.Gizmo):
         if Hand.hot is None:
             return {"CANCELLED"}
         item = next(
-            (each for each in shown.items(context) if (each.holder, each.element.name) == Hand.hot),
+            (
+                each
+                for each in visibility.items(context)
+                if (each.holder, each.element.name) == Hand.hot
+            ),
             None,
         )
         if item is None:
@@ -102,8 +106,8 @@ class RigControls(bpy.types.Gizmo):
                 character.insert_keys(changed)
             bpy.ops.ed.undo_push(message=f"Drag {item.element.label}")
         else:
-            shown.toggle(item.holder, item.element, character.layout.elements)
-        shown.touch()
+            visibility.toggle(item.holder, item.element, character.layout.elements)
+        visibility.touch()
 
     def _set(self, context, values):
         item = self.grabbed
@@ -118,7 +122,7 @@ class RigControls(bpy.types.Gizmo):
             }
             changed = with_partners(changed, character.layout.partners(), ranges)
         character.set_values(changed)
-        shown.touch()
+        visibility.touch()
         context.area.header_text_set(
             "   ".join(f"{name} {value:.3f}" for name, value in changed.items())
         )
@@ -140,7 +144,7 @@ class RigControlsGroup(bpy.types.GizmoGroup):
         return (
             context.scene.usdrigui.show
             and context.mode in ("OBJECT", "POSE")
-            and bool(shown.items(context))
+            and bool(visibility.items(context))
         )
 
     def setup(self, context):
@@ -155,7 +159,8 @@ def _draw_hot_label():
     if hot is None or not context.scene.usdrigui.show or not context.scene.usdrigui.names:
         return
     item = next(
-        (each for each in shown.items(context) if (each.holder, each.element.name) == hot), None
+        (each for each in visibility.items(context) if (each.holder, each.element.name) == hot),
+        None,
     )
     if item is not None:
         screen = _screen(context)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-from . import shown
+from . import visibility
 from .character import Character, holders, unbind
 from .gizmos import Hand
 from .importing import add_controls, has_usd, objects_by_name
@@ -12,7 +12,7 @@ from .layout import LayoutError
 
 
 def _touch(_settings, _context):
-    shown.touch()
+    visibility.touch()
 
 
 class Settings(bpy.types.PropertyGroup):
@@ -64,7 +64,7 @@ class LoadLayout(bpy.types.Operator):
         except LayoutError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        shown.forget()
+        visibility.forget()
         for holder, _ in built:
             missing = Character(holder).missing()
             if missing:
@@ -83,7 +83,7 @@ class RemoveLayout(bpy.types.Operator):
         """Unbind every character of the scene."""
         for holder in holders(context.scene):
             unbind(holder)
-        shown.forget()
+        visibility.forget()
         return {"FINISHED"}
 
 
@@ -101,7 +101,7 @@ class ResetControls(bpy.types.Operator):
         for holder, names in _chosen(context, self.everything):
             character = Character(holder)
             character.set_values({name: character.controls[name].base for name in names})
-        shown.touch()
+        visibility.touch()
         return {"FINISHED"}
 
 

@@ -52,7 +52,7 @@ def checked(run_inside, python, layer, source, rig, layout, missing=()):
         worst["values"] = max(worst["values"], float(np.abs(np.subtract(got, wanted)).max()))
         for element, each in zip(layout.elements, elements_at(poser, pose), strict=True):
             gap = np.abs(found[f"handle{number}_{element.name}"] - place(each.handle)).max()
-            if all(member.gain == 1.0 for member in element.members):
+            if all(member.magnification == 1.0 for member in element.members):
                 worst["handles"] = max(worst["handles"], gap / size)
             for k, track in enumerate(each.tracks):
                 gap = np.abs(found[f"track{number}_{element.name}_{k}"] - place(track)).max()

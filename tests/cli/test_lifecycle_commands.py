@@ -131,7 +131,7 @@ def test_the_previous_layout_is_kept_and_the_diff_is_told(folder, capsys):
     assert "removed" in printed
 
 
-def test_at_a_price_of_zero_the_previous_layout_changes_nothing(folder, capsys):
+def test_at_a_penalty_of_zero_the_previous_layout_changes_nothing(folder, capsys):
     corrections = corrected(folder, "smile_L", another_point(folder, "smile_L"))
     new = folder / "new.rigui.usda"
     zero = ("--set", "objective.keep_penalty=0")
@@ -184,7 +184,7 @@ def test_diff_of_a_layer_without_layout_is_refused(folder, capsys):
 
 
 @pytest.mark.parametrize("order", [1, -1])
-def test_the_verdict_names_the_file_that_was_refused(folder, capsys, order):
+def test_the_closing_line_names_the_file_that_was_refused(folder, capsys, order):
     pair = [str(folder / "char.usda"), str(folder / "old.rigui.usda")][::order]
     assert main(["diff", *pair]) == 1
     assert f"usdrigui: refused {folder / 'char.usda'}\n" in capsys.readouterr().err

@@ -70,7 +70,7 @@ def test_dry_run_writes_nothing(character, tmp_path, capsys):
     assert "dry run" in capsys.readouterr().out
 
 
-def test_quiet_prints_the_verdict_only(character, capsys):
+def test_quiet_prints_the_closing_line_only(character, capsys):
     assert main(["process", str(character), "--quiet"]) == 0
     printed = capsys.readouterr()
     assert len(printed.out.splitlines()) == 1

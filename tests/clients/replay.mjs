@@ -46,7 +46,7 @@ function shelved(session) {
 function reloaded(character, layer, times) {
   if (!layer) return null;
   const session = new Session(character);
-  const { keys, standing } = keysFromLayer(layer, session);
-  session.load('Load', keys, standing);
+  const { keys, constants } = keysFromLayer(layer, session);
+  session.load('Load', keys, constants);
   return times.map((time) => at(session, time));
 }

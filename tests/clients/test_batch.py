@@ -72,7 +72,7 @@ def test_one_bad_file_never_stops_the_rest_and_what_is_done_is_skipped(folder, t
     assert {row["outcome"] for row in fourth.values()} == {"skipped"}
 
 
-def test_prints_a_table_and_a_verdict(folder, capsys):
+def test_prints_a_table_and_a_closing_line(folder, capsys):
     assert main(["batch", str(folder / "a0" / "char.usda"), str(folder / "broken.usda"), "--jobs", "1"]) == 1
     printed = capsys.readouterr()
     assert "FILE_NOT_USD" in printed.out

@@ -42,7 +42,7 @@ COMMANDS = {
 WAYS = ("SIGTERM", "SIGINT", "SIGHUP", "SIGKILL", "worker SIGKILL", "worker SIGSEGV")
 DOCUMENTED = {0, 1, 2, 3, 4}
 VERDICT = re.compile(r"^usdrigui: (?!\w+_\w+|INTERRUPTED|BUG)", re.MULTILINE)
-"""A line of the verdict, as opposed to that of its code."""
+"""A closing line, as opposed to that of its code."""
 OURS = re.compile(r'File "[^"]*[/\\]usdrigui[/\\](?!__init__\.py|__main__\.py)|in main$', re.MULTILINE)
 """A line of a traceback that Python prints once the command heeds signals."""
 

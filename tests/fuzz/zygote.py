@@ -40,11 +40,11 @@ class Zygote:
         )
         theirs.close()
 
-    def start(self, letter: IO[bytes], mailbox: IO[bytes]) -> Reader:
+    def start(self, request: IO[bytes], response: IO[bytes]) -> Reader:
         """Fork a reader."""
         read_end, write_end = os.pipe()
         with _adopting():
-            socket.send_fds(self._ours, [b"read"], [letter.fileno(), mailbox.fileno(), write_end])
+            socket.send_fds(self._ours, [b"read"], [request.fileno(), response.fileno(), write_end])
             os.close(write_end)
             (pid,) = struct.unpack("<i", self._ours.recv(4))
         return Reader(pid, os.fdopen(read_end, "rb"))
@@ -64,13 +64,13 @@ class Forking:
         self._zygote: Zygote | None = None
         self._world = _world()
 
-    def start(self, letter: IO[bytes], mailbox: IO[bytes]) -> Any:
+    def start(self, request: IO[bytes], response: IO[bytes]) -> Any:
         """A forked reader; a fresh one where the program or its environment is another than it was, or if not `on`."""
         if not self.on or _world() != self._world:
-            return self.fresh(letter, mailbox)
+            return self.fresh(request, response)
         if self._zygote is None:
             self._zygote = Zygote(self._world[1])
-        return self._zygote.start(letter, mailbox)
+        return self._zygote.start(request, response)
 
     def close(self) -> None:
         """End the zygote, if there is one."""

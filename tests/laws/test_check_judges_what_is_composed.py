@@ -1,6 +1,6 @@
 """`check` judges the stage it is given: variants, activation, overrides, animation, references, instances and packages.
 
-The table says which verdict each stage deserves; the law says that a stage and its flattened copy get the same one.
+The table says which issues each stage deserves; the law says that a stage and its flattened copy get the same one.
 """
 
 import random
@@ -243,7 +243,7 @@ def edited(stage, edit, above="/World"):
     return stage
 
 
-def verdict(path):
+def judged(path):
     """Code, path and message of every error and warning, and the cost of every character."""
     try:
         found = check(path, Settings())
@@ -267,17 +267,17 @@ def saved(stage):
 
 
 @pytest.mark.parametrize("name", STAGES)
-def test_a_stage_gets_the_verdict_that_it_deserves_and_so_does_its_flattened_copy(name, folder):
+def test_a_stage_gets_the_issues_that_it_deserves_and_so_does_its_flattened_copy(name, folder):
     make, expected = STAGES[name]
     stage = make(folder)
     path = saved(stage)
-    issues, costs = verdict(path)
+    issues, costs = judged(path)
     assert {code for code, severity, *_ in issues if severity != "info"} == expected
-    assert verdict(flattened(stage, folder)) == (issues, costs)
+    assert judged(flattened(stage, folder)) == (issues, costs)
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_any_shot_and_its_flattened_copy_get_one_verdict(seed, folder):
+def test_any_shot_and_its_flattened_copy_are_judged_alike(seed, folder):
     """Edits by chance of the characters of one shot; their layouts and faces need not be left."""
     chance = random.Random(seed)
     stage = shot(folder, "A", "B", payload=chance.random() < 0.5)
@@ -285,7 +285,7 @@ def test_any_shot_and_its_flattened_copy_get_one_verdict(seed, folder):
         for edit in chance.sample(list(EDITS)[:-1], 2):
             edit(stage, above)
     path = saved(stage)
-    assert verdict(path) == verdict(flattened(stage, folder))
+    assert judged(path) == judged(flattened(stage, folder))
 
 
 def test_every_finding_says_whose_it_is(folder, capsys):

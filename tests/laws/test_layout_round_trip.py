@@ -70,7 +70,12 @@ def parts(draw):
 @st.composite
 def changed(draw, element):
     members = tuple(
-        replace(each, track=each.track + draw(VECTORS), arc_length=draw(st.floats(0, 9)), gain=draw(st.floats(1, 9)))
+        replace(
+            each,
+            track=each.track + draw(VECTORS),
+            arc_length=draw(st.floats(0, 9)),
+            magnification=draw(st.floats(1, 9)),
+        )
         for each in element.members
     )
     label, reason, category = draw(NAMES), draw(PRINTED), draw(st.sampled_from(["", "global", "crowded"]))

@@ -111,8 +111,8 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
             assert apart <= 0.5 * inputs.face.handle_width, name
         assert at[now["cheekPuff"]].on_board
         assert {now["mouthShrugUpper"], now["mouthShrugLower"]} in [set(each.controls) for each in layout.elements]
-        gains = improvements(inputs.face, inputs.requests, inputs.placement, found.labels)
-        told = difference(before, layout, gains, inputs.matchings["previous"])
+        saved = improvements(inputs.face, inputs.requests, inputs.placement, found.labels)
+        told = difference(before, layout, saved, inputs.matchings["previous"])
         assert not [change for change in told.displaced if not change.why]
         before = layout
 

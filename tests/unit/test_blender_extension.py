@@ -28,7 +28,7 @@ from usdrigui.usd.layer import stage_metadata, write_layout
 from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.rig import read_rigs
 
-ROOMS = ("layout", "reading", "screen", "following", "joints")
+ROOMS = ("layout", "reading", "screen", "tracking", "joints")
 VECTORS = drag_vectors.vectors()
 
 
@@ -94,7 +94,7 @@ def test_without_its_sources_there_is_no_archive(tmp_path, monkeypatch):
 
 def test_importing_it_needs_neither_blender_nor_usdrigui(tmp_path):
     blender_extension.write_extension(tmp_path / "one.zip")
-    program = "import sys, usdrigui_controls.screen, usdrigui_controls.following; print('usdrigui' in sys.modules)"
+    program = "import sys, usdrigui_controls.screen, usdrigui_controls.tracking; print('usdrigui' in sys.modules)"
     done = subprocess.run(
         [sys.executable, "-c", program],
         env={"PYTHONPATH": str(tmp_path / "one.zip")},
@@ -112,9 +112,9 @@ def test_importing_it_needs_neither_blender_nor_usdrigui(tmp_path):
 def test_drags_on_the_vectors_that_all_clients_run(extension, name):
     vector, pixels = VECTORS[name], pixel_screen(extension)
     element, controls = records(extension, vector)
-    drawing = extension["following"].drawing_of(element, controls)
+    drawing = extension["tracking"].drawing_of(element, controls)
     tracks = tuple(np.array(member.track) for member in element.members)
-    where = extension["following"].Placed(tracks, (), np.zeros(3), np.zeros(3), 1.0)
+    where = extension["tracking"].Placed(tracks, (), np.zeros(3), np.zeros(3), 1.0)
     for path in vector["drags"]:
         grab = extension["screen"].Grab(pixels, drawing, where, path["start"], (5.0, 7.0))
         for step in path["steps"]:
@@ -183,7 +183,7 @@ def test_points_behind_the_viewer_are_nowhere(extension):
 
 def placed(extension, at, normal=(0, 0, 1)):
     at, normal = np.array(at, dtype=np.float64), np.array(normal, dtype=np.float64)
-    return extension["following"].Placed((np.array([at, np.add(at, (2.0, 0, 0))]),), (), at, normal, 1.0)
+    return extension["tracking"].Placed((np.array([at, np.add(at, (2.0, 0, 0))]),), (), at, normal, 1.0)
 
 
 def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):
@@ -197,7 +197,7 @@ def test_the_nearest_handle_that_faces_the_viewer_is_picked(extension):
 
 
 def slider(extension, low=0.0, high=1.0):
-    return extension["following"].Drawing(
+    return extension["tracking"].Drawing(
         values=(np.array([low, high]),),
         tracks=(np.array([[0.0, 0, 0], [2.0, 0, 0]]),),
         areas=(),
@@ -334,11 +334,11 @@ def test_placing_agrees_with_our_own_evaluation_at_the_base_pose(extension, laid
     controls = {control.name: control for control in found.controls}
     expected = elements_at(prepare(rig, layout), layout.base_values)
     for element, ours_at in zip(found.elements, expected, strict=True):
-        drawing = extension["following"].drawing_of(element, controls)
+        drawing = extension["tracking"].drawing_of(element, controls)
         still = np.eye(4)
         point = np.array(element.position) if element.follows else None
-        site = extension["following"].Site(point, np.zeros(3), still, still, still)
-        where = extension["following"].place(drawing, site, drawing.base)
+        site = extension["tracking"].AnchorFrame(point, np.zeros(3), still, still, still)
+        where = extension["tracking"].place(drawing, site, drawing.base)
         assert where.handle == pytest.approx(ours_at.handle, abs=1e-4)
         for mine, theirs in zip(where.tracks, ours_at.tracks, strict=True):
             assert mine == pytest.approx(theirs, abs=1e-4)

@@ -61,7 +61,7 @@ def test_enlarged_tracks_leave_the_handle_on_the_skin(rig, layout):
     smile = element(layout, "smile_L")
     one = layout.elements[smile]
     base = one.anchor.position
-    large = replace(one.members[0], track=base + 3.0 * (one.members[0].track - base), gain=3.0)
+    large = replace(one.members[0], track=base + 3.0 * (one.members[0].track - base), magnification=3.0)
     changed = replace(layout, elements=(replace(one, members=(large,)),))
     posed = evaluate(prepare(rig, changed), values_of(rig, {"smile_L": 0.5}))
     assert posed.elements[0].handle == pytest.approx(posed.points[one.anchor.point], abs=1e-12)

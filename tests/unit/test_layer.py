@@ -451,7 +451,7 @@ def test_a_layer_written_by_hand_takes_the_fallbacks(text):
     assert (layout.root, layout.space, layout.status, layout.handle_width) == ("/Char", "object", "stopped", 2.0)
     assert layout.bound == -np.inf
     assert (element.name, element.label, element.kind, element.adapt) == ("smile", "smile", "slider", "deform")
-    assert (member.control, member.gain) == ("smile", 1.0)
+    assert (member.control, member.magnification) == ("smile", 1.0)
     assert member.values.tolist() == [0.0, 1.0]
     assert member.track.tolist() == [[0, 0, 0], [0, 1, 0]]
     assert (element.anchor.mesh, element.anchor.point, element.anchor.on_board) == ("/Char/face", 7, False)

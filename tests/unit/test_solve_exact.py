@@ -82,7 +82,7 @@ def test_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatc
     assert len(set(rounds)) == len(rounds)
 
 
-def verdicts(seeds: range) -> list[str]:
+def failures(seeds: range) -> list[str]:
     """Faults over many problems; both methods must agree on which are infeasible."""
     found = []
     for seed in seeds:
@@ -131,7 +131,7 @@ WAYS = [one_matrix, by_blocks, by_triplets, by_program, by_branching]
 def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
     way(monkeypatch)
     first = PART * WAYS.index(way)
-    assert verdicts(range(first, first + PART)) == []
+    assert failures(range(first, first + PART)) == []
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -578,7 +578,7 @@ def test_pairs_dearer_than_all_else_leave_no_rounding_behind(seed: int, factor: 
     assert faults(problem, mine, best) == []
 
 
-def test_explicit_costs_of_tables_do_not_add_up_to_a_price() -> None:
+def test_explicit_costs_of_tables_do_not_add_up_to_a_multiplier() -> None:
     problem = crowd(0, variables=2, candidates=20)
     pairs = np.indices((20, 20)).reshape(2, -1)
     extra = ExtraPairs(0, 1, pairs[0], pairs[1], np.full(400, 0.5))

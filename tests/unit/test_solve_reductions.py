@@ -230,11 +230,11 @@ def test_the_chance_of_a_candidate_is_its_displacement() -> None:
 
 
 def test_a_problem_is_sampled_by_displacement_not_by_cost() -> None:
-    """Occlusion and other prices are no part of the weight."""
+    """Occlusion and other costs are no part of the weight."""
     gains = np.r_[np.full(50, 1.0), np.full(50, 1e-6)]
     wide = element("a", np.arange(100.0), gains)
-    priced = replace(wide, cost=wide.cost + np.r_[np.full(50, 5.0), np.zeros(50)])
-    found = solve(problem_of(priced), SolveSettings(method="paper", sample=0.2))
+    dearer = replace(wide, cost=wide.cost + np.r_[np.full(50, 5.0), np.zeros(50)])
+    found = solve(problem_of(dearer), SolveSettings(method="paper", sample=0.2))
     assert found.labels[0] < 50
 
 

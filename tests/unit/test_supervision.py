@@ -1,4 +1,4 @@
-"""Whatever becomes of a worker, its supervisor has one verdict with a documented code, and the worker is gone."""
+"""Whatever becomes of a worker, its supervisor has one closing line with a documented code, and the worker is gone."""
 
 from __future__ import annotations
 
@@ -144,12 +144,12 @@ def command(*arguments, stdout=subprocess.PIPE, **options):
     return subprocess.run(argv, stdout=stdout, stderr=subprocess.PIPE, text=True, check=False, **options)
 
 
-def verdicts(text):
+def closing_lines(text):
     return [line for line in text.splitlines() if line.startswith("usdrigui: ")]
 
 
 def test_the_supervisor_loads_neither_numpy_nor_usd(tmp_path):
-    """Even when it has to say itself that the worker has no verdict."""
+    """Even when it has to say itself that the worker has no closing line."""
     program = (
         "import sys; from queue import SimpleQueue; from usdrigui.cli.supervised import run\n"
         "sys.executable = '/no/such/python'\n"
@@ -163,14 +163,14 @@ def test_the_supervisor_loads_neither_numpy_nor_usd(tmp_path):
 
 @pytest.mark.parametrize("stream", ["full", "closed"])
 def test_standard_output_that_takes_nothing(stream, tmp_path):
-    """The layer is written all the same, and the verdict, which says so, is on standard error."""
+    """The layer is written all the same, and the closing line, which says so, is on standard error."""
     asset = minimal_assets.character(tmp_path)
     shut = {"stdout": None, "preexec_fn": lambda: os.close(1)} if stream == "closed" else {}
     with Path("/dev/full").open("w") as full:
         done = command("process", asset, "--quiet", **({"stdout": full} | shut))
     assert done.returncode == Exit.FILE
-    (_, verdict) = verdicts(done.stderr)
-    assert verdict.endswith(f"without its report; written {asset.with_name('char.rigui.usda')}")
+    (_, closing) = closing_lines(done.stderr)
+    assert closing.endswith(f"without its report; written {asset.with_name('char.rigui.usda')}")
     assert asset.with_name("char.rigui.usda").is_file()
 
 
@@ -212,7 +212,7 @@ sys.exit(main())
     assert "Traceback" not in done.stderr
 
 
-def test_a_signal_after_the_verdict_changes_no_exit_code(tmp_path):
+def test_a_signal_after_the_closing_line_changes_no_exit_code(tmp_path):
     # The last that Python does, after it has put the default actions of signals back, is to empty the modules.
     program = """
 import os, signal, sys

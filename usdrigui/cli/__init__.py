@@ -1,6 +1,6 @@
 """The command line: the only place that prints or chooses an exit code.
 
-`main` parses, calls one function per command and turns every outcome into one closing verdict line.
+`main` parses, calls one function per command and turns every outcome into one closing line.
 Nothing heavy (pxr, scipy, highspy) is imported before a command needs it.
 """
 

@@ -90,10 +90,10 @@ def _add_animation(parser: Any, summary: str) -> None:
 
 def _process(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline, report
-    from usdrigui.examples import ExampleLayers
+    from usdrigui.references import ReferenceLayers
 
     settings = settings_of(arguments)
-    examples = ExampleLayers(
+    references = ReferenceLayers(
         fixed=arguments.fixed,
         previous=arguments.previous,
         like=arguments.like,
@@ -124,7 +124,7 @@ def _process(arguments: argparse.Namespace) -> Exit:
             dry_run=arguments.dry_run,
             progress=watch,
             stop=worker.stop_requested,
-            examples=examples,
+            references=references,
             read=files_read(arguments),
             extras=functools.partial(_stage_extras, arguments, written),
         )
@@ -155,7 +155,7 @@ def _inspect(arguments: argparse.Namespace) -> Exit:
 
 def _progress(
     screen: terminal.Screen, arguments: argparse.Namespace
-) -> AbstractContextManager[terminal.Watch]:
+) -> AbstractContextManager[terminal.ProgressCallback]:
     if not arguments.openjd:
         return screen.progress()
     from usdrigui.clients import openjd

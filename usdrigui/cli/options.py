@@ -34,7 +34,7 @@ def command(
     parser.add_argument(
         "--json", action="store_true", help="print one JSON document instead of text"
     )
-    parser.add_argument("-q", "--quiet", action="store_true", help="print the verdict line only")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print the closing line only")
     parser.add_argument("--strict", action="store_true", help="exit 1 if there are warnings")
     return parser
 

@@ -1,4 +1,4 @@
-"""How a command ends: verdict lines, refusals, bugs."""
+"""How a command ends: closing lines, refusals, bugs."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def strict(issues: Sequence[Any], arguments: argparse.Namespace) -> Exit:
 
 
 def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
-    """Print a refusal, its repair and the verdict line; as JSON too if that was asked for."""
+    """Print a refusal, its repair and the closing line; as JSON too if that was asked for."""
     asset, found = _subject(error, arguments), error.issue
     worker.hold_errors()
     if getattr(arguments, "json", False):
@@ -54,13 +54,13 @@ def refused(error: RigUIError, arguments: argparse.Namespace) -> None:
         where = f" {each.where}:" if each.where else ""
         _complain(f"usdrigui: {each.code}{where} {each.message}")
         _complain(f"  repair: {each.repair}")
-    verdict = (
+    closing = (
         f"finished {asset} without its report"
         if found.code == "OUTPUT_STREAM"
         else f"refused {asset}"
     )
     written = getattr(arguments, "written", "nothing was written")
-    _complain(f"usdrigui: {verdict}{'; ' * bool(written)}{written}")
+    _complain(f"usdrigui: {closing}{'; ' * bool(written)}{written}")
 
 
 def _complain(line: str) -> None:

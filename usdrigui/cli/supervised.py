@@ -1,7 +1,7 @@
 """The command `usdrigui`: a supervisor that loads neither numpy nor USD, over a worker that does
 what is asked.
 
-Whatever becomes of the worker, the user gets one verdict and a documented exit code.
+Whatever becomes of the worker, the user gets one closing line and a documented exit code.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ def _alone(argv: Sequence[str]) -> Outcome:
 
 
 def _refusal(error: RigUIError, arguments: argparse.Namespace) -> Outcome:
-    """The verdict on a command whose worker has none."""
+    """The closing line of a command whose worker has none."""
     with (
         contextlib.redirect_stdout(io.StringIO()) as out,
         contextlib.redirect_stderr(io.StringIO()) as err,
@@ -104,7 +104,7 @@ def _is_terminal(stream: object) -> bool:
 
 
 def _printed(outcome: Outcome, arguments: argparse.Namespace) -> int:
-    """Print the verdict; what standard output does not take becomes a verdict on standard error."""
+    """Print the closing line; what standard output does not take ends on standard error."""
     try:
         _write("out", outcome.out)
     except OSError as error:

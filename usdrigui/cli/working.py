@@ -15,7 +15,7 @@ def main() -> NoReturn:
     """Run the command of the command line, and close with its exit code.
 
     A request to stop that comes before the command has begun, or amid its last words, leaves the
-    verdict to the supervisor.
+    closing line to the supervisor.
     """
     try:
         worker.start()

@@ -105,7 +105,7 @@ class Meaning:
 def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     """(names,) how each name of one rig is read; None where it says nothing that is known."""
     every = [words(name) for name in names]
-    bare = telling_words(names)
+    bare = distinctive_words(names)
     units = sum(_action_unit(each) is not None for each in bare)
     coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
     told = [
@@ -115,7 +115,7 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     return tuple(_meaning(each, unit) for each, unit in zip(bare, told, strict=True))
 
 
-def telling_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
+def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
     """(names,) the words of each name of one rig, without those that say whose names they are."""
     return tuple(_without_makers(_without_shared([words(name) for name in names])))
 

@@ -143,10 +143,10 @@ class Member(Record):
     values: Floats
     """(k,) control values along the track."""
     track: Floats
-    """(k, 3) drawn positions at the base pose, gain applied."""
+    """(k, 3) drawn positions at the base pose, magnified."""
     arc_length: float
     """Of the anchor's true trajectory."""
-    gain: float
+    magnification: float
     """Drawn length over true length: 1 unless the trajectory is too small to be used."""
 
 

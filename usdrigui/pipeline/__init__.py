@@ -14,7 +14,7 @@ from usdrigui.pipeline.configuration import with_faults_of_asset
 from usdrigui.pipeline.converting import convert
 from usdrigui.pipeline.inspecting import inspect
 from usdrigui.pipeline.laying_out import process, process_stage
-from usdrigui.pipeline.progress import Event, Watch
+from usdrigui.pipeline.progress import Event, ProgressCallback
 from usdrigui.pipeline.reviewing import (
     LayerDifference,
     LayerReview,
@@ -34,7 +34,7 @@ __all__ = [
     "LayerReview",
     "Loaded",
     "ProblemInputs",
-    "Watch",
+    "ProgressCallback",
     "build_problem",
     "check",
     "check_outputs",

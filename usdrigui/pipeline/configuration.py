@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from usdrigui.errors import Faults, RigUIError, meant, refuse
-from usdrigui.examples import Examples, check_like
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.group.grouping import check_groups
 from usdrigui.layout.place.extensions import check_terms
@@ -17,16 +16,19 @@ from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
 from usdrigui.model import Floats, Rig
+from usdrigui.references import ReferenceLayouts, check_like
 from usdrigui.settings import ReadSettings, Settings
 from usdrigui.settings.loading import UnsoundSettingsError
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import ReadResult
 
-_NO_EXAMPLES = Examples()
+_NO_REFERENCES = ReferenceLayouts()
 
 
 def refuse_unsound(
-    source: ReadResult, settings: Settings | None = None, examples: Examples = _NO_EXAMPLES
+    source: ReadResult,
+    settings: Settings | None = None,
+    references: ReferenceLayouts = _NO_REFERENCES,
 ) -> None:
     """Raise RigUIError with all CONFIG_ and GLYPH_ codes of what the configuration says and the
     asset, or the character to imitate, does not allow; without `settings` of what reading needs.
@@ -36,7 +38,7 @@ def refuse_unsound(
     faults = Faults()
     faults.add(source.config_faults)
     if settings is not None:
-        _check(source, settings, examples, faults)
+        _check(source, settings, references, faults)
     faults.raise_all()
 
 
@@ -79,11 +81,13 @@ def camera_of(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | No
     return camera
 
 
-def _check(source: ReadResult, settings: Settings, examples: Examples, faults: Faults) -> None:
+def _check(
+    source: ReadResult, settings: Settings, references: ReferenceLayouts, faults: Faults
+) -> None:
     with faults.collected():
         check_terms(settings.objective.terms)
     for rig in source.rigs:
-        _check_rig(rig, settings, source.cameras, examples, faults)
+        _check_rig(rig, settings, source.cameras, references, faults)
     _check_parts(source, settings, faults)
 
 
@@ -91,7 +95,7 @@ def _check_rig(
     rig: Rig,
     settings: Settings,
     cameras: Mapping[str, Floats],
-    examples: Examples,
+    references: ReferenceLayouts,
     faults: Faults,
 ) -> None:
     controls = settings.controls
@@ -110,7 +114,7 @@ def _check_rig(
         # What is wrong with a pose is told of the pose.
         check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
     with faults.collected():
-        check_like(examples, rig, settings.like.names)
+        check_like(references, rig, settings.like.names)
 
 
 def _check_places(rig: Rig, settings: Settings, name: str, faults: Faults) -> None:

@@ -8,13 +8,12 @@ from pathlib import Path
 
 from usdrigui import animation
 from usdrigui.errors import Issue, of_character
-from usdrigui.examples import ExampleLayers, read_examples
 from usdrigui.inspection import CharacterFacts, ControlFacts, Inspection, Likeness, PartFacts
 from usdrigui.layout.group.grouping import suggested_groups
 from usdrigui.layout.reuse.identity import names_draft
 from usdrigui.model import CandidateSet, Control, Motion
 from usdrigui.pipeline.configuration import refuse_unsound
-from usdrigui.pipeline.progress import Clock, Watch
+from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.stages import (
     Divided,
     ProblemInputs,
@@ -23,6 +22,7 @@ from usdrigui.pipeline.stages import (
     issues_of,
     part_problem,
 )
+from usdrigui.references import ReferenceLayers, read_references
 from usdrigui.settings import Settings
 from usdrigui.usd.reader_process import read_rigs_isolated
 
@@ -31,7 +31,7 @@ def inspect(
     asset: Path,
     settings: Settings,
     *,
-    progress: Watch | None = None,
+    progress: ProgressCallback | None = None,
     animations: Sequence[Path] = (),
     like: Path | None = None,
 ) -> Inspection:
@@ -44,12 +44,12 @@ def inspect(
     with clock.stage("read"):
         source = read_rigs_isolated(asset, settings)
         clips = animation.performances(animations, settings.read)
-        examples = read_examples(ExampleLayers(like=like), settings.read)
-        refuse_unsound(source, settings, examples)
+        references = read_references(ReferenceLayers(like=like), settings.read)
+        refuse_unsound(source, settings, references)
     issues: list[Issue] = []
     characters = []
     for rig in source.rigs:
-        character = divided(rig, settings, clock, source.cameras, examples)
+        character = divided(rig, settings, clock, source.cameras, references)
         parts = [part_problem(character, part, (), clock) for part in character.parts]
         issues += issues_of(parts)
         facts = _facts(character, parts)

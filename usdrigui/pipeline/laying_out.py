@@ -15,14 +15,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
-from usdrigui.examples import (
-    ExampleLayers,
-    Examples,
-    as_sibling,
-    followed,
-    read_examples,
-    rigs_over,
-)
 from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
@@ -30,7 +22,7 @@ from usdrigui.layout.review.shortfalls import shortfalls
 from usdrigui.model import Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
-from usdrigui.pipeline.progress import Clock, Watch
+from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.stages import (
     LaidPart,
     divided,
@@ -42,6 +34,14 @@ from usdrigui.pipeline.stages import (
 )
 from usdrigui.pipeline.targets import check_replaceable, check_target, default_output
 from usdrigui.pipeline.writing import check_base, stage_layer
+from usdrigui.references import (
+    ReferenceLayers,
+    ReferenceLayouts,
+    as_sibling,
+    followed,
+    read_references,
+    rigs_over,
+)
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
@@ -62,24 +62,24 @@ def process(
     *,
     output: Path | None = None,
     dry_run: bool = False,
-    progress: Watch | None = None,
+    progress: ProgressCallback | None = None,
     stop: Callable[[], bool] | None = None,
-    examples: ExampleLayers | None = None,
+    references: ReferenceLayers | None = None,
     read: Sequence[Path] = (),
     extras: Callable[[Report, Transaction], None] | None = None,
 ) -> Report:
     """Lay out every character of `asset` and write the layer.
 
     Parameters: `output` defaults to ``<asset>.rigui.usda`` beside the asset; `stop` is polled
-    during the search, which then ends with the best layout so far; `examples` are existing layouts
-    and animations to use; `read` are further files behind the settings, which no output replaces;
-    `extras` stages more files, such as the report, in one transaction with the layer.  Raises
-    `usdrigui.errors.RigUIError`; then nothing has been written.
+    during the search, which then ends with the best layout so far; `references` are existing
+    layouts and animations to use; `read` are further files behind the settings, which no output
+    replaces; `extras` stages more files, such as the report, in one transaction with the layer.
+    Raises `usdrigui.errors.RigUIError`; then nothing has been written.
     """
     clock = Clock(progress)
     target = output if output is not None else default_output(asset)
     check_target(asset, target)
-    layers = examples or ExampleLayers()
+    layers = references or ReferenceLayers()
     with clock.stage("read"):
         readings, plain = _readings(asset, settings, layers)
         for each in readings:
@@ -114,7 +114,7 @@ def process_stage(
     stage: Usd.Stage | Sdf.Layer,
     settings: Settings,
     *,
-    progress: Watch | None = None,
+    progress: ProgressCallback | None = None,
     stop: Callable[[], bool] | None = None,
 ) -> Report:
     """Lay out every character of an open stage or layer, in memory: nothing is written.
@@ -158,7 +158,7 @@ def _read_open(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Reading:
 
     source = in_memory.read_open_rigs(stage, settings)
     refuse_unsound(source, settings)
-    return Reading(settings, source, Examples())
+    return Reading(settings, source, ReferenceLayouts())
 
 
 # --- what is read ---------------------------------------------------------------------------------
@@ -170,11 +170,11 @@ class Reading:
 
     settings: Settings
     source: ReadResult
-    references: Examples
+    references: ReferenceLayouts
 
 
 def _readings(
-    asset: Path, settings: Settings, layers: ExampleLayers
+    asset: Path, settings: Settings, layers: ReferenceLayers
 ) -> tuple[list[Reading], tuple[Issue, ...]]:
     """The asset in each of the variants that are to be laid out; and what says of the others that
     they are left off."""
@@ -198,14 +198,14 @@ def _read_each(
     return readings, plain
 
 
-def _read(asset: Path, layers: ExampleLayers, settings: Settings) -> Reading:
+def _read(asset: Path, layers: ReferenceLayers, settings: Settings) -> Reading:
     source = read_rigs_isolated(asset, settings)
-    references = read_examples(layers, settings.read)
+    references = read_references(layers, settings.read)
     refuse_unsound(source, settings, references)
     return Reading(settings, source, references)
 
 
-def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Reading]:
+def _read_over(shot: Path, settings: Settings, layers: ReferenceLayers) -> list[Reading]:
     """A shot and its base; where that has a layout for each variant, once for the characters of
     each selection."""
     found = _read(shot, layers, settings)
@@ -225,7 +225,7 @@ def _read_over(shot: Path, settings: Settings, layers: ExampleLayers) -> list[Re
 
 
 def _of_variant(
-    found: Reading, layers: ExampleLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]
+    found: Reading, layers: ReferenceLayers, chosen: Mapping[str, str], rigs: Sequence[Rig]
 ) -> Reading:
     """Some characters of a shot, over the layout that the base has for the variants that they
     select."""
@@ -233,7 +233,7 @@ def _of_variant(
     return Reading(
         found.settings,
         source,
-        read_examples(layers, variants.selecting(found.settings, chosen).read),
+        read_references(layers, variants.selecting(found.settings, chosen).read),
     )
 
 
@@ -308,7 +308,7 @@ def _never_replaced(
     target: Path,
     settings: Settings,
     readings: Sequence[Reading],
-    layers: ExampleLayers,
+    layers: ReferenceLayers,
     more: Sequence[Path],
 ) -> tuple[Path, ...]:
     """Every file that the run has read, but for the layout that its layer succeeds:
@@ -367,11 +367,11 @@ def _lay_out(
     clock: Clock,
     stop: Callable[[], bool] | None,
     cameras: Mapping[str, Floats],
-    examples: Examples,
+    references: ReferenceLayouts,
 ) -> CharacterReport:
     from usdrigui.solve import solve
 
-    character = divided(rig, settings, clock, cameras, examples)
+    character = divided(rig, settings, clock, cameras, references)
     laid: list[LaidPart] = []
     for part in character.parts:
         neighbours = tuple(element for each in laid for element in each.layout.elements)
@@ -381,12 +381,12 @@ def _lay_out(
         with clock.stage("layout"):
             laid.append(LaidPart(inputs, layout_of(inputs, assignment), assignment))
     layout = joined(laid)
-    existing = examples.existing(rig)
+    existing = references.existing(rig)
     if existing is not None:
         layout = existing_layout.combined(
             existing, existing_layout.uniquify_names(layout, existing)
         )
-    previous = examples.previous.get(rig.root)
+    previous = references.previous.get(rig.root)
     if previous is None:
         return _account(laid, layout, existing)
     tell = functools.partial(_changes, laid, previous, layout)

@@ -25,14 +25,14 @@ class Event:
     """True while a request to stop is answered with the best layout so far."""
 
 
-Watch = Callable[[Event], None]
+ProgressCallback = Callable[[Event], None]
 
 
 @dataclass
 class Clock:
     """Times the stages and tells the watcher."""
 
-    watch: Watch | None = None
+    watch: ProgressCallback | None = None
     _seconds: dict[str, float] = field(default_factory=dict)
 
     @property

@@ -18,7 +18,7 @@ from usdrigui.layout.review import review as review_stage
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
-from usdrigui.pipeline.progress import Clock, Watch
+from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.settings import Settings
@@ -147,7 +147,9 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     return loaded, stale, read
 
 
-def check(layer: Path, settings: Settings, *, progress: Watch | None = None) -> LayerReview:
+def check(
+    layer: Path, settings: Settings, *, progress: ProgressCallback | None = None
+) -> LayerReview:
     """Whether the layouts of a stage fit their characters as the stage composes them, and how good
     they are.
 
@@ -193,7 +195,7 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
 
 
 def review(
-    name: str, loaded: Loaded, settings: Settings, *, progress: Watch | None = None
+    name: str, loaded: Loaded, settings: Settings, *, progress: ProgressCallback | None = None
 ) -> LayerReview:
     """As `check`, of layouts that are read already; `name` is what the review calls them."""
     return _review_of(name, loaded, (), settings, Clock(progress))

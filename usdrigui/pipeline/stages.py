@@ -17,14 +17,6 @@ from usdrigui import animation
 from usdrigui.conventions import meanings
 from usdrigui.deform import posed
 from usdrigui.errors import Issue, RigUIError, of_character, refuse
-from usdrigui.examples import (
-    Examples,
-    OwnExamples,
-    decisions,
-    own_examples,
-    prior_layout_of,
-    with_fixed,
-)
 from usdrigui.layout.canonical_face import expectations
 from usdrigui.layout.classify.classification import Classification, classify
 from usdrigui.layout.classify.common_motion import with_common_motion
@@ -65,6 +57,14 @@ from usdrigui.model import (
 )
 from usdrigui.pipeline.configuration import base_values_of, camera_of
 from usdrigui.pipeline.progress import Clock
+from usdrigui.references import (
+    OwnReferenceLayouts,
+    ReferenceLayouts,
+    decisions,
+    own_references,
+    prior_layout_of,
+    with_fixed,
+)
 from usdrigui.settings import PartSettings, Settings
 
 
@@ -175,7 +175,7 @@ class Divided:
     symmetry: Symmetry | None
     """Of the character as a whole; None where it is one part."""
     camera: Floats | None
-    examples: OwnExamples
+    references: OwnReferenceLayouts
     existing: Layout | None
     clips: tuple[Performance, ...]
 
@@ -185,21 +185,21 @@ def divided(
     settings: Settings,
     clock: Clock | None = None,
     cameras: Mapping[str, Floats] | None = None,
-    examples: Examples | None = None,
+    references: ReferenceLayouts | None = None,
 ) -> Divided:
     """A character with its trajectories and its parts: what the problems of all parts are built
     from."""
-    clock, examples = clock or Clock(), examples or Examples()
+    clock, references = clock or Clock(), references or ReferenceLayouts()
     camera = camera_of(rig, settings.candidates.view, cameras or {})
     base_values = base_values_of(rig, settings.read)
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.trajectories, base_values)
     _refuse_motionless(rig, found)
-    own = own_examples(examples, rig, found, settings.like, settings.trajectories)
+    own = own_references(references, rig, found, settings.like, settings.trajectories)
     asked = settings
     settings = replace(asked, controls=with_fixed(own, rig, asked.controls))
     pins = decisions(own, rig, found, settings.objective.keep_penalty)
-    existing = examples.existing(rig)
+    existing = references.existing(rig)
     if existing is not None:
         refuse_stale(rig, found, existing, settings.read)
     with clock.stage("symmetry"):
@@ -227,7 +227,7 @@ def divided(
         camera,
         own,
         existing,
-        examples.clips,
+        references.clips,
     )
 
 
@@ -243,7 +243,7 @@ def part_problem(
     if character.existing is not None:
         settings = with_drawn_handles(character.existing, part.name, found, settings)
     prior = prior_layout_of(
-        character.examples, rig, found, settings.like, settings.objective.keep_penalty
+        character.references, rig, found, settings.like, settings.objective.keep_penalty
     )
     references = References(prior, character.existing, character.clips, tuple(neighbours))
     pins, values = character.pins, character.base_values
@@ -268,7 +268,7 @@ def part_problem(
             pins = fewer
         else:
             return replace(
-                inputs, matchings=character.examples.matchings, asked=character.asked, pins=pins
+                inputs, matchings=character.references.matchings, asked=character.asked, pins=pins
             )
 
 
@@ -286,11 +286,11 @@ def build_problem(
     settings: Settings,
     clock: Clock | None = None,
     cameras: Mapping[str, Floats] | None = None,
-    examples: Examples | None = None,
+    references: ReferenceLayouts | None = None,
 ) -> ProblemInputs:
     """The layout problem of all controls of a rig as one part."""
     whole = replace(settings, parts=PartSettings(divide=False))
-    character = divided(rig, whole, clock, cameras, examples)
+    character = divided(rig, whole, clock, cameras, references)
     return part_problem(character, character.parts[0], (), clock)
 
 

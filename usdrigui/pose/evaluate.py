@@ -1,7 +1,7 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
 An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's
-own; its handle lies on the deformed anchor, whatever the gain of its tracks.  On the board, or
+own; its handle lies on the deformed anchor, however its tracks are magnified.  On the board, or
 where `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that
 carries the face) and its handle slides along the tracks.  What stands on the board is one board and
 stays in one piece: no control of any element there moves it.  These are the rules of the written

@@ -186,7 +186,7 @@ def _member(prim: Usd.Prim, instance: str, count: int) -> Member:
         values=values,
         track=points,
         arc_length=float(_value(prim, "control:__INSTANCE_NAME__:arcLength", instance)),
-        gain=float(_value(prim, "control:__INSTANCE_NAME__:gain", instance)),
+        magnification=float(_value(prim, "control:__INSTANCE_NAME__:gain", instance)),
     )
 
 

@@ -164,7 +164,7 @@ def _limb(tree: Tree, start: int, hands: Collection[int]) -> list[int]:
         if ahead < 0:
             return limb
         limb.append(ahead)
-    carried = sorted(tree.reach(child, limb[-1]) for child in tree.branches(limb[-1]))
+    carried = sorted(tree.max_path(child, limb[-1]) for child in tree.branches(limb[-1]))
     length = float(np.linalg.norm(tree.places[limb[-1]] - tree.places[start]))
     return [] if limb[-1] not in hands and carried[-2] >= _CARRIED * length else limb
 

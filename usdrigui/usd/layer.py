@@ -365,7 +365,7 @@ def _track(member: Member, control: Control) -> dict[str, Any]:
         "trackPoints": member.track,
         "trackValues": () if plain else member.values,
         "arcLength": member.arc_length,
-        "magnification": member.gain,
+        "magnification": member.magnification,
     }
 
 

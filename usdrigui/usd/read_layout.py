@@ -392,7 +392,7 @@ def _member(prim: Usd.Prim, instance: str) -> Member:
         values=values,
         track=points,
         arc_length=float(get("arcLength")),
-        gain=float(get("magnification")),
+        magnification=float(get("magnification")),
     )
 
 

@@ -348,7 +348,7 @@ def _member(element: Element, controls: dict[str, int], member: Member) -> Json:
         "control": controls[member.control],
         "values": _list(member.values),
         "track": _list(member.track),
-        "gain": member.gain,
+        "magnification": member.magnification,
     }
 
 

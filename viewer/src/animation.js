@@ -46,10 +46,10 @@ export class Animation {
   }
 
   /** Control values, base weights and base joint transforms at a time; null for a base is the rig's own. */
-  at(time, { keys, standing }) {
+  at(time, { keys, constants }) {
     const { values, weights, locals } = this.clipAt(time);
     const out = Float64Array.from(values);
-    for (const [control, value] of standing) if (!this.isAnimated(control, keys)) out[control] = value;
+    for (const [control, value] of constants) if (!this.isAnimated(control, keys)) out[control] = value;
     for (const [control, track] of keys) {
       out[control] = keyedValue(track, time, this.moving[control] ? (when) => this.clipAt(when).values[control] : null);
     }

@@ -24,15 +24,15 @@ export function animationLayerOf(sessions, workOf) {
 /** A session's keys and what stands at all frames, by name. */
 export function saidKeys(session) {
   const { animation, keys } = session;
-  const standing = new Map([...session.stood()].filter(([control]) => !animation.isAnimated(control, keys)));
-  return sayKeys(session, { keys, standing, span: session.span });
+  const constants = new Map([...session.allConstants()].filter(([control]) => !animation.isAnimated(control, keys)));
+  return sayKeys(session, { keys, constants, span: session.span });
 }
 
 /** What is written of a character; keys are those of the work as a reader has them, to the digits that it says. */
 function animated(session, said) {
   const { animation } = session;
   const work = keysFrom(said, session);
-  const written = [...new Set([...work.keys.keys(), ...work.standing.keys()])].sort((a, b) => a - b);
+  const written = [...new Set([...work.keys.keys(), ...work.constants.keys()])].sort((a, b) => a - b);
   const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
   return contentOf(session, written, states, animation.range(work.keys, work.span), sayKeys(session, work));
 }
@@ -43,8 +43,8 @@ export function poseLayer(session) {
   const base = neutral ? { weights: null, locals: null } : animation.clipAt(frame);
   const states = statesAt(session, [frame], () => ({ ...base, values }));
   const all = [...session.controls.keys()];
-  const standing = new Map(all.map((control) => [control, values[control]]));
-  const posed = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), standing }));
+  const constants = new Map(all.map((control) => [control, values[control]]));
+  const posed = contentOf(session, all, states, [frame, frame], sayKeys(session, { keys: new Map(), constants }));
   return { text: posed.animations.size ? layerOf([posed]) : '', unwritten: posed.unwritten };
 }
 
@@ -62,11 +62,11 @@ export function poseAnimations(session, values) {
   return { animations: [...animations].map(([path, each]) => ({ path, lines: animationLines(character, own(each), states) })), unwritten };
 }
 
-/** Keys and standing values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
+/** Keys and constant values by control index from a layer that the viewer wrote; throws an Error for people otherwise. */
 export function keysFromLayer(text, session) {
   const works = worksOf(text);
   const found = keysFrom(works.find(({ root }) => root === session.character.root) ?? works[0], session);
-  if (!found.keys.size && !found.standing.size) throw new Error('No control of this character is named in the layer.');
+  if (!found.keys.size && !found.constants.size) throw new Error('No control of this character is named in the layer.');
   return found;
 }
 

@@ -51,11 +51,11 @@ export function fitPull({ model, start, now, targets, groups, towards, locality 
     found.push(taken(model, start, acting, allTheWay(problem, solution).x));
   }
   const tried = [...(bothAway(model, start, acting) ? [] : [start]), ...found.slice(1)];
-  const best = least(tried, (values) => priceOf(problem, acting, start, values, away(model.linearise(values).at)));
+  const best = least(tried, (values) => costOf(problem, acting, start, values, away(model.linearise(values).at)));
   return new Map(groups.flat().map((control) => [control, best[control]]));
 }
 
-/** The solution once more, with what the price of moving controls left of the way on top of it. */
+/** The solution once more, with what the cost of moving controls left of the way on top of it. */
 function allTheWay(problem, { held, rest }) {
   const [pulled, most] = [rest.subarray(0, 3), 0.5 * SPARSE * norm(problem.right.subarray(0, 3))];
   const share = Math.min(1, most / Math.max(norm(pulled), 1e-30));
@@ -85,7 +85,7 @@ function bothAway(model, values, acting) {
 }
 
 /** What is minimised, at the true motion rather than the linear one. */
-function priceOf({ ridge }, acting, start, values, rest) {
+function costOf({ ridge }, acting, start, values, rest) {
   return dot(rest, rest) + acting.reduce((sum, [control], k) => sum + ridge[k] * (values[control] - start[control]) ** 2, 0);
 }
 
@@ -143,7 +143,7 @@ function pullProblem(model, here, start, current, away, acting, weights) {
   return { columns, right, ridge, ...bounds, sparse: sparsityOf(model, acting, columns, right, bounds), pairs: pairsOf(model, acting) };
 }
 
-/** Price of each variable's way off 0: a share of the steepest slope of the free ones, over their ranges. */
+/** Cost of each variable's way off 0: a share of the steepest slope of the free ones, over their ranges. */
 function sparsityOf(model, acting, columns, right, { lower, upper }) {
   const slope = (column, k) => {
     const along = dot(column, right);
@@ -185,7 +185,7 @@ function pairsOf(model, acting) {
 }
 
 /**
- * The best solution with one end of each pair off, as {x, rest, held, price}: branch and bound, from one that puts the end off that moves
+ * The best solution with one end of each pair off, as {x, rest, held, cost}: branch and bound, from one that puts the end off that moves
  * the places less.  The search ends after WORK at the best so far: five pairs and two more controls never take as much.
  */
 export function oneEndOfEach(problem) {
@@ -194,10 +194,10 @@ export function oneEndOfEach(problem) {
   let work = WORK;
   for (const open = [relaxed]; open.length && work > 0; ) {
     const here = open.pop();
-    if (here.price >= best.price) continue;
+    if (here.cost >= best.cost) continue;
     const pair = mostBroken(problem, here.x);
     if (!pair) best = here;
-    else open.push(...pair.map((k) => solved(problem, [...here.held, k], here.rest)).sort((p, q) => q.price - p.price));
+    else open.push(...pair.map((k) => solved(problem, [...here.held, k], here.rest)).sort((p, q) => q.cost - p.cost));
     work -= 2 * problem.columns.length;
   }
   return best;
@@ -216,7 +216,7 @@ function solved(problem, held, from) {
   const [lower, upper] = [[...problem.lower], [...problem.upper]];
   for (const k of held) lower[k] = upper[k] = problem.off[k];
   const found = boundedLeastSquares({ ...problem, lower, upper }, from);
-  return { held, ...found, price: cost(problem, found.x) };
+  return { held, ...found, cost: cost(problem, found.x) };
 }
 
 /** How far a variable away from off moves the places. */
@@ -232,10 +232,10 @@ function mostBroken(problem, x) {
 }
 
 /** The first of those that cost least; undefined where there are none. */
-function least(all, price) {
+function least(all, costed) {
   let [best, lowest] = [undefined, Infinity];
   for (const each of all) {
-    const own = price(each);
+    const own = costed(each);
     if (own < lowest) [best, lowest] = [each, own];
   }
   return best;

@@ -33,7 +33,7 @@ export class Elements {
     element.restMap = this.deformer.traceMap(element.tracer);
     element.restPoint = this.deformer.trace(element.tracer, element.restMap);
     element.restInverse = matrix.inverse(element.restMap);
-    element.enlarged = element.members.some((member) => member.gain !== 1);
+    element.enlarged = element.members.some((member) => member.magnification !== 1);
   }
 
   /** Move all elements to the pose of `values`; with `still` all are taken for static ones. */
@@ -70,14 +70,14 @@ export class Elements {
     return at;
   }
 
-  /** Paths of the anchor under each of the element's controls in the base pose, gain applied. */
+  /** Paths of the anchor under each of the element's controls in the base pose, magnified. */
   paths(element) {
     const { deformer, rest } = this;
     const middle = deformer.trace(element.tracer);
-    return element.members.map(({ control, values: knots, gain }) =>
+    return element.members.map(({ control, values: knots, magnification }) =>
       knots.map((knot) => {
         const at = deformer.withControl(control, rest[control], knot, () => deformer.trace(element.tracer));
-        return at.map((value, axis) => middle[axis] + gain * (value - middle[axis]));
+        return at.map((value, axis) => middle[axis] + magnification * (value - middle[axis]));
       }),
     );
   }
@@ -106,9 +106,9 @@ export class Elements {
     this.deformer.setBase(null, null);
     this.deformer.drive(this.rest);
     element.position = this.deformer.trace(element.tracer);
-    for (const member of element.members) member.gain = 1;
+    for (const member of element.members) member.magnification = 1;
     const bare = this.paths(element);
-    element.members.forEach((member, m) => (member.gain = gainFor(bare[m], widths * this.width)));
+    element.members.forEach((member, m) => (member.magnification = magnificationFor(bare[m], widths * this.width)));
     const drawn = this.paths(element);
     element.members.forEach((member, m) => (member.track = drawn[m].map((each) => [...each])));
     this.prepare(element);
@@ -126,7 +126,7 @@ export class Elements {
   /** What rearranging changes in an element, to be given back by `restore`. */
   placement(element) {
     const { mesh, point, onBoard, category, position } = element;
-    const members = element.members.map(({ track, gain }) => ({ track, gain }));
+    const members = element.members.map(({ track, magnification }) => ({ track, magnification }));
     return { mesh, point, onBoard, category, position, members };
   }
 
@@ -153,7 +153,7 @@ export function alongTrack(knots, track, value) {
 }
 
 /** Factor that makes a path at least `length` long; 1 for one that is, or that does not move at all. */
-function gainFor(path, length) {
+function magnificationFor(path, length) {
   let total = 0;
   for (let k = 1; k < path.length; k++) total += Math.hypot(...path[k].map((value, axis) => value - path[k - 1][axis]));
   return total > 0 && total < length ? length / total : 1;

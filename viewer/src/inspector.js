@@ -307,9 +307,9 @@ export class Inspector {
     const { session, say } = this;
     try {
       if (text.startsWith('#usda')) {
-        const { keys, standing } = keysFromLayer(text, session);
-        if (keys.size) session.load('Load keys', keys, standing);
-        else session.edit('Load pose', () => session.set(standing));
+        const { keys, constants } = keysFromLayer(text, session);
+        if (keys.size) session.load('Load keys', keys, constants);
+        else session.edit('Load pose', () => session.set(constants));
       } else {
         const pose = poseFromJson(text, session);
         session.edit('Load pose', () => session.set(pose));

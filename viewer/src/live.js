@@ -79,7 +79,7 @@ export class Live {
     return this.sessions.some(({ dragging, trial }) => dragging || trial);
   }
 
-  /** Whether all that a session's keys and standing values say is in the file. */
+  /** Whether all that a session's keys and constant values say is in the file. */
   holds(session) {
     return this.state === 'saved' && !differing(this.baseOf(session), saidKeys(session)).length;
   }

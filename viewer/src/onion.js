@@ -36,7 +36,7 @@ export class Onion {
     const { session, camera, controlsColumn: column } = this.view;
     if (!session.options.onion || !column || session.neutral || !session.keys.size) return [];
     const { left, top, width, height } = column;
-    return [session.frame, session.keys, session.standing, [...session.selection].join(), camera.azimuth, camera.elevation, camera.distance, ...camera.target, left, top, width, height];
+    return [session.frame, session.keys, session.constants, [...session.selection].join(), camera.azimuth, camera.elevation, camera.distance, ...camera.target, left, top, width, height];
   }
 
   draw() {
@@ -79,7 +79,7 @@ export function keysAround({ keys, frame, selection, chosenControls }) {
 /** All points at another frame; what is shown stays as it is. */
 function pointsAtFrame(session, frame) {
   const { deformer, animation } = session;
-  const { values, weights, locals } = animation.at(frame, { keys: session.keys, standing: session.stood() });
+  const { values, weights, locals } = animation.at(frame, { keys: session.keys, constants: session.allConstants() });
   const shown = deformer.points;
   deformer.setBase(weights, locals);
   deformer.points = new Float32Array(shown.length);

@@ -29,7 +29,7 @@ export class Overlay {
     this.dock = new Dock(session);
     this.lens = null;
     this.look = '';
-    this.gains = new Map();
+    this.magnifications = new Map();
   }
 
   resize(width, height, ratio) {
@@ -51,7 +51,7 @@ export class Overlay {
     const width = Math.min(MOST_HANDLE, Math.max(LEAST_HANDLE, session.elements.width * perUnit));
     this.enlarged = width / (session.elements.width * perUnit);
     const before = new Map((this.drawn ?? []).map((each) => [each.element, each]));
-    if (hides) this.gains = new Map();
+    if (hides) this.magnifications = new Map();
     const { azimuth, elevation, distance, target } = camera;
     const look = [azimuth, elevation, distance, ...target, column.left, column.width, column.height].join();
     if (look !== this.look) this.lens = null; // it stood over other places
@@ -72,12 +72,12 @@ export class Overlay {
   /** From an element's scene units to pixels: a short track is lengthened about the place of its handle at rest. */
   mapOf(element, project) {
     const origin = project(element.origin);
-    if (!this.gains.has(element)) this.gains.set(element, gainOf(element.tracks.map((track) => track.map(project))));
-    const gain = this.gains.get(element);
+    if (!this.magnifications.has(element)) this.magnifications.set(element, magnificationOf(element.tracks.map((track) => track.map(project))));
+    const magnification = this.magnifications.get(element);
     const [dx, dy] = this.lens?.offsets.get(element) ?? [0, 0];
     return (point) => {
       const [x, y, depth] = project(point);
-      return [origin[0] + gain * (x - origin[0]) + dx, origin[1] + gain * (y - origin[1]) + dy, depth];
+      return [origin[0] + magnification * (x - origin[0]) + dx, origin[1] + magnification * (y - origin[1]) + dy, depth];
     };
   }
 
@@ -632,7 +632,7 @@ function mostlyCovered(tracks) {
 }
 
 /** How much longer short tracks are drawn; those seen from their end stay as they are. */
-function gainOf(tracks) {
+function magnificationOf(tracks) {
   const longest = Math.max(...tracks.map((track) => {
     return track.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - track[k][0], y - track[k][1]), 0);
   }));

@@ -48,7 +48,7 @@ export class Session {
     this.frame = this.animation.first;
     this.neutral = true; // the layout's base pose is under the values, not the frame's
     this.keys = new Map(); // control index -> [[frame, value, way]], ascending
-    this.standing = new Map(); // control index -> value of what neither keys nor the clip animate
+    this.constants = new Map(); // control index -> value of what neither keys nor the clip animate
     this.shelf = []; // kept poses: {name, values: control index -> value, picture}
     this.notes = []; // of a review (notes.js)
     this.arrived = this.notes; // those of them that came with the page
@@ -190,8 +190,8 @@ export class Session {
   /** All that undo gives back. */
   snapshot() {
     if (!this.looks) this.compare(false);
-    const { frame, neutral, keys, standing, shelf, notes, sound, span } = this;
-    return { frame, neutral, keys, standing, shelf, notes, sound, span, values: Float64Array.from(this.own), given: this.given };
+    const { frame, neutral, keys, constants, shelf, notes, sound, span } = this;
+    return { frame, neutral, keys, constants, shelf, notes, sound, span, values: Float64Array.from(this.own), given: this.given };
   }
 
   restore({ values, ...state }) {
@@ -206,7 +206,7 @@ export class Session {
   /** Show the layout's base pose, without any keys; not an edit. */
   clear() {
     const rest = Float64Array.from(this.rest);
-    this.restore({ ...this.snapshot(), neutral: true, keys: new Map(), standing: new Map(), values: rest, given: rest });
+    this.restore({ ...this.snapshot(), neutral: true, keys: new Map(), constants: new Map(), values: rest, given: rest });
   }
 
   /** Record what has happened since `before` as one undoable step. */
@@ -238,7 +238,7 @@ export class Session {
     this.compare(false);
     const lost = this.unkeyed();
     const before = lost.length ? this.snapshot() : null;
-    this.standing = this.stood();
+    this.constants = this.allConstants();
     Object.assign(this, { frame, neutral });
     this.given = neutral ? Float64Array.from(this.rest) : this.animation.at(frame, this).values;
     this.values.set(this.given);
@@ -250,9 +250,9 @@ export class Session {
   }
 
   /** The values that stand at all frames, those changed at this one among them; of the present state or another. */
-  stood({ keys, standing, values, given } = { ...this, values: this.own }) {
+  allConstants({ keys, constants, values, given } = { ...this, values: this.own }) {
     const stands = ([index, value]) => value !== given[index] && !this.animation.isAnimated(index, keys);
-    return new Map([...standing, ...[...values.entries()].filter(stands)]);
+    return new Map([...constants, ...[...values.entries()].filter(stands)]);
   }
 
   /** Key controls at this frame, at their present values. */
@@ -269,7 +269,7 @@ export class Session {
       const way = track.length ? undefined : this.options.interpolation;
       keys.set(index, withKey(track, this.frame, this.values[index], way));
     }
-    this.takeKeys(keys, this.standing);
+    this.takeKeys(keys, this.constants);
   }
 
   /** Take away the keys of controls at this frame; false where there are none. */
@@ -284,7 +284,7 @@ export class Session {
     const gone = controls.filter((index) => keys.get(index)?.length !== this.keys.get(index)?.length);
     if (!gone.length) return false;
     gone.forEach((index) => (this.values[index] = this.given[index]));
-    this.takeKeys(keys, this.standing);
+    this.takeKeys(keys, this.constants);
     this.step(`Delete keys at frame ${this.frame}`, before);
     return true;
   }
@@ -292,7 +292,7 @@ export class Session {
   /** Other keys at this frame, as one undoable step. */
   rekey(label, keys) {
     const before = this.snapshot();
-    this.takeKeys(keys, this.standing);
+    this.takeKeys(keys, this.constants);
     this.step(label, before);
   }
 
@@ -388,21 +388,21 @@ export class Session {
 
   // --- keys from elsewhere ---------------------------------------------------------------------------
 
-  /** Other keys and standing values, as one undoable step; shows the first frame keyed, or the present one. */
-  load(label, keys, standing) {
+  /** Other keys and constant values, as one undoable step; shows the first frame keyed, or the present one. */
+  load(label, keys, constants) {
     const before = this.snapshot();
     const frames = [...keys.values()].map(([[frame]]) => frame);
     if (frames.length) this.frame = Math.min(...frames);
     this.given = Float64Array.from(this.values); // what was changed at the frame before gives way
-    this.takeKeys(keys, standing);
+    this.takeKeys(keys, constants);
     this.step(label, before);
   }
 
-  /** Show this frame with other keys and standing values; changes that are not keyed stay shown. */
-  takeKeys(keys, standing) {
+  /** Show this frame with other keys and constant values; changes that are not keyed stay shown. */
+  takeKeys(keys, constants) {
     this.compare(false);
     const kept = this.changed().map((index) => [index, this.values[index]]);
-    Object.assign(this, { keys, standing, neutral: false });
+    Object.assign(this, { keys, constants, neutral: false });
     this.given = this.animation.at(this.frame, this).values;
     this.values.set(this.given);
     for (const [index, value] of kept) this.values[index] = value;
@@ -411,7 +411,7 @@ export class Session {
   }
 
   /**
-   * Let `change` make other keys and standing values ({keys, standing}) of the present ones, and of all that undo and redo
+   * Let `change` make other keys and constant values ({keys, constants}) of the present ones, and of all that undo and redo
    * give back: what others have changed is no step of one's own.
    */
   rebase(change) {
@@ -425,7 +425,7 @@ export class Session {
   }
 
   rebased(state, change) {
-    const own = { keys: state.keys, standing: this.stood(state), span: state.span };
+    const own = { keys: state.keys, constants: this.allConstants(state), span: state.span };
     const next = change(own);
     const [before, after] = [own, next].map((work) => this.animation.at(state.frame, work).values);
     const isLoose = (index) => state.values[index] !== state.given[index] && this.animation.isAnimated(index, state.keys);

@@ -1,4 +1,4 @@
-// An animator's work on one character as JSON: keys, standing values, what is changed and not keyed, locks, and
+// An animator's work on one character as JSON: keys, constant values, what is changed and not keyed, locks, and
 // elements put elsewhere.  Controls and elements go by name, so that a new layout of the character can take it up.
 
 import { counted } from './dom.js';
@@ -6,12 +6,12 @@ import { WAYS, wayOf } from './interpolation.js';
 import { joined, noteFrom, saidNote } from './notes.js';
 import { poseFrom } from './pose_library.js';
 
-/** Keys and standing values by names of controls, in the controls' order, and the frames as set by hand. */
-export function sayKeys({ controls }, { keys, standing, span = null }) {
+/** Keys and constant values by names of controls, in the controls' order, and the frames as set by hand.  A file calls constants `standing`. */
+export function sayKeys({ controls }, { keys, constants, span = null }) {
   const byNames = (map, say) => Object.fromEntries([...map].sort(([a], [b]) => a - b).map(([control, value]) => [controls[control].name, say(value)]));
   return {
     keys: byNames(keys, (track) => track.map(([frame, value, ...way]) => [rounded(frame), rounded(value), ...way])),
-    standing: byNames(standing, rounded),
+    standing: byNames(constants, rounded),
     ...(span && { span }),
   };
 }
@@ -19,11 +19,11 @@ export function sayKeys({ controls }, { keys, standing, span = null }) {
 /** The opposite of `sayKeys`; controls that the character lacks and values that are none are left out. */
 export function keysFrom({ keys, standing, span }, { controls, animation }) {
   const own = animation.isFree && isSpan(span) ? span : null;
-  return { keys: byControl(keys, controls, isTrack), standing: byControl(standing, controls, Number.isFinite), span: own };
+  return { keys: byControl(keys, controls, isTrack), constants: byControl(standing, controls, Number.isFinite), span: own };
 }
 
 /** Values by names of controls, and back; what the character lacks and what is no number is left out. */
-export const valuesByName = (session, values) => sayKeys(session, { keys: new Map(), standing: values }).standing;
+export const valuesByName = (session, values) => sayKeys(session, { keys: new Map(), constants: values }).standing;
 export const byName = (values, controls) => byControl(values, controls, Number.isFinite);
 
 /** All work of a session; null where there is none. */
@@ -31,7 +31,7 @@ export function workOf(session) {
   const { frame, neutral, own: values, controls, elements, moved, locks, shelf, notes, received, sound, span } = session;
   const from = neutral ? session.rest : session.given;
   const changed = [...values.keys()].filter((index) => values[index] !== from[index]);
-  if (!session.keys.size && !session.standing.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !span && !isReviewed(session)) return null;
+  if (!session.keys.size && !session.constants.size && !changed.length && !moved.size && !locks.size && !shelf.length && !sound && !span && !isReviewed(session)) return null;
   return {
     frame,
     neutral,
@@ -46,7 +46,7 @@ export function workOf(session) {
   };
 }
 
-/** Whether keys and standing values say all of a session's work. */
+/** Whether keys and constant values say all of a session's work. */
 export const isAllKeys = (session) =>
   !session.unkeyed().length && !session.moved.size && !session.locks.size && !session.shelf.length && !session.sound && !isReviewed(session);
 
@@ -57,7 +57,7 @@ const isReviewed = ({ notes, arrived }) => notes !== arrived;
 export function resume(session, work) {
   const { controls, elements } = session;
   const before = session.snapshot();
-  const { keys, standing, span } = keysFrom(work, session);
+  const { keys, constants, span } = keysFrom(work, session);
   session.locks = new Set(controls.flatMap(({ name }, index) => (work.locks?.includes(name) ? [index] : [])));
   for (const [name, entry, placement] of work.moved ?? []) {
     const element = elements.list.find((each) => each.name === name && each.members.length === placement.members.length);
@@ -67,7 +67,7 @@ export function resume(session, work) {
   }
   const neutral = work.neutral === true;
   const frame = Number.isFinite(work.frame) ? work.frame : session.frame;
-  const given = neutral ? Float64Array.from(session.rest) : session.animation.at(frame, { keys, standing }).values;
+  const given = neutral ? Float64Array.from(session.rest) : session.animation.at(frame, { keys, constants }).values;
   const values = Float64Array.from(given);
   byControl(work.changed, controls, Number.isFinite).forEach((value, index) => (values[index] = value));
   const shelf = (work.shelf ?? []).map((pose) => poseFrom(pose, session)).filter(Boolean);
@@ -75,7 +75,7 @@ export function resume(session, work) {
   const since = session.notes.filter(({ id }) => !work.received?.includes(id)); // what came after this work was kept
   const notes = joined(since, (work.notes ?? []).map((note) => noteFrom(note, session)).filter(Boolean));
   session.received = [...new Set([...session.received, ...(work.received ?? [])])];
-  session.restore({ frame, neutral, keys, standing, given, values, shelf, notes, sound, span });
+  session.restore({ frame, neutral, keys, constants, given, values, shelf, notes, sound, span });
   session.step('Restore work', before);
   session.emit('options');
   session.emit('layout');

@@ -5,7 +5,7 @@ import { Autosave } from '../src/autosave.js';
 /** What autosave and work.js read of a session without keys or poses. */
 function session() {
   const listeners = new Map();
-  const none = { keys: new Map(), standing: new Map(), moved: new Map(), locks: new Set(), shelf: [], received: [], sound: null, span: null };
+  const none = { keys: new Map(), constants: new Map(), moved: new Map(), locks: new Set(), shelf: [], received: [], sound: null, span: null };
   const notes = [];
   return {
     ...none, notes, arrived: notes, sent: notes, frame: 1, neutral: true, controls: [{ name: 'jaw' }], own: [0], rest: [0], given: [0],

@@ -77,18 +77,18 @@ test('the ends are as good as those of an exhaustive search', () => {
   let rough = 0;
   for (let seed = 1; seed <= 150; seed++) {
     const problem = boundedProblem(random(seed), 1 + (seed % 5), seed % 3);
-    const priced = (x) => problem.columns[0].reduce((sum, _, i) => {
+    const costOf = (x) => problem.columns[0].reduce((sum, _, i) => {
       const rest = problem.right[i] - problem.columns.reduce((way, column, k) => way + column[i] * x[k], 0);
       return sum + rest * rest;
     }, x.reduce((sum, value, k) => sum + problem.ridge[k] * value * value, 0));
-    const prices = choices(problem.pairs).map((held) => {
+    const costs = choices(problem.pairs).map((held) => {
       const [lower, upper] = [[...problem.lower], [...problem.upper]];
       for (const k of held) lower[k] = upper[k] = problem.off[k];
-      return priced(boundedLeastSquares({ ...problem, lower, upper }).x);
+      return costOf(boundedLeastSquares({ ...problem, lower, upper }).x);
     });
-    const least = Math.min(...prices);
-    rough += prices.some((price) => price > 1.05 * least);
-    const found = priced(oneEndOfEach(problem).x);
+    const least = Math.min(...costs);
+    rough += costs.some((cost) => cost > 1.05 * least);
+    const found = costOf(oneEndOfEach(problem).x);
     assert.ok(Math.abs(found - least) <= 1e-6 * least, `seed ${seed}: ${found}, best ${least}`);
   }
   assert.ok(rough > 100);

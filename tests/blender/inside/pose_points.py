@@ -6,8 +6,8 @@ from scene import imported, job, world_points
 
 task = job()
 (holder,) = imported(task["layer"])
+from usdrigui_controls.anchors import Anchors  # noqa: E402
 from usdrigui_controls.character import Character  # noqa: E402
-from usdrigui_controls.sites import Anchors  # noqa: E402
 
 character = Character(holder)
 anchors = Anchors(character)

@@ -91,16 +91,16 @@ def pixel(point):
 
 def handles():
     """Screen pixels of the middle of every handle that is drawn, by element."""
-    from usdrigui_controls import shown
+    from usdrigui_controls import visibility
 
-    return {item.element.name: pixel(item.placed.handle) for item in shown.items(bpy.context)}
+    return {item.element.name: pixel(item.placed.handle) for item in visibility.items(bpy.context)}
 
 
 def track(name, member=0):
     """Screen pixels of a track."""
-    from usdrigui_controls import shown
+    from usdrigui_controls import visibility
 
-    item = next(each for each in shown.items(bpy.context) if each.element.name == name)
+    item = next(each for each in visibility.items(bpy.context) if each.element.name == name)
     return [pixel(point) for point in item.placed.tracks[member]]
 
 

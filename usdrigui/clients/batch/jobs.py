@@ -208,4 +208,4 @@ def _with_counts(row: Row, document: Mapping[str, Any]) -> Row:
     )
 
 
-Watch = Callable[[Row], None]
+RowCallback = Callable[[Row], None]

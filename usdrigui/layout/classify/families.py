@@ -18,7 +18,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.conventions import Meaning, telling_words, without_last_side
+from usdrigui.conventions import Meaning, distinctive_words, without_last_side
 from usdrigui.layout.classify.basis import best_sum
 from usdrigui.model import Flags, Floats
 
@@ -129,7 +129,7 @@ def _identity_series(
 def _combinations(names: Sequence[str]) -> frozenset[int]:
     """Names that are products of other controls' names: ``jawOpen_mouthSmileLeft``, and
     ``browDownEyeBlink_L`` beside ``browDown_L`` and ``eyeBlink_L``."""
-    spelt = telling_words(names)
+    spelt = distinctive_words(names)
     known = {*spelt, *(bare for each in spelt if len(bare := without_last_side(each)) > 1)}
     return frozenset(i for i, each in enumerate(spelt) if _is_product(each, known))
 

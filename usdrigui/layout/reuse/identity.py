@@ -218,10 +218,10 @@ def _joined(before: Sequence[str], kept: tuple[Match, ...], found: Matching) -> 
 
 def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> Matching:
     """The assignment of greatest evidence (before, after)."""
-    gain = np.maximum(
+    excess = np.maximum(
         rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0
     )
-    pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(gain)]
+    pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(excess)]
     said, means = (spellings(before), spellings(after)), same_meaning(before, after)
     matches = []
     for i, j, loss in pairs:
@@ -237,17 +237,17 @@ def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> M
     )
 
 
-def _assigned(gain: Floats) -> list[tuple[int, int, float]]:
+def _assigned(evidence: Floats) -> list[tuple[int, int, float]]:
     """Rows and columns of the assignment of greatest total, and what the total would lose without
     each pair.
 
-    Rows and columns that share no gain do not know of each other, so every connected part is an
+    Rows and columns that share no evidence do not know of each other, so every connected part is an
     assignment of its own.
     """
-    count = len(gain)
-    where = np.nonzero(gain)
+    count = len(evidence)
+    where = np.nonzero(evidence)
     graph = csr_array(
-        (np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(gain.shape),) * 2
+        (np.ones(len(where[0])), (where[0], where[1] + count)), shape=(sum(evidence.shape),) * 2
     )
     _, part = connected_components(graph, directed=False)
     found = []
@@ -256,27 +256,31 @@ def _assigned(gain: Floats) -> list[tuple[int, int, float]]:
             np.flatnonzero(part[:count] == number),
             np.flatnonzero(part[count:] == number),
         )
-        found += _assigned_part(gain[np.ix_(rows, columns)], rows, columns)
+        found += _assigned_part(evidence[np.ix_(rows, columns)], rows, columns)
     return sorted(found)
 
 
-def _assigned_part(gain: Floats, rows: Indices, columns: Indices) -> list[tuple[int, int, float]]:
+def _assigned_part(
+    evidence: Floats, rows: Indices, columns: Indices
+) -> list[tuple[int, int, float]]:
     chosen = [
-        (i, j) for i, j in zip(*linear_sum_assignment(-gain), strict=True) if gain[i, j] > 0.0
+        (i, j)
+        for i, j in zip(*linear_sum_assignment(-evidence), strict=True)
+        if evidence[i, j] > 0.0
     ]
-    total = sum(gain[i, j] for i, j in chosen)
-    return [(int(rows[i]), int(columns[j]), _loss(gain, i, j, total)) for i, j in chosen]
+    total = sum(evidence[i, j] for i, j in chosen)
+    return [(int(rows[i]), int(columns[j]), _loss(evidence, i, j, total)) for i, j in chosen]
 
 
-def _loss(gain: Floats, row: int, column: int, total: float) -> float:
+def _loss(evidence: Floats, row: int, column: int, total: float) -> float:
     """What the best total loses without a pair, or a bound below it where that is enough.
 
     The best assignment without the pair, less what it gives to its row and its column, is one of
     the rest.
     """
-    without = gain.copy()
+    without = evidence.copy()
     without[row, column] = 0.0
-    least = float(gain[row, column] - without[row].max() - without[:, column].max())
+    least = float(evidence[row, column] - without[row].max() - without[:, column].max())
     if least >= _CERTAIN:
         return least
     i, j = linear_sum_assignment(-without)

@@ -274,7 +274,7 @@ def _held(layout: Layout) -> dict[str, _Held]:
 
 
 def _displacement(member: Member) -> Floats:
-    return np.asarray((member.track[-1] - member.track[0]) / (member.gain or 1.0))
+    return np.asarray((member.track[-1] - member.track[0]) / (member.magnification or 1.0))
 
 
 def _at_point(trajectories: Trajectories, count: int, point: int) -> Floats:

@@ -69,7 +69,7 @@ class PriorLayout(Record):
 NO_PRIOR = PriorLayout()
 
 
-def of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
+def prior_of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
     """An earlier layout of the same character as a prior; no prior at a penalty of 0."""
     if penalty <= 0.0:
         return NO_PRIOR

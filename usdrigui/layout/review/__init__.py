@@ -1,2 +1,2 @@
 """What layouts are worth: how good one is, what changed from one to the next, and what that
-gained."""
+saved."""

@@ -265,7 +265,7 @@ def _reasons(
     if handles[0] != handles[1]:
         yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"
     if new.element.name in improvements:
-        yield f"gains {improvements[new.element.name]:.2f}"
+        yield f"saves {improvements[new.element.name]:.2f}"
 
 
 def _unexplained(before: Layout, after: Layout) -> str:

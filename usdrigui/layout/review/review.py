@@ -60,7 +60,7 @@ class ElementReview:
     """The element whose handle is nearest."""
     distance: float
     """Between the two handles, in handle widths; inf when it is alone."""
-    gain: float
+    improvement: float
     """What moving it to its best place would save, all others staying; a pair moves as one.  0 when
     it stands there."""
     better: str
@@ -103,9 +103,13 @@ def review(
         _rated(face, problem, choices, labels, index, mates[index]) for index in range(len(choices))
     )
     issues += [
-        issue("LAYOUT_BETTER_PLACE", each.element, f"would gain {each.gain:.2f} at {each.better}")
+        issue(
+            "LAYOUT_BETTER_PLACE",
+            each.element,
+            f"would save {each.improvement:.2f} at {each.better}",
+        )
         for each in rated
-        if each.gain > _WORTH and each.element not in pinned
+        if each.improvement > _WORTH and each.element not in pinned
     ]
     return Review(tuple(issues), rated, total_cost(problem, labels) if choices else 0.0)
 
@@ -394,7 +398,7 @@ def _rated(
     alone = cost_given_others(problem, labels, index)
     whole = _cost_with_mate(face, problem, choices, labels, index, mate) if mate >= 0 else alone
     best = int(np.argmin(whole))
-    gain = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
+    improvement = float(whole[label] - whole[best]) if np.isfinite(whole[label]) else np.inf
     nearest, distance = _neighbour(problem, labels, index)
     return ElementReview(
         element=variable.name,
@@ -403,8 +407,8 @@ def _rated(
         overlap=float(alone[label] - variable.cost[label]),
         nearest=nearest,
         distance=distance / face.handle_width,
-        gain=max(0.0, gain),
-        better=_place(face.rig, int(choice.anchors[best, 0])) if gain > 0.0 else "",
+        improvement=max(0.0, improvement),
+        better=_place(face.rig, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
     )
 
 

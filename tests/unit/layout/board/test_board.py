@@ -29,7 +29,7 @@ def test_the_board_is_tidy_and_outside_the_silhouette():
         assert element.reason
         for member in element.members:
             drawn = np.linalg.norm(np.diff(member.track, axis=0), axis=1).sum()
-            assert drawn == pytest.approx(member.gain * member.arc_length, rel=1e-6)
+            assert drawn == pytest.approx(member.magnification * member.arc_length, rel=1e-6)
     pairs = [element for element in board if element.mirror]
     for element in pairs:
         other = next(each for each in board if each.name == element.mirror)
@@ -49,7 +49,7 @@ def test_what_the_configuration_sends_beside_stands_under_a_heading_of_its_own()
     assert heights["whole"] - heights["chin"] == pytest.approx(4.8 * line.layout.handle_width)
 
 
-def test_a_crowded_face_sends_the_least_telling_controls_to_the_board():
+def test_a_crowded_face_sends_the_least_displaced_controls_to_the_board():
     crowd = {
         f"c{i}": makers.bump(POINTS, (0.0, -0.2), (np.sin(i), np.cos(i), 0.3), 0.05, 0.02 + 0.01 * i) for i in range(8)
     }

@@ -13,11 +13,11 @@ def cosines(vectors):
     return unit @ unit.T
 
 
-def chosen(vectors, prices=None, twins=None, pairs=()):
+def chosen(vectors, costs=None, twins=None, pairs=()):
     count = len(vectors)
-    prices = np.ones(count) if prices is None else np.asarray(prices, dtype=float)
+    costs = np.ones(count) if costs is None else np.asarray(costs, dtype=float)
     twins = np.full(count, -1) if twins is None else np.asarray(twins)
-    return choose_basis(cosines(vectors), prices, twins, pairs)
+    return choose_basis(cosines(vectors), costs, twins, pairs)
 
 
 E = np.eye(6)
@@ -32,14 +32,14 @@ def test_a_sum_of_two_is_no_atom_and_says_of_which():
 
 @pytest.mark.parametrize("keep", [0, 1, 2])
 def test_of_copies_the_cheapest_is_the_atom_and_only_one(keep):
-    prices = np.full(3, 1.0)
-    prices[keep] = 0.5
-    basis = chosen(np.stack([E[0], 2.0 * E[0], 0.5 * E[0]]), prices)
+    costs = np.full(3, 1.0)
+    costs[keep] = 0.5
+    basis = chosen(np.stack([E[0], 2.0 * E[0], 0.5 * E[0]]), costs)
     assert np.flatnonzero(basis.atoms).tolist() == [keep]
     assert all(each.parts.tolist() == [keep] for each in basis.explanations if each is not None)
 
 
-def test_a_negative_price_keeps_a_control_that_others_explain_unless_it_repeats_one():
+def test_a_negative_cost_keeps_a_control_that_others_explain_unless_it_repeats_one():
     vectors = np.stack([E[0], E[1], E[0] + E[1], 3.0 * (E[0] + E[1])])
     assert chosen(vectors, [1.0, 1.0, -1.0, -2.0]).atoms.tolist() == [True, True, False, True]
 
@@ -49,11 +49,11 @@ def test_a_sum_that_explains_a_dear_one_is_no_atom_where_its_own_parts_explain_t
     assert chosen(vectors, [-1.0, -1.0, 1.0, 4.0]).atoms.tolist() == [True, True, False, False]
 
 
-@pytest.mark.parametrize(("price", "atoms"), [(1.0, 1), (-1.0, 2)])
-def test_two_that_are_to_be_atoms_are_one_only_where_they_hardly_differ(price, atoms):
+@pytest.mark.parametrize(("cost", "atoms"), [(1.0, 1), (-1.0, 2)])
+def test_two_that_are_to_be_atoms_are_one_only_where_they_hardly_differ(cost, atoms):
     smiles = np.stack([E[0], E[0] + 0.15 * E[1]])
-    assert chosen(smiles, [price, price]).atoms.sum() == atoms
-    assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [price, price]).atoms.sum() == 1
+    assert chosen(smiles, [cost, cost]).atoms.sum() == atoms
+    assert chosen(np.stack([E[0], E[0] + 0.05 * E[1]]), [cost, cost]).atoms.sum() == 1
 
 
 def test_twins_are_atoms_together():
@@ -80,8 +80,8 @@ def test_no_cheaper_set_explains_the_rest(seed):
     base = E[:3] + 0.3 * np.abs(random.normal(size=(3, 6)))
     sums = np.stack([base[a] + base[b] for a, b in combinations(range(3), 2)])
     vectors = np.concatenate([base, sums])[random.permutation(6)]
-    prices = 1.0 + random.random(6)
-    basis, cosine = chosen(vectors, prices), cosines(vectors)
+    costs = 1.0 + random.random(6)
+    basis, cosine = chosen(vectors, costs), cosines(vectors)
 
     def explains(atoms):
         flags = np.isin(np.arange(6), atoms)
@@ -94,15 +94,15 @@ def test_no_cheaper_set_explains_the_rest(seed):
         return True
 
     cheapest = min(
-        prices[list(atoms)].sum() for size in range(1, 7) for atoms in combinations(range(6), size) if explains(atoms)
+        costs[list(atoms)].sum() for size in range(1, 7) for atoms in combinations(range(6), size) if explains(atoms)
     )
-    assert prices[basis.atoms].sum() == pytest.approx(cheapest)
+    assert costs[basis.atoms].sum() == pytest.approx(cheapest)
 
 
 def test_the_order_of_controls_does_not_matter():
     random = np.random.default_rng(3)
     vectors = np.concatenate([random.normal(size=(4, 9)), np.zeros((2, 9))])
     vectors[4], vectors[5] = vectors[0] + vectors[1], vectors[2] + vectors[3]
-    prices, order = 1.0 + random.random(6), random.permutation(6)
-    plain, shuffled = chosen(vectors, prices), chosen(vectors[order], prices[order])
+    costs, order = 1.0 + random.random(6), random.permutation(6)
+    plain, shuffled = chosen(vectors, costs), chosen(vectors[order], costs[order])
     assert shuffled.atoms.tolist() == plain.atoms[order].tolist()

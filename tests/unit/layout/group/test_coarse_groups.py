@@ -10,7 +10,7 @@ from chain import by_name, lay_out, problem_of, settings
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.partial_layout import fixed_by
-from usdrigui.layout.reuse.prior_layout import PriorLayout, kept_groups, of_previous
+from usdrigui.layout.reuse.prior_layout import PriorLayout, kept_groups, prior_of_previous
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import _crowded, review
 from usdrigui.levels import inner_names, outer_first, shown, states
@@ -164,7 +164,7 @@ def test_a_layout_with_levels_can_be_fixed_and_kept():
     fixed = fixed_by(first, FACE, {})
     again = lay_out(FACE, replace(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first, FACE))).layout
     assert anchors(again) == anchors(first)
-    kept = lay_out(FACE, joystick(), prior=of_previous(first, FACE, 0.2)).layout
+    kept = lay_out(FACE, joystick(), prior=prior_of_previous(first, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)
     assert not difference(first, kept).changes
 

@@ -37,13 +37,13 @@ def test_of_two_unlike_members_the_lesser_displacement_counts():
     assert variable.displacement == pytest.approx(arcs.min(axis=0) / unit, rel=1e-6)
 
 
-@pytest.mark.parametrize(("price", "on_plane"), [(0.1, True), (0.0, False)])
-def test_a_middle_element_stands_on_the_plane_for_a_price(price, on_plane):
+@pytest.mark.parametrize(("weight", "on_plane"), [(0.1, True), (0.0, False)])
+def test_a_middle_element_stands_on_the_plane_by_its_weight(weight, on_plane):
     """It moves a little more at both sides than on the plane."""
     both = sum(makers.bump(POINTS, (side * 0.3, -0.4), (0, 1, 0), 0.2, 0.10) for side in (-1.0, 1.0))
     shape = both + makers.bump(POINTS, (0.0, -0.4), (0, 1, 0), 0.2, 0.09)
     rig = makers.rig(POINTS, QUADS, {**makers.face_shapes(POINTS), "press": shape})
-    line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_weight": price}))
+    line = chain.lay_out(rig, chain.settings(candidates=PLAIN, symmetry={"plane_weight": weight}))
     anchor = chain.by_name(line)["press"].anchor
     assert not anchor.on_board
     assert (abs(anchor.position[0]) < 1e-6) == on_plane

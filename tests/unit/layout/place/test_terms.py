@@ -31,7 +31,7 @@ def costs(rig, **candidates):
 @pytest.mark.parametrize(
     ("direction", "share"), [((0, 0, 1), 0.0), ((0, 0, -1), 1.0), ((1, 0, 0), 0.5), ((0, 1, 1), 0.5 - 0.5 * 0.5**0.5)]
 )
-def test_the_price_grows_from_out_of_the_surface_to_into_it(direction, share):
+def test_the_cost_grows_from_out_of_the_surface_to_into_it(direction, share):
     unit = np.array(direction) / np.linalg.norm(direction)
     own, total = costs(sheet(lambda points: np.tile(unit, (len(points), 1))))
     assert own == pytest.approx(np.full(SIDE * SIDE, PRICE * share), abs=1e-6)
@@ -43,7 +43,7 @@ def test_both_directions_count_where_the_control_goes_both_ways():
     assert own == pytest.approx(np.full(SIDE * SIDE, 0.5 * PRICE), abs=1e-6)
 
 
-def test_the_price_is_a_setting():
+def test_the_weight_is_a_setting():
     own, _ = costs(sheet(lambda points: np.tile([0.0, 0.0, -1.0], (len(points), 1))), occlusion_weight=0.6)
     assert own == pytest.approx(np.full(SIDE * SIDE, 0.6), abs=1e-6)
 

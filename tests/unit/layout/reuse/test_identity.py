@@ -103,7 +103,7 @@ def test_the_draft_names_the_controls_of_this_character_that_have_no_counterpart
     assert '#   "ear.wiggle"' in names_draft(left).splitlines()
 
 
-def test_a_renamed_control_is_no_loss_and_no_gain(line):
+def test_a_renamed_control_is_neither_lost_nor_new(line):
     names = {"smile_L": "grin.left", "jawLeft": "jaw_to_the_left"}
     found = difference(line.layout, with_names(line.layout, names))
     assert {(each.was, each.control, each.kind) for each in found.changes} == {
@@ -176,8 +176,8 @@ def test_other_words_for_one_thing_and_one_action_unit_speak_for_a_pair(name, co
 @pytest.mark.parametrize("seed", range(5))
 def test_the_assignment_of_the_parts_is_that_of_the_whole(seed):
     random = np.random.default_rng(seed)
-    gain = np.where(random.random((7, 5)) < 0.3, random.uniform(1.0, 9.0, (7, 5)), 0.0)
-    found = identity._assigned(gain)
-    rows, columns = linear_sum_assignment(gain, maximize=True)
-    assert sum(gain[row, column] for row, column, _ in found) == pytest.approx(gain[rows, columns].sum())
+    evidence = np.where(random.random((7, 5)) < 0.3, random.uniform(1.0, 9.0, (7, 5)), 0.0)
+    found = identity._assigned(evidence)
+    rows, columns = linear_sum_assignment(evidence, maximize=True)
+    assert sum(evidence[row, column] for row, column, _ in found) == pytest.approx(evidence[rows, columns].sum())
     assert len({row for row, *_ in found}) == len({column for _, column, _ in found}) == len(found)

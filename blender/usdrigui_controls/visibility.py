@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import bpy
 import numpy as np
 
+from .anchors import Anchors
 from .character import Character, holders
 from .layout import LayoutError
-from .sites import Anchors
 
 
 @dataclass(frozen=True)

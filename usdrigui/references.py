@@ -24,7 +24,7 @@ from usdrigui.layout.reuse.prior_layout import (
     PriorLayout,
     joined,
     kept_groups,
-    of_previous,
+    prior_of_previous,
 )
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.layout.reuse.retargeting import of_another
@@ -42,7 +42,7 @@ from usdrigui.usd.source import SourceFile
 
 
 @dataclass(frozen=True, slots=True)
-class ExampleLayers:
+class ReferenceLayers:
     """Paths of the layers to use."""
 
     fixed: Path | None = None
@@ -61,7 +61,7 @@ class ExampleLayers:
 
 
 @dataclass(frozen=True, eq=False)
-class Examples:
+class ReferenceLayouts:
     """What those layers hold, by SkelRoot."""
 
     fixed: Mapping[str, Layout] = field(default_factory=dict)
@@ -80,7 +80,7 @@ class Examples:
         return layout_of(self.base.layouts, rig) if self.base is not None else None
 
 
-def read_examples(layers: ExampleLayers, settings: ReadSettings) -> Examples:
+def read_references(layers: ReferenceLayers, settings: ReadSettings) -> ReferenceLayouts:
     """Read the layers, each in a process of its own.
 
     Raises LAYOUT_MISSING, SOURCE_MISSING for a `like` that does not name its character, and
@@ -105,56 +105,58 @@ def read_examples(layers: ExampleLayers, settings: ReadSettings) -> Examples:
         *theirs,
         *(source for each in (base, fixed, previous) if each for source in each.sources),
     )
-    return Examples(_by_root(fixed), _by_root(previous), like, clips, base, sources)
+    return ReferenceLayouts(_by_root(fixed), _by_root(previous), like, clips, base, sources)
 
 
-def as_sibling(examples: Examples, rig: Rig, first: Layout) -> Examples:
-    """The examples with the layout of another variant of the same character as its earlier one:
+def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> ReferenceLayouts:
+    """The references with the layout of another variant of the same character as its earlier one:
     what both have stands at the same places.  As they are where a layout is given for it already,
     or the two have no control in common.
     """
-    given = bool(examples.like) or rig.root in examples.fixed or rig.root in examples.previous
+    given = bool(references.like) or rig.root in references.fixed or rig.root in references.previous
     if given or not _shares_controls(first, rig):
-        return examples
-    return replace(examples, previous={**examples.previous, rig.root: first})
+        return references
+    return replace(references, previous={**references.previous, rig.root: first})
 
 
-def followed(examples: Examples, rigs: tuple[Rig, ...]) -> tuple[Examples, tuple[Rig, ...]]:
-    """The examples with the earlier layout of the one character where that stands at another path
+def followed(
+    references: ReferenceLayouts, rigs: tuple[Rig, ...]
+) -> tuple[ReferenceLayouts, tuple[Rig, ...]]:
+    """The references with the earlier layout of the one character where that stands at another path
     now.
 
     Only where there is one character on either side, with a mesh of the same name below its
     SkelRoot and a control in common; its rig then says so (PREVIOUS_RENAMED).
     """
-    if len(rigs) != 1 or len(examples.previous) != 1 or rigs[0].root in examples.previous:
-        return examples, rigs
-    (rig,), (before,) = rigs, examples.previous.values()
+    if len(rigs) != 1 or len(references.previous) != 1 or rigs[0].root in references.previous:
+        return references, rigs
+    (rig,), (before,) = rigs, references.previous.values()
     layout = layout_of((before,), rig)
     if layout is None:
-        return examples, rigs
+        return references, rigs
     renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
-    return replace(examples, previous={rig.root: layout}), (
+    return replace(references, previous={rig.root: layout}), (
         replace(rig, issues=(*rig.issues, *of_character(rig.character, (renamed,)))),
     )
 
 
 def rigs_over(
-    examples: Examples, rigs: tuple[Rig, ...], sampling: TrajectorySettings
+    references: ReferenceLayouts, rigs: tuple[Rig, ...], sampling: TrajectorySettings
 ) -> tuple[Rig, ...]:
     """The characters to lay out: all, or those with an existing layout.
 
     Raises BASE_MISMATCH or PREVIOUS_MISMATCH where no layout of `base` or `previous` is of any of
     them.
     """
-    if examples.previous and not any(
-        _can_be_of(examples.previous.get(rig.root), rig, sampling) for rig in rigs
+    if references.previous and not any(
+        _can_be_of(references.previous.get(rig.root), rig, sampling) for rig in rigs
     ):
-        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(examples.previous, rigs[0]))
-    if examples.base is None:
+        raise refuse("PREVIOUS_MISMATCH", rigs[0].root, _mismatch(references.previous, rigs[0]))
+    if references.base is None:
         return rigs
-    found = tuple(rig for rig in rigs if examples.existing(rig) is not None)
+    found = tuple(rig for rig in rigs if references.existing(rig) is not None)
     if not found:
-        theirs = ", ".join(layout.root for layout in examples.base.layouts)
+        theirs = ", ".join(layout.root for layout in references.base.layouts)
         raise refuse(
             "BASE_MISMATCH",
             rigs[0].root,
@@ -188,8 +190,8 @@ def _shares_controls(layout: Layout, rig: Rig) -> bool:
 
 
 @dataclass(frozen=True, eq=False)
-class OwnExamples:
-    """What the examples hold for one character, by its own names for its controls."""
+class OwnReferenceLayouts:
+    """What the references hold for one character, by its own names for its controls."""
 
     fixed: Layout | None = None
     previous: Layout | None = None
@@ -199,26 +201,29 @@ class OwnExamples:
     """By ``fixed``, ``previous`` and ``like``: whose control there is which one here."""
 
 
-def own_examples(
-    examples: Examples,
+def own_references(
+    references: ReferenceLayouts,
     rig: Rig,
     trajectories: Trajectories,
     settings: LikeSettings,
     sampling: TrajectorySettings,
-) -> OwnExamples:
-    """The examples of one character, their controls matched with those that it has now; `sampling`
-    is for the trajectories of a character to imitate.
+) -> OwnReferenceLayouts:
+    """The references of one character, their controls matched with those that it has now;
+    `sampling` is for the trajectories of a character to imitate.
 
     Raises CONFIG_UNKNOWN_CONTROL for names of `like` that nobody bears, CONFIG_VALUE when the fixed
     layer has no such character, or none of several characters to imitate has the path of this one.
     """
-    if examples.fixed and rig.root not in examples.fixed:
+    if references.fixed and rig.root not in references.fixed:
         raise refuse(
             "CONFIG_VALUE",
             "--fixed",
-            f"has layouts of {', '.join(examples.fixed)}, not of {rig.root}",
+            f"has layouts of {', '.join(references.fixed)}, not of {rig.root}",
         )
-    earlier = {"fixed": examples.fixed.get(rig.root), "previous": examples.previous.get(rig.root)}
+    earlier = {
+        "fixed": references.fixed.get(rig.root),
+        "previous": references.previous.get(rig.root),
+    }
     found = {
         which: match_layout(each, rig, trajectories)
         for which, each in earlier.items()
@@ -229,71 +234,71 @@ def own_examples(
         for which, each in earlier.items()
         if each is not None
     }
-    like = _to_imitate(examples, rig, settings.names, sampling)
+    like = _to_imitate(references, rig, settings.names, sampling)
     if like is not None:
         found["like"] = match_rigs(like[:2], (rig, trajectories), settings.names)
-    return OwnExamples(here.get("fixed"), here.get("previous"), like, found)
+    return OwnReferenceLayouts(here.get("fixed"), here.get("previous"), like, found)
 
 
 def with_fixed(
-    examples: OwnExamples, rig: Rig, controls: Mapping[str, ControlSettings]
+    references: OwnReferenceLayouts, rig: Rig, controls: Mapping[str, ControlSettings]
 ) -> Mapping[str, ControlSettings]:
     """What the configuration says of the controls of one character, with the anchors that the
-    examples fix.
+    references fix.
 
     Raises FIXED_IMPOSSIBLE and CONFIG_UNKNOWN_CONTROL.
     """
-    return fixed_by(examples.fixed, rig, controls) if examples.fixed is not None else controls
+    return fixed_by(references.fixed, rig, controls) if references.fixed is not None else controls
 
 
 def decisions(
-    examples: OwnExamples, rig: Rig, trajectories: Trajectories, keep_penalty: float
+    references: OwnReferenceLayouts, rig: Rig, trajectories: Trajectories, keep_penalty: float
 ) -> Pins:
     """What a person has decided in the layouts that the new one succeeds; nothing at a
     `keep_penalty` (``objective.keep_penalty``) of 0."""
-    before = examples.previous or examples.fixed
+    before = references.previous or references.fixed
     if before is None or keep_penalty <= 0.0:
         return Pins()
     return pins_of(before, rig, posed(rig, None).points, trajectories)
 
 
 def prior_layout_of(
-    examples: OwnExamples,
+    references: OwnReferenceLayouts,
     rig: Rig,
     trajectories: Trajectories,
     settings: LikeSettings,
     keep_penalty: float,
 ) -> PriorLayout:
-    """What the examples ask of one character besides fixed anchors; `keep_penalty` is what leaving
-    a place of its earlier layout costs."""
+    """What the references ask of one character besides fixed anchors; `keep_penalty` is what
+    leaving a place of its earlier layout costs."""
     prior = NO_PRIOR
-    if examples.like is not None and settings.penalty > 0.0:
-        other, found, layout = examples.like
-        names = {**examples.matchings["like"].names, **settings.names}
+    if references.like is not None and settings.penalty > 0.0:
+        other, found, layout = references.like
+        names = {**references.matchings["like"].names, **settings.names}
         prior = of_another(layout, (other, found), (rig, trajectories), names, settings.penalty)
-    if examples.previous is not None:
-        prior = of_previous(examples.previous, rig, keep_penalty)
-    if examples.fixed is not None:
-        prior = joined(PriorLayout(kept_groups(examples.fixed, rig)), prior)
+    if references.previous is not None:
+        prior = prior_of_previous(references.previous, rig, keep_penalty)
+    if references.fixed is not None:
+        prior = joined(PriorLayout(kept_groups(references.fixed, rig)), prior)
     return prior
 
 
 def _to_imitate(
-    examples: Examples, rig: Rig, names: Mapping[str, str], sampling: TrajectorySettings
+    references: ReferenceLayouts, rig: Rig, names: Mapping[str, str], sampling: TrajectorySettings
 ) -> tuple[Rig, Trajectories, Layout] | None:
-    if not examples.like:
+    if not references.like:
         return None
-    check_like(examples, rig, names)
-    other, layout = _imitated(examples.like, rig)
+    check_like(references, rig, names)
+    other, layout = _imitated(references.like, rig)
     return other, find_trajectories(other, sampling), layout
 
 
-def check_like(examples: Examples, rig: Rig, names: Mapping[str, str]) -> None:
+def check_like(references: ReferenceLayouts, rig: Rig, names: Mapping[str, str]) -> None:
     """Raise CONFIG_UNKNOWN_CONTROL for all names of `names` (``[like.names]``) that nobody bears,
     CONFIG_VALUE when none of several characters to imitate has the path of this one."""
-    if not examples.like:
+    if not references.like:
         return
-    other, _ = _imitated(examples.like, rig)
+    other, _ = _imitated(references.like, rig)
     faults = Faults()
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):

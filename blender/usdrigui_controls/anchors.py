@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from .following import Site, drawing_of, place
 from .inbetweens import offsets_at
 from .joints import drive_at
+from .tracking import AnchorFrame, drawing_of, place
 
 
 class Anchors:
@@ -21,7 +21,9 @@ class Anchors:
             path: _Bones(character, path, armature)
             for path, armature in character.armatures.items()
         }
-        self.holds = [_Hold(character, self.bones, element) for element in layout.elements]
+        self.bindings = [
+            _AnchorBinding(character, self.bones, element) for element in layout.elements
+        ]
 
     def place(self, character, depsgraph, values):
         """`Placed` elements, None for those whose mesh is not shown."""
@@ -33,7 +35,7 @@ class Anchors:
         ]
 
     def _place(self, character, depsgraph, values, posed, evaluated, index):
-        element, drawing, hold = self.elements[index], self.drawings[index], self.holds[index]
+        element, drawing, binding = self.elements[index], self.drawings[index], self.bindings[index]
         point = None
         if element.follows:
             mesh = character.meshes.get(element.mesh)
@@ -48,7 +50,7 @@ class Anchors:
                 shown.matrix_world @ shown.data.vertices[element.point].co, dtype=np.float64
             )
         mine = np.array([values[member.control] for member in element.members])
-        return place(drawing, hold.site(posed, point, values), mine)
+        return place(drawing, binding.frame(posed, point, values), mine)
 
 
 class _Bones:
@@ -128,7 +130,7 @@ class _Bones:
         return count
 
 
-class _Hold:
+class _AnchorBinding:
     """What one element's anchor hangs on."""
 
     def __init__(self, character, bones, element):
@@ -142,19 +144,19 @@ class _Hold:
         self.into = self._into()
         self.rest = np.linalg.inv(self._to_root(character, element))
 
-    def site(self, posed, point, values):
+    def frame(self, posed, point, values):
         """`Site` with the bones' ``posed`` matrices, the deformed ``point`` (3,) or None, and all
         values."""
         own = sum((shape.now(values) for shape in self.own), np.zeros(3))
         if self.bones is None:
             world = _matrix(self.target.matrix_world) if self.target else np.eye(4)
-            return Site(point, own, world, world, self.rest)
+            return AnchorFrame(point, own, world, world, self.rest)
         pose = {name: matrix for name, (matrix, _) in posed[self.skeleton].items()}
         now = self._skinned(pose)
         if self.own_bones:
             still = self._skinned(self._without_own(posed[self.skeleton], values))
-            return Site(point, own, now, still, self.rest)
-        return Site(point, own, now, now, self.rest)
+            return AnchorFrame(point, own, now, still, self.rest)
+        return AnchorFrame(point, own, now, now, self.rest)
 
     def _skinned(self, pose):
         return (

@@ -42,7 +42,7 @@ class Drawing:
 
 
 @dataclass(frozen=True)
-class Site:
+class AnchorFrame:
     """What the application says of an element's anchor at this moment."""
 
     point: np.ndarray | None
