@@ -147,6 +147,21 @@ def schema_page() -> str:
     return "# Schema\n\n" + NOTE + intro + "".join(map(_schema, _schemas()))
 
 
+_MUST = {
+    "layout:skeleton": ", where anything is bound",
+    "anchor:prim": " on the character; without it the element stands on the board",
+    "anchor:carrier": " on the board",
+    "anchor:pointIndex": "",
+    "anchor:position": "",
+    "handle:faceCount": "",
+    "control:*:blendShapes": ", or `joints`",
+    "control:*:joints": ", or `blendShapes`",
+    "control:*:skeleton": " with `joints`",
+    "control:*:trackPoints": "",
+}
+"""What an element needs, with the case in which it does; `usdrigui check` tells what is missing."""
+
+
 def contract_page() -> str:
     """The contract with its table of properties, which follows the last line that says so."""
     text = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")
@@ -171,6 +186,8 @@ def _brief(found: Sdf.PropertySpec) -> str:
     if isinstance(found, Sdf.AttributeSpec):
         kind = f"{found.typeName}, {unit}" if unit not in ("", "none") else str(found.typeName)
         absent = absent or _said(found.default)
+    if name in _MUST:
+        absent = "**must** be there" + _MUST[name]
     return f"| `{name}` | {kind} | {space} | {absent or 'none'} | {first} |\n"
 
 
