@@ -31,6 +31,7 @@ _RIGS = {
         "Fcl_EYE_Joy_L": ("eyeMood", ""),
         "Fcl_HA_Fung1": ("teeth", ""),
         "Fcl_ALL_Joy": ("emotion", ""),
+        "emotion_Disgust": ("emotion", ""),
     },
     "FACS": {"1": ("browInnerUp", ""), "L12": ("mouthSmile", "left"), "AU43R": ("eyeBlink", "right")},
     "VRM": {"A": ("viseme", ""), "Joy": ("emotion", ""), "Blink_L": ("eyeBlink", "left"), "LookUp": ("eyeLookUp", "")},

@@ -66,6 +66,8 @@ class Action:
     """Of the region around that place in which it may stand, in the same unit."""
     vague: bool = False
     """Whether only the region is known, not which way it goes."""
+    both: bool = False
+    """Whether its convention has one control for both sides."""
 
     @property
     def is_core(self) -> bool:
@@ -75,7 +77,7 @@ class Action:
     @property
     def is_central(self) -> bool:
         """Whether it is one action of both sides, as a pucker is, and halves of it refine it."""
-        return not self.vague and self.place is not None and self.place[0] == 0.0
+        return self.both or (not self.vague and self.place is not None and self.place[0] == 0.0)
 
     @property
     def in_family(self) -> bool:

@@ -141,7 +141,7 @@ def _costs(
             costs[i] += _FAMILY_COST
         elif (
             each is not None
-            and not (each.side or each.middle or each.action.is_central)
+            and not (each.side or each.middle or each.action.is_central or each.action.is_core)
             and {"left", "right"} <= sides[each.action.name]
         ):
             costs[i] += _BOTH_SIDES_COST

@@ -111,9 +111,16 @@ def test_composites_say_of_what_they_consist_and_their_chains_end_at_atoms():
 
 
 @pytest.mark.parametrize(
-    ("name", "stays"), [("mouthLowerDown", False), ("mouthLowerDown_M", True), ("mouthPucker", True)]
+    ("name", "stays"),
+    [
+        ("mouthLowerDown", False),
+        ("mouthLowerDown_M", True),
+        ("mouthPucker", True),
+        ("cheekPuff", True),
+        ("mouthSmile", True),
+    ],
 )
-def test_what_stands_in_the_middle_by_its_name_is_no_copy_for_both_sides(name, stays):
+def test_of_copies_for_both_sides_those_stay_that_a_face_needs_or_that_act_on_both_by_name(name, stays):
     sides = {
         f"{name.removesuffix('_M')}_{s}": makers.bump(POINTS, (x, -0.5), (0, -1, 0), 0.3)
         for s, x in (("L", 0.1), ("R", -0.1))
