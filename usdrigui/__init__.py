@@ -15,7 +15,7 @@ import importlib
 
 from usdrigui.version import __version__
 
-TYPE_CHECKING = False  # `typing` takes most of the time before the command heeds signals
+TYPE_CHECKING = False  # `typing` takes most of the time before the command handles signals
 if TYPE_CHECKING:
     from typing import Any
 

@@ -1,4 +1,4 @@
-"""``python -m usdrigui`` and the command `usdrigui`: signals are heeded before anything else is
+"""``python -m usdrigui`` and the command `usdrigui`: signals are handled before anything else is
 loaded."""
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ def main() -> int:
     early: list[Any] = []
     tell = early.append
     named = (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP"))
-    heeded = [
+    handled = [
         each for each in named if each is not None and signal.getsignal(each) is not signal.SIG_IGN
     ]  # nohup
-    for number in heeded:
+    for number in handled:
         signal.signal(number, lambda *_: tell("stop"))
     _keep_standard_streams()
     from queue import SimpleQueue
@@ -34,7 +34,7 @@ def main() -> int:
     code = run(sys.argv[1:], events)
     # The closing line is out: Python puts the default actions back before it has ended, and must
     # not die of a signal then.
-    for number in heeded:
+    for number in handled:
         signal.signal(number, signal.SIG_IGN)
     return code
 

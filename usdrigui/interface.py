@@ -248,13 +248,13 @@ class OpenLayout:
         if len(found) != 1:
             known = ", ".join(rig.root for rig, _ in self.characters)
             hint = meant(root, [rig.root for rig, _ in self.characters]) if root else ""
-            told = f"name one of the characters: {known}{hint}"
-            raise refuse("SKELROOT_UNKNOWN", root, told)
+            message = f"name one of the characters: {known}{hint}"
+            raise refuse("SKELROOT_UNKNOWN", root, message)
         return found[0]
 
     def __repr__(self) -> str:
-        told = (f"{rig.root}: {len(layout.elements)} elements" for rig, layout in self.characters)
-        return f"<OpenLayout {self.name}: {'; '.join(told)}>"
+        counts = (f"{rig.root}: {len(layout.elements)} elements" for rig, layout in self.characters)
+        return f"<OpenLayout {self.name}: {'; '.join(counts)}>"
 
     def _repr_html_(self) -> str:
         picture = base64.b64encode(self.picture().png).decode()

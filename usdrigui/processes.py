@@ -67,8 +67,8 @@ class End:
 def not_started(error: Exception, code: str, path: str, what: str) -> RigUIError:
     """The refusal where `what` cannot be started: `code` about `path`, or PYTHON_PERMISSION."""
     if isinstance(error, PermissionError):
-        told = f"{what} cannot be started: {error.strerror}"
-        return refuse("PYTHON_PERMISSION", str(error.filename or sys.executable), told)
+        message = f"{what} cannot be started: {error.strerror}"
+        return refuse("PYTHON_PERMISSION", str(error.filename or sys.executable), message)
     return refuse(code, path, f"{what} cannot be started: {error}")
 
 

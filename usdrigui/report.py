@@ -155,12 +155,12 @@ class Report:
     was."""
 
     def __repr__(self) -> str:
-        told = (
+        counts = (
             f"{each.root}: {each.count('face')} of {len(each.rows)} controls on the face"
             for each in self.characters
         )
         where = f" {self.output}" if self.output else ""
-        return f"<Report {self.outcome}{where}: {'; '.join(told)}; {len(self.issues)} issues>"
+        return f"<Report {self.outcome}{where}: {'; '.join(counts)}; {len(self.issues)} issues>"
 
     def _repr_html_(self) -> str:
         """For notebooks: a table of the controls of every character, and the issues."""

@@ -57,7 +57,7 @@ class Screen:
         self._quiet = quiet
         self._verbose = verbose
         self._silent = machine
-        self._told = time.monotonic()
+        self._printed = time.monotonic()
         self._side = Console(stderr=True, markup=False, highlight=False)
 
     @contextmanager
@@ -94,8 +94,8 @@ class Screen:
                 f" {character.joints} joints, {character.symmetric:.0%} of the points have a mirror"
                 " partner"
             )
-            told = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
-            self._say(f"  parts: {told}")
+            parts = ", ".join(f"{part.name} ({part.controls} controls)" for part in character.parts)
+            self._say(f"  parts: {parts}")
             self._table(_facts_table(character.controls, several=len(character.parts) > 1))
             for line in character.groups:
                 self._say(f"  {line}")
@@ -142,14 +142,14 @@ class Screen:
             for line in written:
                 self._say(line)
         outcomes = ("written", "unchanged", "skipped", "refused", "failed")
-        told = ", ".join(
+        counts = ", ".join(
             f"{summary.count(each)} {each}" for each in outcomes if summary.count(each)
         )
         sound = sum(row.sound for row in summary.rows)
         count = len(summary.rows) - summary.count("part")
         rate = 60.0 * count / max(summary.seconds, 1e-9)
         stopped = "stopped; " if any(row.code == "INTERRUPTED" for row in summary.rows) else ""
-        closing = f"usdrigui: {stopped}{sound} of {count} assets have their layout: {told}"
+        closing = f"usdrigui: {stopped}{sound} of {count} assets have their layout: {counts}"
         self._say(f"{closing}; {summary.seconds:.1f} s, {rate:.1f} a minute")
 
     def review(self, found: LayerReview) -> None:
@@ -175,10 +175,10 @@ class Screen:
             else ("fits its rig", "does not fit its rig")
         )
         state = fits[bool(counts["error"])]
-        told = ", ".join(
+        findings = ", ".join(
             f"{number} {severity}{'s' * (number != 1)}" for severity, number in counts.items()
         )
-        self._say(f"usdrigui: checked {found.layer}: {state}; {told}")
+        self._say(f"usdrigui: checked {found.layer}: {state}; {findings}")
 
     def difference(
         self, before: str, after: str, found: Sequence[Difference], only_in_one: Sequence[str]
@@ -191,16 +191,16 @@ class Screen:
                 self._say(f"{root}: only one of the two layers has a layout of it")
         changed = sum(character.changed for character in found)
         shared = sum(character.shared for character in found)
-        told = (
+        summary = (
             f"{changed} of {shared} common controls changed"
             if shared
             else "they have no character in common"
         )
         if found and not shared:
-            told = "they have no control in common"
+            summary = "they have no control in common"
         elif only_in_one and shared:
-            told += f"; {len(only_in_one)} characters are in one of the two only"
-        self._say(f"usdrigui: compared {before} and {after}: {told}")
+            summary += f"; {len(only_in_one)} characters are in one of the two only"
+        self._say(f"usdrigui: compared {before} and {after}: {summary}")
 
     def _changes(self, found: Difference) -> None:
         count = f"{found.changed} of {found.shared} common controls changed"
@@ -232,8 +232,8 @@ class Screen:
 
     def _now_and_then(self, event: Event) -> None:
         """In a log, a long search says how far it is every few seconds."""
-        if event.detail and time.monotonic() - self._told > _PAUSE:
-            self._told = time.monotonic()
+        if event.detail and time.monotonic() - self._printed > _PAUSE:
+            self._printed = time.monotonic()
             self._tell(f"{event.stage:<14} {event.detail}")
 
     def _plain(self, event: Event) -> None:
@@ -295,11 +295,10 @@ class Screen:
         sure = [each for each in found.matches if each not in found.unsure]
         count = len(found.matches) + len(found.left_before)
         reasons = Counter(each.reason for each in sure)
-        told = ", ".join(f"{number} by {reason}" for reason, number in reasons.items())
+        by_reason = ", ".join(f"{number} by {reason}" for reason, number in reasons.items())
         which = which if which.startswith("/") else f"--{which}"
-        self._say(
-            f"  {which}: {len(sure)} of {count} controls matched{f': {told}' if told else ''}"
-        )
+        matched = f"{len(sure)} of {count} controls matched"
+        self._say(f"  {which}: {matched}{f': {by_reason}' if by_reason else ''}")
         if found.unsure:
             pairs = (f"{each.before} may be {each.after} ({each.sure})" for each in found.unsure)
             self._say(f"    unsure: {', '.join(pairs)}")
@@ -323,8 +322,8 @@ def _ignore(event: Event) -> None:
 def _weakest(rows: Sequence[ControlRow]) -> str:
     """A clause with the controls that keep the least of their peak, if that is much less."""
     weak = sorted((row.kept, row.control) for row in rows if row.kept < _WEAK)[:_WEAKEST]
-    told = ", ".join(f"{control} {_percent(kept)}" for kept, control in weak)
-    return f"; the least: {told}" if told else ""
+    weakest = ", ".join(f"{control} {_percent(kept)}" for kept, control in weak)
+    return f"; the least: {weakest}" if weakest else ""
 
 
 def _places(elements: Sequence[Element]) -> dict[str, str]:
@@ -336,12 +335,12 @@ def _rows_table(rows: Sequence[ControlRow], places: Mapping[str, str]) -> Table:
     """One row a control; where its element stands (`places`), and why each element once."""
     headers = ("control", "place", "displacement", "at", "element", "kind", "twin", "why")
     table = Table(*headers, below=("why",))
-    told: set[tuple[str, str]] = set()
+    printed: set[tuple[str, str]] = set()
     for row in rows:
         share = _percent(row.kept) if math.isfinite(row.kept) else ""
         element = row.element if row.element != row.control else ""
-        why = "" if element and (element, row.reason) in told else row.reason
-        told.add((element, row.reason))
+        why = "" if element and (element, row.reason) in printed else row.reason
+        printed.add((element, row.reason))
         at = places.get(row.element, "")
         cells = (row.control, row.stands, share, at, element, row.kind, row.twin, why)
         table.add_row(*map(visible, cells))

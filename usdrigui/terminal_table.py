@@ -46,12 +46,12 @@ class Table:
                 cells[0] = ""
             yield _joined(cells, [widths[i] for i in shown])
             hidden = [i for i in range(len(row)) if i not in shown and row[i]]
-            told = (
+            lines = (
                 row[i] if self._headers[i] in self._below else f"{self._headers[i]} {row[i]}"
                 for i in hidden
             )
             if hidden:
-                yield from wrapped(_INDENT + "; ".join(told), width, "")
+                yield from wrapped(_INDENT + "; ".join(lines), width, "")
 
     def _fitting(self, widths: Sequence[int], width: int) -> list[int]:
         """The columns that stand beside each other: all that have a cell, or else from the left as

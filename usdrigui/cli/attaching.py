@@ -72,14 +72,14 @@ def _detach(arguments: argparse.Namespace) -> Exit:
 def _edited(state: str, what: str, issues: Sequence[Issue], arguments: argparse.Namespace) -> Exit:
     code = strict(issues, arguments)
     if arguments.json:
-        told = {
+        document = {
             "asset": str(arguments.asset),
             "layer": str(arguments.layer),
             "outcome": state,
             "exit": int(code),
             "issues": [asdict(each) for each in issues],
         }
-        print(json.dumps({"format": "usdrigui.attach", "version": 1, **told}, indent=2))
+        print(json.dumps({"format": "usdrigui.attach", "version": 1, **document}, indent=2))
     for each in () if arguments.quiet else issues:
         say(f"{each.severity}: {each.code} {each.where}: {sentences(each)}", arguments)
     say(f"usdrigui: {state} {arguments.asset}: {arguments.layer} {what}", arguments)

@@ -82,9 +82,15 @@ def add_inspect(commands: Any) -> None:
 
 
 def _add_animation(parser: Any, summary: str) -> None:
-    told = f"{summary}: files with SkelAnimations, CHAR itself among them"
+    help_text = f"{summary}: files with SkelAnimations, CHAR itself among them"
     parser.add_argument(
-        "--animation", type=Path, nargs="+", action="extend", default=[], metavar="CLIP", help=told
+        "--animation",
+        type=Path,
+        nargs="+",
+        action="extend",
+        default=[],
+        metavar="CLIP",
+        help=help_text,
     )
 
 

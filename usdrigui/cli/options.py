@@ -63,9 +63,14 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
 
 def add_variant(parser: Any) -> None:
     """The option that selects a variant."""
-    told = "select a variant: LOD=low"
+    help_text = "select a variant: LOD=low"
     parser.add_argument(
-        "--variant", type=_selection, action="append", default=[], metavar="SET=NAME", help=told
+        "--variant",
+        type=_selection,
+        action="append",
+        default=[],
+        metavar="SET=NAME",
+        help=help_text,
     )
 
 
@@ -139,12 +144,12 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     """As `settings_of`, of a run that is not this one."""
     from usdrigui import settings
 
-    said = _said(arguments)
+    overrides = _said(arguments)
 
     def load(*weaker: Mapping[str, Any]) -> Settings:
         preset = getattr(arguments, "preset", "default")
         return settings.load(
-            *weaker, *said, preset=preset, environment=settings.environment_settings()
+            *weaker, *overrides, preset=preset, environment=settings.environment_settings()
         )
 
     try:

@@ -108,7 +108,12 @@ def _convert(arguments: argparse.Namespace) -> Exit:
     target = arguments.output or arguments.layer
     state = pipeline.convert(arguments.layer, target, settings_of(arguments))
     if arguments.json:
-        told = {"layer": str(arguments.layer), "output": str(target), "outcome": state, "exit": 0}
-        print(json.dumps({"format": "usdrigui.convert", "version": 1, **told}, indent=2))
+        document = {
+            "layer": str(arguments.layer),
+            "output": str(target),
+            "outcome": state,
+            "exit": 0,
+        }
+        print(json.dumps({"format": "usdrigui.convert", "version": 1, **document}, indent=2))
     say(f"usdrigui: {state} {target}", arguments)
     return Exit.OK

@@ -59,9 +59,9 @@ def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events)
 
 def _account(outcome: Outcome) -> str:
     """What is known of the files that a command was to write; empty if it wrote none."""
-    told = [f"written {', '.join(outcome.written)}"] if outcome.written else []
-    told += [f"as before or complete: {', '.join(outcome.unknown)}"] if outcome.unknown else []
-    return "; ".join(told)
+    clauses = [f"written {', '.join(outcome.written)}"] if outcome.written else []
+    clauses += [f"as before or complete: {', '.join(outcome.unknown)}"] if outcome.unknown else []
+    return "; ".join(clauses)
 
 
 def _alone(argv: Sequence[str]) -> Outcome:

@@ -439,10 +439,10 @@ def _known() -> frozenset[str]:
         ("visemes", "phonemes"),
         ("emotions", "words"),
     )
-    said = {
+    words = {
         word for table, key in (*lists, ("identities", "prefixes")) for word in codes[table][key]
     }
-    return _vocabulary() | said | {"au", *codes["emotions"]["parts"], *SIDES}
+    return _vocabulary() | words | {"au", *codes["emotions"]["parts"], *SIDES}
 
 
 def _phrase(row: Mapping[str, Any]) -> _Phrase:

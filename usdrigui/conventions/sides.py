@@ -59,8 +59,8 @@ def has_side(name: str) -> bool:
 
 def side_of(name: str) -> Side:
     """``left`` or ``right`` where the name has words for one of them only, else empty."""
-    said = {SIDES[word] for word in _words(name) if word in SIDES}
-    return said.pop() if len(said) == 1 else ""
+    sides = {SIDES[word] for word in _words(name) if word in SIDES}
+    return sides.pop() if len(sides) == 1 else ""
 
 
 def twins_by_name(names: Iterable[str]) -> Mapping[str, str]:

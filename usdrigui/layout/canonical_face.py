@@ -85,14 +85,14 @@ def expectations(
     `meanings` (controls,) as read from the names of the rig's controls.
     """
     placed = [(m, meanings[m.control]) for m in trajectories.motions]
-    telling = _telling(placed)
+    informative = _informative(placed)
     known = [
         (m, each.action, each.action.place, tells)
-        for (m, each), tells in zip(placed, telling, strict=True)
+        for (m, each), tells in zip(placed, informative, strict=True)
         if each is not None and each.action.place
     ]
     if not symmetry.normal.any():
-        clear = [each for each, tells in zip(placed, telling, strict=True) if tells]
+        clear = [each for each, tells in zip(placed, informative, strict=True) if tells]
         symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, clear)
     middles = np.array(
         [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
@@ -114,7 +114,7 @@ def expectations(
     return tuple(found.get(control) for control in range(len(meanings)))
 
 
-def _telling(placed: Sequence[Named]) -> list[bool]:
+def _informative(placed: Sequence[Named]) -> list[bool]:
     """Which motions say where their action is: none that is faint beside another one of its action
     and side.  Where each mesh has controls of its own, lashes follow the lips a little."""
     keys = [

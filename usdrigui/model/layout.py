@@ -65,9 +65,9 @@ class Layout(Record):
         """LAYOUT_MESH_GONE of a mesh that is not there, with how many elements stand on it;
         `controls` of the layout are gone too."""
         elements = sum(element.anchor.mesh == mesh for element in self.elements)
-        told = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
+        message = f"is gone, and {elements} element{'s' * (elements != 1)} of the layout with it"
         more = f"; {controls} control{'s' * (controls != 1)} of the layout went too"
-        return issue("LAYOUT_MESH_GONE", mesh, f"{told}{more * bool(controls)}", self.root)
+        return issue("LAYOUT_MESH_GONE", mesh, f"{message}{more * bool(controls)}", self.root)
 
 
 @dataclass(frozen=True, eq=False)

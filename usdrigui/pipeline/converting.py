@@ -72,8 +72,12 @@ def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:
     rig = rigs.get(layout.root)
     if rig is None:
         raise refuse("LAYOUT_STALE", layout.root, f"{source} has no such character any more")
-    gone = sorted(layout.controls - {control.name for control in rig.controls})
-    if gone or len(layout.base_values) != len(rig.controls):
-        what = f"it has no control {gone[0]!r}" if gone else f"it has {len(rig.controls)} controls"
+    unknown = sorted(layout.controls - {control.name for control in rig.controls})
+    if unknown or len(layout.base_values) != len(rig.controls):
+        what = (
+            f"it has no control {unknown[0]!r}"
+            if unknown
+            else f"it has {len(rig.controls)} controls"
+        )
         raise refuse("LAYOUT_STALE", layout.root, f"{what}, as {source} and its configuration are")
     return rig

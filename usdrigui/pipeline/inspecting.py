@@ -90,13 +90,13 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
     rig = character.rig
     found = [_found(inputs) for inputs in parts]
     of_control = {control: each for each in found for control in each.motions}
-    remarks: dict[str, list[str]] = {}
+    flags: dict[str, list[str]] = {}
     for note in dict.fromkeys(
         (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
     ):
-        remarks.setdefault(note.control, []).append(note.reason)
+        flags.setdefault(note.control, []).append(note.reason)
     for odd in dict.fromkeys(each for inputs in parts for each in inputs.face.trajectories.issues):
-        remarks.setdefault(odd.path, []).append(odd.message)
+        flags.setdefault(odd.path, []).append(odd.message)
     symmetric = character.symmetry or parts[0].face.symmetry
     return CharacterFacts(
         root=rig.root,
@@ -106,7 +106,7 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         symmetric=float((symmetric.partner >= 0).mean()),
         controls=tuple(
             _control(
-                rig.controls, index, of_control.get(index), found[0], remarks.get(control.name, ())
+                rig.controls, index, of_control.get(index), found[0], flags.get(control.name, ())
             )
             for index, control in enumerate(rig.controls)
         ),
@@ -124,21 +124,21 @@ def _control(
     index: int,
     own: _Found | None,
     first: _Found,
-    remarks: Sequence[str],
+    flags: Sequence[str],
 ) -> ControlFacts:
     """One control; without a motion it is told of by the `first` part, and is of none."""
-    control, told = controls[index], own or first
+    control, source = controls[index], own or first
     chosen, motion, symmetry = (
-        told.sets.get(index),
-        told.motions.get(index),
-        told.part.face.symmetry,
+        source.sets.get(index),
+        source.motions.get(index),
+        source.part.face.symmetry,
     )
-    flags = list(remarks)
+    flags = list(flags)
     if chosen is not None and chosen.category:
         flags.append(
             "on the board by request" if chosen.category == "requested" else chosen.category
         )
-    typical = told.part.face.trajectories.typical_length
+    typical = source.part.face.trajectories.typical_length
     return ControlFacts(
         control=control.name,
         kind=control.kind,
@@ -150,12 +150,12 @@ def _control(
         points=0 if motion is None else len(motion.points),
         coverage=0.0 if chosen is None else chosen.coverage,
         peak=0.0 if motion is None else float(motion.arc_length.max()) / typical,
-        twin=told.part.twin_names.get(
+        twin=source.part.twin_names.get(
             control.name, "self" if symmetry.twins[index] == index else ""
         ),
         twin_source=symmetry.sources[index],
         flags=tuple(flags),
-        part=told.part.part if own is not None else "",
+        part=source.part.part if own is not None else "",
     )
 
 

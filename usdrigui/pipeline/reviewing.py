@@ -71,11 +71,11 @@ class LayerReview:
 
     def __repr__(self) -> str:
         counts = Counter(each.severity for each in self.issues)
-        told = (
+        findings = (
             ", ".join(f"{number} {severity}" for severity, number in counts.items())
             or "no findings"
         )
-        return f"<LayerReview {self.layer}: {len(self.characters)} characters, {told}>"
+        return f"<LayerReview {self.layer}: {len(self.characters)} characters, {findings}>"
 
     @property
     def issues(self) -> tuple[Issue, ...]:
@@ -135,12 +135,12 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
-    gone = sorted(layouts.keys() - {rig.root for rig, _ in characters})
+    lacking = sorted(layouts.keys() - {rig.root for rig, _ in characters})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
         lost.get(root)
         or issue("LAYOUT_STALE", root, f"{layer} has no such character any more", root)
-        for root in gone
+        for root in lacking
     )
     files = tuple(Path(each.path) for each in read.sources)
     loaded = Loaded(characters, found.source, read.cameras, files, read.without_layout)

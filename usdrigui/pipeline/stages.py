@@ -134,10 +134,10 @@ class ProblemInputs:
         names = [
             self.face.rig.controls[motion.control].name for motion in self.face.trajectories.motions
         ]
-        told = zip(names, self.classification, strict=True)
+        named = zip(names, self.classification, strict=True)
         return {
             name: tuple((names[i], amount) for i, amount in each.explained_by)
-            for name, each in told
+            for name, each in named
         }
 
     @property
@@ -471,13 +471,13 @@ def _requests(
         rig, symmetry, overrides, references.clips, settings.animation.weight
     )
     names = [control.name for control in rig.controls]
-    told = meanings(names) if settings.candidates.conventions else (None,) * len(names)
+    meant = meanings(names) if settings.candidates.conventions else (None,) * len(names)
     return Requests(
         overrides,
         references.prior,
         references.existing,
         neighbours=references.neighbours,
-        names=Names(told),
+        names=Names(meant),
     )
 
 

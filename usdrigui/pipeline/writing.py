@@ -87,8 +87,8 @@ def check_base(
         if root != rig.root and not composed and base.source and not bare:
             raise refuse("BASE_APART", rig.root, f"stands at {root} in {layer.name}")
         if composed and rig.root not in source.composed_from:
-            told = f"does not show the layout of {layer.name}, as variants are selected"
-            raise refuse("BASE_APART", rig.root, told)
+            message = f"does not show the layout of {layer.name}, as variants are selected"
+            raise refuse("BASE_APART", rig.root, message)
 
 
 def _composes(source: ReadResult, layer: Path) -> bool:

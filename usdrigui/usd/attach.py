@@ -159,8 +159,8 @@ def _layouts(asset: Path, layer: Path, settings: ReadSettings) -> tuple[Layout, 
         return read_layouts_isolated(layer, settings).layouts
     except RigUIError as error:
         if error.issue.code == "LAYOUT_MISSING" and _has_layout(asset, settings):
-            told = f"{error.issue.message}, but {asset} has a layout: the asset is named first"
-            raise refuse("LAYOUT_MISSING", str(layer), told) from error
+            message = f"{error.issue.message}, but {asset} has a layout: the asset is named first"
+            raise refuse("LAYOUT_MISSING", str(layer), message) from error
         raise
 
 
@@ -194,9 +194,9 @@ def _check_of(asset: Path, layouts: Sequence[Layout], rigs: Sequence[Rig]) -> No
 def _controls_gone(layouts: Sequence[Layout], rigs: Sequence[Rig]) -> Iterator[Issue]:
     known = {rig.root: rig.control_names for rig in rigs}
     for layout in layouts:
-        gone = sorted(layout.controls.difference(known[layout.root]))
-        if gone:
-            yield issue("ATTACH_CONTROLS_GONE", layout.root, f"has no control {listed(gone)}")
+        unknown = sorted(layout.controls.difference(known[layout.root]))
+        if unknown:
+            yield issue("ATTACH_CONTROLS_GONE", layout.root, f"has no control {listed(unknown)}")
 
 
 def _detached(asset: Path, layer: Path, settings: Settings) -> Outcome:

@@ -241,9 +241,12 @@ def _with_ranges_of_twins(
     for name in ranged:
         one, twin = configured[name], configured[name].twin or twins.get(name, "")
         other = configured.get(twin, plain)
-        said = (other.minimum, other.maximum) != (None, None) or "none" in (one.twin, other.twin)
-        said = said or not other.follow_twin
-        if twin in names and twin != name and not said:
+        is_explicit = (other.minimum, other.maximum) != (None, None) or "none" in (
+            one.twin,
+            other.twin,
+        )
+        is_explicit = is_explicit or not other.follow_twin
+        if twin in names and twin != name and not is_explicit:
             found[twin] = replace(other, minimum=one.minimum, maximum=one.maximum)
     return found
 

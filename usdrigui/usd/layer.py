@@ -416,13 +416,13 @@ def _author_anchor_api(subset: Sdf.PrimSpec, element: Element) -> None:
 
 
 def _author_handle_api(subset: Sdf.PrimSpec, element: Element) -> None:
-    told: dict[str, Any] = {"adapt": element.adapt}
+    values: dict[str, Any] = {"adapt": element.adapt}
     if element.glyph is not None:
-        told |= {
+        values |= {
             "glyph": element.glyph.name,
             "glyphType": element.glyph.form,
             "glyphOffsets": element.glyph.points,
             "glyphCounts": element.glyph.counts,
             "glyphIndices": element.glyph.indices if element.glyph.form == "mesh" else (),
         }
-    author.declare(subset, schema.HANDLE, told)
+    author.declare(subset, schema.HANDLE, values)

@@ -184,13 +184,13 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     Such a layer need not say where its anchor is; then nobody knows it, should the mesh get other
     points.
     """
-    said = _said_above(prim)
-    found = {decision for decision, names in _DECIDED.items() if said & names}
-    if not found or author.properties(schema.ELEMENT)["pinned"].name in said:
+    authored = _authored_above(prim)
+    found = {decision for decision, names in _DECIDED.items() if authored & names}
+    if not found or author.properties(schema.ELEMENT)["pinned"].name in authored:
         return element
     position = element.pinned_position
     if "anchor" in found:
-        known = author.properties(schema.ANCHOR)["position"].name in said
+        known = author.properties(schema.ANCHOR)["position"].name in authored
         x, y, z = element.anchor.position.tolist() if known else (np.nan,) * 3
         position = (x, y, z)
     both = found | set(element.pinned)
@@ -198,7 +198,7 @@ def corrected(element: Element, prim: Usd.Prim) -> Element:
     return replace(element, pinned=ordered, pinned_position=position)
 
 
-def _said_above(prim: Usd.Prim) -> set[str]:
+def _authored_above(prim: Usd.Prim) -> set[str]:
     """Properties of which a layer stronger than the one that defines the prim has an opinion."""
     stack = prim.GetPrimStack()
     defining = next(

@@ -80,10 +80,10 @@ def _without(stage: Usd.Stage, name: str) -> RigUIError:
     off = switched_off(stage)
     if not off:
         return refuse("LAYOUT_MISSING", name, f"no prim has {schema.LAYOUT}")
-    told = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
+    selections = [f"rigUI = {selected} on {listed(paths)}" for selected, paths in off.items()]
     count = sum(map(len, off.values()))
     layouts = "1 layout is" if count == 1 else f"{count} layouts are"
-    return refuse("LAYOUT_OFF", name, f"{layouts} switched off, by {' and '.join(told)}")
+    return refuse("LAYOUT_OFF", name, f"{layouts} switched off, by {' and '.join(selections)}")
 
 
 def switched_off(stage: Usd.Stage) -> dict[str, list[str]]:

@@ -112,9 +112,12 @@ def _rigs(path: Path, settings: Settings) -> ReadResult:
     from usdrigui.usd.rig import read_characters
     from usdrigui.usd.variants import variant_path
 
-    with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
+    with (
+        _hashed_before(path, settings.read.variants) as (before, diagnostics),
+        _kept_stages() as stages,
+    ):
         found = read_characters(path, settings)
-        rigs = _told(found.rigs, path, heard)
+        rigs = _with_diagnostics(found.rigs, path, diagnostics)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         metadata = {
@@ -167,12 +170,15 @@ def _composed(path: Path, settings: Settings) -> Response:
     from usdrigui.usd.rig import read_characters, without_layout
     from usdrigui.usd.stage import open_stage
 
-    with _hashed_before(path, settings.read.variants) as (before, heard), _kept_stages() as stages:
+    with (
+        _hashed_before(path, settings.read.variants) as (before, diagnostics),
+        _kept_stages() as stages,
+    ):
         open_stage(path, settings.read.variants)  # kept, so that what opens it next finds it so
         found = _layouts_in(path, stages, before)
         laid_out = {each.root for each in found.layouts}
         some = read_characters(path, settings, laid_out)
-        rigs = _told(some.rigs, path, heard)
+        rigs = _with_diagnostics(some.rigs, path, diagnostics)
         stage = _stage_of(path, stages)
         cameras = cameras_toward(stage, rigs, settings.candidates.view)
         sources = _sources(path, stages.GetAllStages(), before)
@@ -272,20 +278,22 @@ def _hashed_before(
     """
     from usdrigui.usd.stage import listening, open_stage
 
-    with listening() as heard:
+    with listening() as diagnostics:
         stage = open_stage(path, variants)
     names = _files(path, (stage,)) if _depends(stage) else ()
     if names:
         del stage
-    yield {each.path: each for each in map(hashed, names)}, heard
+    yield {each.path: each for each in map(hashed, names)}, diagnostics
 
 
-def _told(rigs: tuple[Rig, ...], path: Path, heard: Iterable[str]) -> tuple[Rig, ...]:
-    """The rigs, the first of which tells what USD said before they were read, too."""
-    said = [issue("USD_DIAGNOSTIC", str(path), text) for text in heard]
+def _with_diagnostics(
+    rigs: tuple[Rig, ...], path: Path, diagnostics: Iterable[str]
+) -> tuple[Rig, ...]:
+    """The rigs, the first of which tells what USD issues before they were read, too."""
+    issues = [issue("USD_DIAGNOSTIC", str(path), text) for text in diagnostics]
     if not rigs:
         return rigs
-    new = tuple(each for each in said if each not in rigs[0].issues)
+    new = tuple(each for each in issues if each not in rigs[0].issues)
     return (replace(rigs[0], issues=(*rigs[0].issues, *new)), *rigs[1:])
 
 

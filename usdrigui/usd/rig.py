@@ -148,8 +148,8 @@ def _without_controls(stage: Usd.Stage, readings: list[_Reading]) -> RigUIError:
         for each in reading.bound_in_vain
         if not each.message.endswith(reasons)
     ]
-    off = "".join(_inactive_told(stage, reading.rig.root) for reading in readings)
-    why = f"{_lost_told(lost)}{_vain_told(vain)}{off}" or _joints_told(readings[0])
+    off = "".join(_inactive_clause(stage, reading.rig.root) for reading in readings)
+    why = f"{_lost_clause(lost)}{_vain_clause(vain)}{off}" or _joints_clause(readings[0])
     meshes = any(reading.rig.meshes for reading in readings)
     what = "no blend shape, animated joint or named pose" if meshes else "no mesh to move"
     return refuse("CONTROLS_MISSING", readings[0].rig.root, f"{what}{why}")
@@ -161,7 +161,7 @@ def _lost(stage: Usd.Stage, readings: list[_Reading]) -> tuple[Issue, ...]:
     for reading in readings:
         root = reading.rig.root
         if not reading.rig.meshes:
-            what = f"all its meshes are gone{_inactive_told(stage, root)}"
+            what = f"all its meshes are gone{_inactive_clause(stage, root)}"
             found.append(issue("LAYOUT_MESH_GONE", root, what, root))
         elif not reading.rig.controls:
             found += of_character(root, _without_controls(stage, [reading]).issues)
@@ -261,7 +261,7 @@ def _guarded_glyphs(
 def _read(root: Usd.Prim, settings: Settings, faults: Faults, *, instances: bool) -> _Reading:
     if not instances and (root.IsInstance() or root.IsInstanceProxy()):
         reason = (
-            f"is an instance: no layer can add prims below {root.GetPath()}{_others_told(root)}"
+            f"is an instance: no layer can add prims below {root.GetPath()}{_others_clause(root)}"
         )
         raise refuse("INSTANCE", str(_instance(root).GetPath()), reason)
     scene = _scene(root, settings.read, instances=instances)
@@ -470,7 +470,7 @@ def _instance(prim: Usd.Prim) -> Usd.Prim:
     return prim
 
 
-def _others_told(instance: Usd.Prim) -> str:
+def _others_clause(instance: Usd.Prim) -> str:
     """A clause with the SkelRoots beside one in an instance that are in none; empty if there are no
     such."""
     roots = _skel_roots(instance.GetStage(), "")
@@ -528,7 +528,7 @@ def _check_names(
                 name,
                 (each for reading in readings for each in _names_of_joints(reading.rig.joints)),
             )
-            known = hint or "".join(map(_joints_told, readings))
+            known = hint or "".join(map(_joints_clause, readings))
             with faults.collected():
                 raise refuse(
                     "CONFIG_UNKNOWN_CONTROL",
@@ -542,7 +542,7 @@ def _names_of_joints(joints: tuple[Joint, ...]) -> list[str]:
     return [*joint_names(joints), *(joint.path for joint in joints)]
 
 
-def _joints_told(reading: _Reading) -> str:
+def _joints_clause(reading: _Reading) -> str:
     """A clause with the names of the first joints of a rig, empty if it has none."""
     names = joint_names(reading.rig.joints)
     more = f" and {len(names) - _JOINTS_TOLD} more" if len(names) > _JOINTS_TOLD else ""
@@ -553,7 +553,7 @@ def _joints_told(reading: _Reading) -> str:
     )
 
 
-def _lost_told(lost: list[LeftOff]) -> str:
+def _lost_clause(lost: list[LeftOff]) -> str:
     """A clause with the reasons for which everything was left off, and how many controls share
     each; empty if none."""
     if not lost:
@@ -569,14 +569,14 @@ def _lost_told(lost: list[LeftOff]) -> str:
     return f"; left off: {', '.join(reasons)}{f' and {more} more reasons' if more else ''}"
 
 
-def _inactive_told(stage: Usd.Stage, root: str) -> str:
+def _inactive_clause(stage: Usd.Stage, root: str) -> str:
     """A clause with the prims below a SkelRoot that are not active; empty if none."""
     walk = Usd.PrimRange(stage.GetPrimAtPath(root), Usd.PrimAllPrimsPredicate)
     off = [str(prim.GetPath()) for prim in walk if not prim.IsActive() and prim.GetName() != SCOPE]
     return f"; not active: {listed(off)}" if off else ""
 
 
-def _vain_told(vain: list[Issue]) -> str:
+def _vain_clause(vain: list[Issue]) -> str:
     """A clause with the first mesh that is bound in vain, and how many are; empty if none."""
     if not vain:
         return ""

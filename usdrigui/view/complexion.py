@@ -120,10 +120,10 @@ def _said(mesh: RigMesh) -> tuple[float, float, float] | None:
 
 def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     """None where no point is left to be coloured."""
-    told = [mesh.colours is not None or _said(mesh) is not None for mesh in rig.meshes]
+    coloured = [mesh.colours is not None or _said(mesh) is not None for mesh in rig.meshes]
     spans = [
         np.full(len(mesh.points), mesh.visible and not has)
-        for mesh, has in zip(rig.meshes, told, strict=True)
+        for mesh, has in zip(rig.meshes, coloured, strict=True)
     ]
     free = np.concatenate([np.zeros(0, dtype=bool), *spans])
     corners = mesh_triangles(rig.meshes, visible_only=True)

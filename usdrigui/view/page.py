@@ -70,8 +70,8 @@ def page_html(
 
 def _reviews(layers: Sequence[str]) -> str:
     """The layers as JSON in an element of their own; nothing where there are none."""
-    said = json.dumps(list(layers), ensure_ascii=False).replace("<", "\\u003c")
-    return f'\n<script type="text/plain" id="reviews">{said}</script>' if layers else ""
+    text = json.dumps(list(layers), ensure_ascii=False).replace("<", "\\u003c")
+    return f'\n<script type="text/plain" id="reviews">{text}</script>' if layers else ""
 
 
 def _asset(name: str) -> str:

@@ -57,7 +57,7 @@ def run_local(jobs: Sequence[Job], workers: int) -> Generator[Row, None, None]:
     """
     pool = ThreadPoolExecutor(max_workers=max(1, workers))
     futures: list[Future[Row]] = []
-    told: set[Future[Row]] = set()
+    reported: set[Future[Row]] = set()
     try:
         for job in (
             jobs
@@ -65,14 +65,14 @@ def run_local(jobs: Sequence[Job], workers: int) -> Generator[Row, None, None]:
             # Where it is interrupted, what was handed out until then is known.
             futures.append(pool.submit(run_job, job))  # noqa: PERF401
         for future in as_completed(futures):
-            told.add(future)
+            reported.add(future)
             yield future.result()
     except KeyboardInterrupt:
         _end(pool, futures)
         yield from [
             each.result()
             for each in futures
-            if each not in told and each.done() and not each.cancelled()
+            if each not in reported and each.done() and not each.cancelled()
         ]
         raise
     finally:
@@ -105,7 +105,7 @@ def with_parts(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
     named = {job.output for job in jobs if job.named}
     whole = {path: row.asset for row in rows if row.sound for path in row.sources[1:]}
 
-    def told(row: Row) -> Row:
+    def as_part(row: Row) -> Row:
         asset = whole.get(os.path.realpath(row.asset))
         if (
             asset is None
@@ -118,7 +118,7 @@ def with_parts(rows: Iterable[Row], jobs: Sequence[Job]) -> tuple[Row, ...]:
             row, outcome="part", exit=int(Exit.OK), code="", message=f"is a part of {asset}"
         )
 
-    return tuple(map(told, rows))
+    return tuple(map(as_part, rows))
 
 
 def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]:

@@ -99,7 +99,9 @@ def choose_basis(
         known += new
     return Basis(
         atoms,
-        tuple(None if atoms[i] else _told(i, atoms, cosine, known) for i in range(len(costs))),
+        tuple(
+            None if atoms[i] else _explanation(i, atoms, cosine, known) for i in range(len(costs))
+        ),
     )
 
 
@@ -197,7 +199,7 @@ def _is_known(index: int, each: Explanation, known: Sequence[tuple[int, Explanat
     return any(who == index and set(other.parts.tolist()) <= parts for who, other in known)
 
 
-def _told(
+def _explanation(
     index: int, atoms: Flags, cosine: Floats, known: Sequence[tuple[int, Explanation]]
 ) -> Explanation:
     """The explanation of a motion that is no atom: the first atom known that it repeats, or else

@@ -80,8 +80,8 @@ def classify(
         coverage_of_smaller(every, visible_areas),
         shares_of_face(every, visible_areas),
     )
-    told = [requests.names.meanings[motion.control] for motion in trajectories.motions]
-    covered = _of_families(covered[: len(told)], told)
+    meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
+    covered = _of_families(covered[: len(meanings)], meanings)
     vanish = visibility_shapes(rig, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
     repeated = composites(
@@ -156,11 +156,11 @@ def _category(
     return "", ""
 
 
-def _of_families(covered: Floats, told: Sequence[Meaning | None]) -> Floats:
+def _of_families(covered: Floats, meanings: Sequence[Meaning | None]) -> Floats:
     """(motions,) shares of the face with the median of its family for each member: a family leaves
     the face as a whole."""
     found = covered.copy()
-    names = [each.action.name if each and each.action.in_family else "" for each in told]
+    names = [each.action.name if each and each.action.in_family else "" for each in meanings]
     for name in sorted({*names} - {""}):
         members = [i for i, own in enumerate(names) if own == name]
         found[members] = np.median(covered[members])

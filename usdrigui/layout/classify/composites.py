@@ -115,9 +115,9 @@ def composites(
         for i in family.members:
             found.pop(i, None)
             if not family.on_face:
-                told = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
+                amounts = _amounts(i, best_sum(i, shown, similarity.cosine), similarity.norm)
                 found[i] = Composite(
-                    family.kind, "family", family_reason=family.reason, explained_by=told
+                    family.kind, "family", family_reason=family.reason, explained_by=amounts
                 )
     return {i: why for i, why in sorted(found.items()) if twins[i] < 0 or int(twins[i]) in found}
 
@@ -169,9 +169,9 @@ def _twins(trajectories: Trajectories, symmetry: Symmetry) -> Indices:
 
 def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
     """What a motion that is no atom repeats; `norm` (m,) of the motions."""
-    told = basis.explanations[index]
-    parts = tuple(told.parts[:_NAMED].tolist()) if told is not None else ()
-    amounts = _amounts(index, told, norm)
+    explained = basis.explanations[index]
+    parts = tuple(explained.parts[:_NAMED].tolist()) if explained is not None else ()
+    amounts = _amounts(index, explained, norm)
     if len(parts) == 1:
         return Composite(
             "composite",
@@ -183,13 +183,15 @@ def _composite(index: int, basis: Basis, norm: Floats) -> Composite:
     return Composite("composite", "mixture", parts, explained_by=amounts)
 
 
-def _amounts(index: int, told: Explanation | None, norm: Floats) -> tuple[tuple[int, float], ...]:
+def _amounts(
+    index: int, explained: Explanation | None, norm: Floats
+) -> tuple[tuple[int, float], ...]:
     """The motions of an explanation of motion `index`, and how far each goes, in shares of its own
     range."""
-    if told is None:
+    if explained is None:
         return ()
-    amounts = told.weights * norm[index] / norm[told.parts]
-    return tuple(zip(told.parts.tolist(), np.round(amounts, 6).tolist(), strict=True))
+    amounts = explained.weights * norm[index] / norm[explained.parts]
+    return tuple(zip(explained.parts.tolist(), np.round(amounts, 6).tolist(), strict=True))
 
 
 class _Spreads:

@@ -116,7 +116,7 @@ def names_of_copies(rig: Rig, group: Group, choice: Choice) -> list[str]:
         element_name([rig.controls[each].name for each in copy], rig.control_names)
         for copy in choice.controls
     ]
-    names = [said or name for said, name in zip(given, own, strict=False)]
+    names = [chosen or name for chosen, name in zip(given, own, strict=False)]
     if len(set(names)) < len(names):
         # The same controls on both sides: a double element in the middle.
         names = [name + ("_mirror" if copy else "") for copy, name in enumerate(names)]
@@ -132,7 +132,7 @@ def _weights(
         ("overlap_max", overlap.maximum),
         ("overlap_radius", overlap.radius),
         ("overlap_sharpness", overlap.sharpness),
-        ("overlap_reach", overlap.reach),
+        ("overlap_cutoff", overlap.reach),
         ("separation", problem.separation),
         ("typical_length", typical_length),
         ("samples", float(samples)),

@@ -604,8 +604,8 @@ class _Grouping:
         if not placed and all_aside(face.trajectories, face.symmetry, self.sets[index].points):
             return True
         # A name that tells the region alone says nothing of its middle.
-        told = expected is not None and meaning is not None and not meaning.action.vague
-        both_sides = expected.both_sides if expected is not None and told else None
+        is_expected = expected is not None and meaning is not None and not meaning.action.vague
+        both_sides = expected.both_sides if expected is not None and is_expected else None
         return two_lobed(face.trajectories, face.symmetry, face.views.anywhere, motion, both_sides)
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:

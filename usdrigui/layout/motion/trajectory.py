@@ -70,8 +70,8 @@ def trajectories(
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, chains, size, settings)
-    told = _without_drift(rig, motions) if settings.noise > 0.0 else tuple(motions)
-    return _assembled(rig, base.points, told, excluded, tuple(left_off), settings)
+    moving = _without_drift(rig, motions) if settings.noise > 0.0 else tuple(motions)
+    return _assembled(rig, base.points, moving, excluded, tuple(left_off), settings)
 
 
 def _without_drift(rig: Rig, motions: Sequence[Motion]) -> tuple[Motion, ...]:

@@ -121,10 +121,10 @@ def of_part(settings: Settings, rig: Rig, part: Part) -> Settings:
 def _bound(settings: Settings, index: Mapping[str, int]) -> list[list[int]]:
     """Controls that the configuration makes one element, shows in each other's place, or
     mirrors."""
-    said = [*settings.groups.groups.values()]
-    said += [(name, *members) for name, members in settings.levels.members.items()]
-    said += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
-    return [_controls(names, settings.groups.groups, index) for names in said]
+    groups = [*settings.groups.groups.values()]
+    groups += [(name, *members) for name, members in settings.levels.members.items()]
+    groups += [(name, own.twin, *own.orbit) for name, own in settings.controls.items()]
+    return [_controls(names, settings.groups.groups, index) for names in groups]
 
 
 def _controls(

@@ -173,8 +173,8 @@ def _moving_places(
     seen = _with_clear_handles(face, motion, requests, settings, seen)
     # What a person says, an earlier place and the skin that a joint owns come before what a name
     # says.
-    told = requests.overrides[motion.control].near or motion.control in requests.prior.places
-    if not told and motion.owned is None:
+    is_asked = requests.overrides[motion.control].near or motion.control in requests.prior.places
+    if not is_asked and motion.owned is None:
         seen = _where_expected(face, motion, seen, requests.expectation(motion.control))
     points = _pruned(face, motion, seen, some, settings, samples)
     return points if len(points) else _unseen(motion, some, settings)

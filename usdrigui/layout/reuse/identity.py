@@ -160,8 +160,10 @@ def matching_issues(which: str, found: Matching) -> Iterator[Issue]:
                 if each.confidence >= SURE
                 else ("CONTROL_UNSURE", "may be")
             )
-            told = f"of the {which} layout {verb} {each.after} now (by {each.reason}, {each.sure})"
-            yield issue(code, each.before, told)
+            message = (
+                f"of the {which} layout {verb} {each.after} now (by {each.reason}, {each.sure})"
+            )
+            yield issue(code, each.before, message)
 
 
 def names_draft(found: Matching) -> str:
@@ -197,8 +199,8 @@ def _kept(
     before: Sequence[str], after: Sequence[str]
 ) -> tuple[tuple[Match, ...], list[str], list[str]]:
     """The controls that keep their names, and what is left on either side."""
-    said = dict(zip(before, spellings(before), strict=True))
-    same = {name for name in before if name in set(after) and not said[name].is_number}
+    spelt = dict(zip(before, spellings(before), strict=True))
+    same = {name for name in before if name in set(after) and not spelt[name].is_number}
     kept = tuple(Match(name, name, 1.0, "name") for name in before if name in same)
     return (
         kept,
@@ -222,10 +224,16 @@ def _matched(before: Sequence[str], after: Sequence[str], evidence: Floats) -> M
         rounded(evidence - _CHANCE) * np.abs(evidence - _CHANCE).max(initial=0.0), 0.0
     )
     pairs = [(int(i), int(j), loss) for i, j, loss in _assigned(excess)]
-    said, means = (spellings(before), spellings(after)), same_meaning(before, after)
+    spelt_as, means = (spellings(before), spellings(after)), same_meaning(before, after)
     matches = []
     for i, j, loss in pairs:
-        spelt = "spelling" if said[0][i] == said[1][j] else "meaning" if means[i, j] else "motion"
+        spelt = (
+            "spelling"
+            if spelt_as[0][i] == spelt_as[1][j]
+            else "meaning"
+            if means[i, j]
+            else "motion"
+        )
         reason = "name" if before[i] == after[j] else spelt
         matches.append(
             Match(before[i], after[j], round(float(1.0 / (1.0 + np.exp(-loss))), 3), reason)

@@ -33,13 +33,13 @@ def name_evidence(before: Sequence[str], after: Sequence[str], *, geometry: bool
 
     `geometry`: whether evidence of motion is added, which tells sides better than names do.
     """
-    said, meant = (spellings(before), spellings(after)), (meanings(before), meanings(after))
+    spelt, meant = (spellings(before), spellings(after)), (meanings(before), meanings(after))
     usual = tuple(Counter(_sense(each) for each in rig if each is not None) for rig in meant)
     side_weight = _OTHER_SIDE if geometry else _OTHER_SIDE_ALONE
     found = np.zeros((len(before), len(after)))
     for i, name in enumerate(before):
         for j, other in enumerate(after):
-            one, two = said[0][i], said[1][j]
+            one, two = spelt[0][i], spelt[1][j]
             if name == other or one == two:
                 found[i, j] = (
                     _NUMBER if one.is_number else _SAME_NAME if name == other else _SAME_SPELLING

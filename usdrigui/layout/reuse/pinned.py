@@ -127,9 +127,9 @@ def _carried(
     apart = np.linalg.norm(rest[moved] - element.pinned_position, axis=1)
     nearest = first_smallest(apart)
     off = float(apart[nearest]) / max(width, 1e-300)
-    told = f"stands {off:.1f} handle widths from where it was pinned"
+    message = f"stands {off:.1f} handle widths from where it was pinned"
     return place_of(rig, int(moved[nearest])), (
-        issue("PIN_CARRIED", element.name, told) if off > _NEAR else None
+        issue("PIN_CARRIED", element.name, message) if off > _NEAR else None
     )
 
 
@@ -266,11 +266,11 @@ def _from_configuration(
     renamed = {each.rename: each for each in asked.values() if each.rename}
     together = [frozenset(members) for members in groups.values()]
     for element in elements:
-        said = [
+        overrides = [
             renamed.get(name) or asked.get(name, ControlSettings()) for name in element.controls
         ]
-        found: set[Decision] = {"anchor"} if any(each.anchor for each in said) else set()
-        found |= {"place"} if any(each.place or each.near for each in said) else set()
+        found: set[Decision] = {"anchor"} if any(each.anchor for each in overrides) else set()
+        found |= {"place"} if any(each.place or each.near for each in overrides) else set()
         found |= {"grouping"} if element.controls in together else set()
         if found:
             yield element.name, frozenset(found)

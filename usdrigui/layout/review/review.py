@@ -145,8 +145,8 @@ def _stale(
     comparable = not _custom_base(layout, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = rig.control_names
-    gone = not known.issuperset(layout.controls)
-    renamed = match_layout(layout, rig, trajectories).renamed if gone else {}
+    lacking = not known.issuperset(layout.controls)
+    renamed = match_layout(layout, rig, trajectories).renamed if lacking else {}
     anchored = dict.fromkeys(element.anchor.mesh for element in whole.elements)
     lost = [path for path in anchored if path not in meshes]
     for path in lost:

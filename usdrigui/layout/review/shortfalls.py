@@ -21,11 +21,15 @@ def _still_places(face: Face, layout: Layout, asked: Settings) -> Iterator[Issue
     least = asked.candidates.least_kept
     for element in layout.elements:
         for member in element.members:
-            said, peak = asked.controls.get(member.control), peaks.get(member.control, 0.0)
-            if said is None or not (said.near or said.anchor) or element.anchor.on_board:
+            override, peak = asked.controls.get(member.control), peaks.get(member.control, 0.0)
+            if (
+                override is None
+                or not (override.near or override.anchor)
+                or element.anchor.on_board
+            ):
                 continue
             if member.arc_length < least * peak:
-                key = f'controls."{member.control}".{"anchor" if said.anchor else "near"}'
+                key = f'controls."{member.control}".{"anchor" if override.anchor else "near"}'
                 kept = f"keeps {member.arc_length / peak:.0%} of its peak displacement there"
                 yield issue("PLACE_KEEPS_LITTLE", key, f"{member.control} {kept}")
 

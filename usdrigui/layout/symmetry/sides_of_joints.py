@@ -49,8 +49,8 @@ def _twins(joints: tuple[Joint, ...], names: list[str]) -> dict[int, int]:
     """Joints whose names are those of others with the sides swapped, to these; a number at the end,
     by which exporters count joints, may differ where the name is the only one of its kind."""
     found: dict[int, int] = {}
-    for told in (names, [_COUNT.sub("", name) for name in names]):
-        keys = [(joint.skeleton, name.lower()) for joint, name in zip(joints, told, strict=True)]
+    for spelt in (names, [_COUNT.sub("", name) for name in names]):
+        keys = [(joint.skeleton, name.lower()) for joint, name in zip(joints, spelt, strict=True)]
         counts = Counter(keys)
         alone = {key: i for i, key in enumerate(keys) if counts[key] == 1}
         for (skeleton, name), i in alone.items():

@@ -81,8 +81,8 @@ class CollectRigUI(pyblish.api.ContextPlugin):
 
 def _contribution(source: Any) -> dict[str, Any]:
     """As the rig contributes, in a layer or variant of the same name, and stronger than it."""
-    said = _CONTRIBUTION | dict(source.get("publish_attributes", {}).get(_COLLECTOR, {}))
-    return said | {
-        "contribution_in_layer_order": said["contribution_in_layer_order"] + 1,
+    attributes = _CONTRIBUTION | dict(source.get("publish_attributes", {}).get(_COLLECTOR, {}))
+    return attributes | {
+        "contribution_in_layer_order": attributes["contribution_in_layer_order"] + 1,
         "contribution_variant_is_default": False,
     }
