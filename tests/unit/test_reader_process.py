@@ -23,7 +23,7 @@ from usdrigui.settings import ReadSettings, Settings, load
 from usdrigui.usd import reader_main, reader_process, serialization
 from usdrigui.usd.reader_process import read_layouts_isolated, read_rigs_isolated
 from usdrigui.usd.reader_records import Limits, Request
-from usdrigui.usd.rig import read_rigs
+from usdrigui.usd.rig import read_characters, read_rigs
 from usdrigui.usd.source import check_unchanged
 
 pytestmark = pytest.mark.usefixtures("fresh_readers")
@@ -333,7 +333,7 @@ def test_a_mistake_of_ours_is_called_one(tmp_path, monkeypatch):
     def broken(*_):
         raise IndexError("of ours")
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
+    monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     found = reader_main.respond(request)
     assert found.refusal is not None
@@ -352,7 +352,7 @@ def test_what_usd_raises_blames_the_asset(error, code, tmp_path, monkeypatch):
     def broken(*_):
         raise error
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", broken)
+    monkeypatch.setattr("usdrigui.usd.rig.read_characters", broken)
     request = Request("rigs", str(head(tmp_path / "char.usda")), Settings(), Limits(), os.getpid())
     assert reader_main.respond(request).refusal.code == code
 
@@ -455,12 +455,12 @@ def test_a_sublayer_that_changes_around_its_reading_is_noticed(layered, when, mo
         assert Sdf.Layer.Find(str(below)) is None
         if when == "before":
             meddle()
-        rigs = read_rigs(path, settings)
+        rigs = read_characters(path, settings)
         if when == "after":
             meddle()
         return rigs
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
+    monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
     request = Request("rigs", str(layered), Settings(), Limits(), os.getpid())
     found = reader_main.respond(request)
     assert found.refusal is not None
@@ -472,9 +472,9 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
 
     def read(path, settings):
         assert Sdf.Layer.Find(str(path)) is not None
-        return read_rigs(path, settings)
+        return read_characters(path, settings)
 
-    monkeypatch.setattr("usdrigui.usd.rig.read_rigs", read)
+    monkeypatch.setattr("usdrigui.usd.rig.read_characters", read)
     assert reader_main.respond(Request("rigs", str(path), Settings(), Limits(), os.getpid())).rigs is not None
 
 
