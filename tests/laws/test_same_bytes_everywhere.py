@@ -9,6 +9,7 @@ import time
 
 import numpy as np
 import pytest
+import skinned_stages
 from skel_stages import character
 
 DISPATCHED = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
@@ -66,6 +67,11 @@ def reference(tmp_path_factory):
 def test_in_every_world(reference, world):
     asset, expected = reference
     assert layer(asset, WORLDS[world], asset.parent) == expected
+
+
+def test_where_a_control_agrees_with_its_mirror_image_just_as_much_as_asked(tmp_path):
+    asset = skinned_stages.character(tmp_path / "char.usda", moved=True)
+    assert layer(asset, WORLDS["a usual processor"]) == layer(asset, WORLDS["an old processor"])
 
 
 def test_in_every_place(reference, tmp_path):

@@ -24,6 +24,8 @@ _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
 _NAME_FLOOR = 0.3
 """Least agreement of the motions of two controls that only their names call twins."""
+_DIGITS = 6
+"""Of an agreement: vectors in single precision leave noise from the eighth digit on."""
 
 
 def find_twins(
@@ -77,7 +79,7 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
 
     ``2 <a, b> / (|a|^2 + |b|^2)`` over the vectors from the minimum to the maximum of the control
     at all places that have a partner: 1 for exact mirror images, less where direction, region or
-    measure differ.
+    measure differ.  Rounded: an agreement may be just the least that counts.
     """
     mirrored, own = _mirrored(fields, partner, normal)
     product = own.products(mirrored)
@@ -86,7 +88,7 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
         + own.sizes()[None, :]
     )
     ratio = np.divide(2.0 * product, both, out=np.zeros_like(product), where=both > 0.0)
-    return np.asarray(ratio, dtype=np.float64)
+    return np.asarray(np.round(ratio, _DIGITS), dtype=np.float64)
 
 
 def pairable(raw: Floats, trajectories: Trajectories) -> Floats:

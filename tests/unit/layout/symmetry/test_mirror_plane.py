@@ -170,6 +170,18 @@ def test_a_control_that_swings_both_ways_is_symmetric():
     assert names(both, symmetry_of(both))["swing"] == "swing"
 
 
+@pytest.mark.parametrize("noise", [-1e-7, 1e-7])
+def test_noise_of_single_precision_decides_no_twin(noise):
+    """Forth and back across the plane by two, ahead by one: it agrees with its mirror image by 3/5, the least."""
+    points, quads = makers.mask()
+    shapes = {
+        "swing": makers.bump(points, (0, -0.7), (2.0 + noise, 0, 1), 0.45, 0.15),
+        "pucker": makers.bump(points, (0, 0), (0, 0, 1)),
+    }
+    rig = makers.rig(points, quads, shapes, ranges={"swing": (-1.0, 1.0)})
+    assert names(rig, symmetry_of(rig))["swing"] == "swing"
+
+
 def eyes(low):
     """Two eyes that both look to the character's left as their control rises, and a mouth."""
     points, quads = makers.mask()
