@@ -1,36 +1,76 @@
-"""The layer that schemas/CONTRACT.md writes out is a layout without faults."""
+"""The layer that schemas/CONTRACT.md writes out is a layout without faults, and what is left out of
+it, or put wrong, is told."""
 
 import re
 import shutil
 from pathlib import Path
 
 import pytest
+from pxr import Usd
 
-from usdrigui.pipeline import check
+from usdrigui.pipeline import check, load_layer
+from usdrigui.pose.evaluate import prepare
 from usdrigui.settings import Settings
+from usdrigui.usd.faults import layout_faults
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "schemas" / "CONTRACT.md").read_text(encoding="utf-8")
 EXAMPLE, PINNED = re.findall(r"```usda\n(.*?)```", PAGE, re.DOTALL)
-AT = "uniform token familyName"
+AT, SKELETON = "uniform token familyName", "rel skel:skeleton"
+LISTED = 'uniform token[] rigUI:layout:baseControls = [{}]\nuniform token purpose = "guide"'
+SHAPES = 'rigUI:control:jawOpen:blendShapes = ["jawOpen"]'
+JOINTS = "uniform token[] rigUI:control:jawOpen:joints"
 
 
 @pytest.fixture
-def folder(tmp_path):
+def layer(tmp_path):
     for name in ("char.usda", "char_geometry.usda"):
         shutil.copy(ROOT / "sample_assets" / name, tmp_path)
-    return tmp_path
-
-
-def checked(folder, text):
-    layer = folder / "hand.usda"
-    layer.write_text(text, encoding="utf-8")
-    return check(layer, Settings())
+    return tmp_path / "hand.usda"
 
 
 @pytest.mark.parametrize("text", [EXAMPLE, EXAMPLE.replace(AT, PINNED + AT)], ids=["least", "pinned"])
-def test_the_example_of_the_contract_has_no_faults(folder, text):
-    review = checked(folder, text)
-    assert [each for each in review.issues if each.code != "LAYOUT_CONTROL_NEW"] == []
+def test_the_example_of_the_contract_has_no_faults(layer, text):
+    layer.write_text(text, encoding="utf-8")
+    review = check(layer, Settings())
+    (unlisted,) = review.issues  # once, not once for every control
+    assert (unlisted.code, unlisted.path) == ("LAYOUT_CONTROL_NEW", "/Char")
     ((_, found),) = review.characters
     assert [each.element for each in found.elements] == ["jawOpen"]
+    ((rig, layout),) = load_layer(layer, Settings()).characters
+    assert prepare(rig, layout).rows.tolist() == [0]  # a viewer shows it
+
+
+def test_controls_that_a_layout_lists_are_not_news(layer):
+    layer.write_text(EXAMPLE, encoding="utf-8")
+    ((rig, _),) = load_layer(layer, Settings()).characters
+    names = ", ".join(f'"{each.name}"' for each in rig.controls[:-1])
+    layer.write_text(EXAMPLE.replace('uniform token purpose = "guide"', LISTED.format(names)), encoding="utf-8")
+    assert [each.path for each in check(layer, Settings()).issues] == [rig.controls[-1].name]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "severity", "told"),
+    [
+        (r".*faceCount.*\n", "", "error", "faceCount is missing"),
+        ("faceCount = 1", "faceCount = 5", "error", "faceCount is 5, but it has 1"),
+        (r".*familyName.*\n", "", "warning", "familyName"),
+        (r".*anchor:position.*\n", "", "warning", "pass rigUI:anchor:position by 12.5"),
+        (r"\[\(0, -10.0787, 7.4466\)", "[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),
+        (r".*anchor:pointIndex.*\n", "", "error", "pointIndex is missing"),
+        (r".*trackPoints.*\n", "", "error", "has not two points"),
+        (r".*control:jawOpen:blendShapes.*\n", "", "error", "it sets nothing"),
+        (re.escape(SHAPES), SHAPES.replace("jawOpen", "nosuch").replace(":nosuch:", ":jawOpen:"), "error", "'nosuch'"),
+        (re.escape(SHAPES), f'{SHAPES}\n{JOINTS} = ["Head"]', "error", "keys are missing"),
+        (r'"RigUIDrawingAPI", ', "", "error", "RigUIDrawingAPI is missing"),
+    ],
+)
+def test_what_a_layer_by_hand_gets_wrong_is_told_at_its_prim(layer, old, new, severity, told):
+    text, count = re.subn(old, new, EXAMPLE, count=1)
+    assert count
+    layer.write_text(text, encoding="utf-8")
+    found = layout_faults(Usd.Stage.Open(str(layer)))
+    (fault,) = [each for each in found if told in each.message or told in each.path]
+    assert (fault.code, fault.severity) == ("LAYOUT_INVALID", severity)
+    assert fault.path.startswith("/Char/RigUI/Controls")
+    assert fault.repair

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -53,6 +53,10 @@ class Loaded:
     """Every file that was read."""
     without_layout: tuple[Issue, ...] = ()
     """LAYOUT_NONE or LAYOUT_OFF for each character beside them that has none."""
+    contradictions: tuple[Issue, ...] = ()
+    """LAYOUT_INVALID of layouts that can be read all the same."""
+    listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +138,9 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     found, read = read_composed_isolated(layer, settings)
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
-    characters = tuple((each, layouts[each.root]) for each in read.rigs if each.root in layouts)
+    characters = tuple(
+        (each, _with_base(each, layouts[each.root])) for each in read.rigs if each.root in layouts
+    )
     lacking = sorted(layouts.keys() - {rig.root for rig, _ in characters})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
@@ -143,8 +149,23 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
         for root in lacking
     )
     files = tuple(Path(each.path) for each in read.sources)
-    loaded = Loaded(characters, found.source, read.cameras, files, read.without_layout)
+    loaded = Loaded(
+        characters,
+        found.source,
+        read.cameras,
+        files,
+        read.without_layout,
+        read.contradictions,
+        read.listed,
+    )
     return loaded, stale, read
+
+
+def _with_base(rig: Rig, layout: Layout) -> Layout:
+    """The layout with a base pose: where it tells of none, that of the defaults."""
+    if len(layout.base_values):
+        return layout
+    return replace(layout, base_values=np.array([each.default for each in rig.controls]))
 
 
 def check(
@@ -190,8 +211,16 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     refuse_unsound(read)
     _refuse_lost(read.lost)
     by_root = {each.root: each for each in layouts}
-    characters = tuple((rig, by_root[rig.root]) for rig in read.rigs)
-    return Loaded(characters, "", read.cameras, (), read.without_layout)
+    characters = tuple((rig, _with_base(rig, by_root[rig.root])) for rig in read.rigs)
+    return Loaded(
+        characters,
+        "",
+        read.cameras,
+        (),
+        read.without_layout,
+        read.contradictions,
+        read.listed,
+    )
 
 
 def review(
@@ -206,14 +235,21 @@ def _review_of(
 ) -> LayerReview:
     reviews = []
     for rig, layout in loaded.characters:
-        found = _reviewed(rig, layout, settings, clock, loaded.cameras)
-        own = replace(found, issues=of_character(rig.character, found.issues))
+        listed = frozenset(loaded.listed.get(rig.root, ()))
+        found = _reviewed(rig, layout, listed, settings, clock, loaded.cameras)
+        wrong = [replace(e, character="") for e in loaded.contradictions if e.character == rig.root]
+        own = replace(found, issues=of_character(rig.character, [*wrong, *found.issues]))
         reviews.append((rig.character, own))
     return LayerReview(name, tuple(reviews), clock.seconds, (*stale, *loaded.without_layout))
 
 
 def _reviewed(
-    rig: Rig, layout: Layout, settings: Settings, clock: Clock, cameras: Mapping[str, Floats]
+    rig: Rig,
+    layout: Layout,
+    listed: frozenset[str],
+    settings: Settings,
+    clock: Clock,
+    cameras: Mapping[str, Floats],
 ) -> review_stage.Review:
     """Every part of a layout rated by the problem of that part."""
     front = settings.candidates.view in ("", "front")  # others are named by the up of the stage
@@ -225,7 +261,13 @@ def _reviewed(
             own = layout if len(character.parts) == 1 else _of_part(layout, character, part)
             found.append(
                 review_stage.review(
-                    inputs.face, inputs.candidates, inputs.requests, inputs.settings, own, layout
+                    inputs.face,
+                    inputs.candidates,
+                    inputs.requests,
+                    inputs.settings,
+                    own,
+                    layout,
+                    listed,
                 )
             )
     return review_stage.joined(found)

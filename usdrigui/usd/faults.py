@@ -25,6 +25,7 @@ from usdrigui.usd.arrays import (
     vector_count,
     vectors,
 )
+from usdrigui.usd.contradictions import contradictions
 from usdrigui.usd.mesh import topology_hash
 from usdrigui.usd.read_layout import read_layout
 from usdrigui.usd.shapes import shape_tokens
@@ -68,8 +69,8 @@ def animation_faults(prim: Usd.Prim) -> tuple[Issue, ...]:
 
 
 def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
-    """LAYOUT_MESH_GONE of every mesh and LAYOUT_TOPOLOGY of every element, or why the layouts
-    cannot be read; none without layout."""
+    """LAYOUT_MESH_GONE of every mesh, LAYOUT_TOPOLOGY and LAYOUT_INVALID of every element, or why
+    the layouts cannot be read; none without layout."""
     try:
         layouts = read_layout(stage)
     except RigUIError as error:
@@ -96,7 +97,7 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                         layout.root,
                     )
                 )
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys((*found, *contradictions(stage))))
 
 
 # --- the pairs of names and targets, and how to repair them ---------------------------------------

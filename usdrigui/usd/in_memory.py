@@ -12,7 +12,8 @@ from pxr import Sdf, Usd
 
 from usdrigui.model import Layout
 from usdrigui.settings import Settings
-from usdrigui.usd.read_layout import composed_layouts, own_layouts, read_layout
+from usdrigui.usd.contradictions import contradictions
+from usdrigui.usd.read_layout import composed_layouts, listed_controls, own_layouts, read_layout
 from usdrigui.usd.reader_main import cameras_toward
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.rig import read_characters, without_layout
@@ -59,6 +60,8 @@ def _result(
         if laid_out is None
         else without_layout(stage, laid_out, settings.read.skel_root),
         lost=found.lost,
+        contradictions=() if laid_out is None else contradictions(stage),
+        listed={} if laid_out is None else listed_controls(stage),
         config_faults=found.faults.issues,
     )
 

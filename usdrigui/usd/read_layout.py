@@ -182,6 +182,13 @@ def base_controls(scope: Usd.Prim) -> tuple[str, ...]:
     return tuple(strings(value_of(scope, schema.LAYOUT, "baseControls")))
 
 
+def listed_controls(stage: Usd.Stage) -> dict[str, tuple[str, ...]]:
+    """The same of every layout of a stage, by SkelRoot."""
+    return {
+        str(scope.GetPath().GetParentPath()): base_controls(scope) for scope in layout_scopes(stage)
+    }
+
+
 def source_of(path: Path) -> str:
     """The asset that a layout layer sublayers; empty if it has none.
 

@@ -167,6 +167,8 @@ def _layouts_in(path: Path, stages: Any, before: Mapping[str, SourceFile]) -> La
 
 def _composed(path: Path, settings: Settings) -> Response:
     """The layouts of a stage and their characters as the stage composes them."""
+    from usdrigui.usd.contradictions import contradictions
+    from usdrigui.usd.read_layout import listed_controls
     from usdrigui.usd.rig import read_characters, without_layout
     from usdrigui.usd.stage import open_stage
 
@@ -190,6 +192,8 @@ def _composed(path: Path, settings: Settings) -> Response:
             sources,
             without_layout=_as_text(bare),
             lost=_as_text(some.lost),
+            contradictions=_as_text(contradictions(stage)),
+            listed=listed_controls(stage),
             config_faults=_as_text(some.faults.issues),
         )
         return Response(rigs=result, layouts=found)

@@ -58,6 +58,10 @@ class ReadResult(Record):
     characters were not read."""
     lost: tuple[Issue, ...] = ()
     """Why characters of a stage that are laid out have nothing to control any more."""
+    contradictions: tuple[Issue, ...] = ()
+    """What layouts of the stage say that they cannot mean."""
+    listed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """By SkelRoot, the names of the controls that its layout knows, with and without an element."""
     config_faults: tuple[Issue, ...] = ()
     """What the configuration says and the asset does not allow: errors."""
 

@@ -84,14 +84,16 @@ def review(
     settings: Settings,
     layout: Layout,
     whole: Layout | None = None,
+    listed: frozenset[str] = frozenset(),
 ) -> Review:
     """Rate `layout` on the rig of `face`; faults come first, and what is faulty is not rated.
 
-    `whole`: the layout of the character, where `layout` is that of one part.
+    `whole`: the layout of the character, where `layout` is that of one part; `listed`: the names of
+    the controls that its author knew, with and without an element; empty where nothing says.
     """
     faults = [
         *_stale(face.rig, face.trajectories, layout, settings.read, whole or layout),
-        *_unplaced(face, layout, requests),
+        *_unplaced(face, layout, requests, listed),
         *_crowded(layout, layout.handle_width or face.handle_width),
     ]
     sound = _sound(face, layout)
@@ -178,10 +180,9 @@ def _anchor_faults(
     `comparable`."""
     anchor = element.anchor
     if anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
-        change = f"{anchor.point_count} points then, {len(mesh.points)} now"
-        yield issue(
-            "LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has other points or faces: {change}"
-        )
+        change = f": {anchor.point_count} points then, {len(mesh.points)} now"
+        told = f"{anchor.mesh} has other points or faces{change if anchor.point_count else ''}"
+        yield issue("LAYOUT_TOPOLOGY", element.name, told)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
     elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
@@ -202,12 +203,24 @@ def _custom_base(layout: Layout, settings: ReadSettings) -> bool:
     )
 
 
-def _unplaced(face: Face, layout: Layout, requests: Requests) -> Iterator[Issue]:
+def _unplaced(
+    face: Face, layout: Layout, requests: Requests, listed: frozenset[str]
+) -> Iterator[Issue]:
     known = layout.controls | {left.control for left in layout.left_off}
-    for motion in face.trajectories.motions:
-        name = face.control_name(motion.control)
-        if name not in known and not requests.overrides[motion.control].exclude:
-            yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed as left off")
+    if not layout.method:  # nobody but the list tells what is left off by hand
+        known |= listed
+    names = [
+        face.control_name(motion.control)
+        for motion in face.trajectories.motions
+        if not requests.overrides[motion.control].exclude
+    ]
+    new = [name for name in names if name not in known]
+    if len(new) > 1 and not listed and not layout.method:
+        told = "controls have no element, and rigUI:layout:baseControls lists none"
+        yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {told}")
+        return
+    for name in new:
+        yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed without one")
 
 
 def _crowded(layout: Layout, least: float) -> Iterator[Issue]:
