@@ -11,7 +11,8 @@ import pytest
 import traps
 
 ASCII = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0", "PYTHONIOENCODING": ""}
-COMMANDS = ("process", "inspect")
+COMMANDS = (("process", "--verbose"), ("inspect",))
+"""Those that name every control."""
 
 
 def run(*arguments, environment=None):
@@ -26,7 +27,7 @@ def run(*arguments, environment=None):
 @pytest.mark.parametrize("command", COMMANDS)
 def test_no_name_steers_the_terminal(command, tmp_path):
     path = traps.trapped(tmp_path, "a name with control characters")
-    done = run(command, path)
+    done = run(*command, path)
     assert done.returncode == 0
     assert b"\x1b" not in done.stdout + done.stderr
     assert rb"smi\x1b[31mle" in done.stdout
@@ -42,7 +43,7 @@ def test_no_message_steers_the_terminal(tmp_path):
 @pytest.mark.parametrize("command", COMMANDS)
 def test_an_ascii_terminal_is_no_obstacle(command, tmp_path):
     path = traps.trapped(tmp_path, "names that are not ASCII")
-    done = run(command, path, environment=ASCII)
+    done = run(*command, path, environment=ASCII)
     assert done.returncode == 0, done.stderr
     assert rb"l\xe4cheln" in done.stdout
 
@@ -50,7 +51,7 @@ def test_an_ascii_terminal_is_no_obstacle(command, tmp_path):
 @pytest.mark.parametrize("command", COMMANDS)
 def test_json_is_utf8_in_every_locale(command, tmp_path):
     path = traps.trapped(tmp_path, "names that are not ASCII")
-    done = run(command, path, "--json", environment=ASCII)
+    done = run(*command, path, "--json", environment=ASCII)
     assert done.returncode == 0, done.stderr
     (found,) = json.loads(done.stdout.decode("utf-8"))["characters"]
     assert {each["control"] for each in found["controls"]} == {"lächeln", "怒り"}
