@@ -16,7 +16,7 @@ import studio_assets
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^<!-- run(?:: (?P<needs>\S+))? -->\n```sh\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
 SAMPLE = DOCS.parent / "sample_assets"
-OF_THE_SAMPLE = ("pipeline.md", "rigger.md")
+OF_THE_SAMPLE = ("animator.md", "pipeline.md", "rigger.md")
 """Pages that name controls of the sample; for the others a smaller character will do."""
 PAGES = ("animator.md", "assets.md", "blender.md", "pipeline.md", "rigger.md")
 
