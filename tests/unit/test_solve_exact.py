@@ -477,7 +477,7 @@ def test_work_ends_near_its_limit() -> None:
 
 
 def test_memory_is_planned_before_it_is_spent() -> None:
-    problem = crowd(7, variables=8, candidates=400)
+    problem = crowd(7, variables=6, candidates=300)
     found = solve(problem, SolveSettings(memory_limit=1))
     assert (found.status, found.closed_by) == ("stopped", "memory limit")
     assert found.bound <= found.cost
