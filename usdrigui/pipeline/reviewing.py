@@ -139,7 +139,9 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     wanted = settings.read.skel_root
     layouts = {each.root: each for each in found.layouts if not wanted or each.root == wanted}
     characters = tuple(
-        (each, _with_base(each, layouts[each.root])) for each in read.rigs if each.root in layouts
+        (each, _with_base(each, layouts[each.root], read.listed.get(each.root, ())))
+        for each in read.rigs
+        if each.root in layouts
     )
     lacking = sorted(layouts.keys() - {rig.root for rig, _ in characters})
     lost = {each.character: each for each in read.lost}
@@ -161,11 +163,15 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     return loaded, stale, read
 
 
-def _with_base(rig: Rig, layout: Layout) -> Layout:
-    """The layout with a base pose: where it tells of none, that of the defaults."""
-    if len(layout.base_values):
+def _with_base(rig: Rig, layout: Layout, listed: Sequence[str]) -> Layout:
+    """The layout with a base pose in the order of the rig's controls, where its own is of just
+    these, `listed` in any order; where it tells of none, with that of the defaults."""
+    if not len(layout.base_values):
+        return replace(layout, base_values=np.array([each.default for each in rig.controls]))
+    if len(listed) != len(rig.controls) or not rig.control_names.issuperset(listed):
         return layout
-    return replace(layout, base_values=np.array([each.default for each in rig.controls]))
+    values = dict(zip(listed, layout.base_values.tolist(), strict=True))
+    return replace(layout, base_values=np.array([values[each.name] for each in rig.controls]))
 
 
 def check(
@@ -211,7 +217,10 @@ def open_layouts(stage: Usd.Stage | Sdf.Layer, settings: Settings) -> Loaded:
     refuse_unsound(read)
     _refuse_lost(read.lost)
     by_root = {each.root: each for each in layouts}
-    characters = tuple((rig, _with_base(rig, by_root[rig.root])) for rig in read.rigs)
+    characters = tuple(
+        (rig, _with_base(rig, by_root[rig.root], read.listed.get(rig.root, ())))
+        for rig in read.rigs
+    )
     return Loaded(
         characters,
         "",
