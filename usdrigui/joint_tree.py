@@ -94,6 +94,15 @@ def _next_with_skin(joints: Sequence[Joint], joint: int, radius: Floats) -> list
 def _skin_radius(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
     """(joints,) distance of the farthest skin of each joint, bound; -1 without skin."""
     found = np.full(len(places), -1.0)
+    for joint, points, weights in _bound_skin(meshes):
+        apart = np.linalg.norm(points[weights > _OWNS] - places[joint], axis=1)
+        found[joint] = max(found[joint], float(apart.max(initial=-1.0)))
+    return found
+
+
+def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats]]:
+    """Of each mesh, each joint that acts on it, the points (p, 3) on which it does, bound, and its
+    weights (p,)."""
     for mesh in meshes:
         if mesh.skin is None:
             continue
@@ -101,10 +110,7 @@ def _skin_radius(places: Floats, meshes: Sequence[RigMesh]) -> Floats:
         points, weights, present, starts = mesh.skin.by_joint
         for row, joint in enumerate(present.tolist()):
             part = slice(starts[row], starts[row + 1])
-            own = points[part][weights[part] > _OWNS]
-            apart = np.linalg.norm(bound[own] - places[joint], axis=1)
-            found[joint] = max(found[joint], float(apart.max(initial=-1.0)))
-    return found
+            yield joint, bound[points[part]], weights[part]
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,14 +168,8 @@ class Tree:
         """Of each joint the points (p, 3) on which it acts, bound, and its weights (p,); what a
         stand-in holds is of the joint above."""
         parts: list[list[tuple[Floats, Floats]]] = [[] for _ in self.joints]
-        for mesh in self.meshes:
-            if mesh.skin is None:
-                continue
-            bound = mesh.points @ mesh.skin.geom_bind[:3, :3] + mesh.skin.geom_bind[3, :3]
-            points, weights, present, starts = mesh.skin.by_joint
-            for row, joint in enumerate(present.tolist()):
-                part = slice(starts[row], starts[row + 1])
-                parts[joint].append((bound[points[part]], weights[part]))
+        for owner, points, weights in _bound_skin(self.meshes):
+            parts[owner].append((points, weights))
         for joint, parent in self._stand_ins(frozenset(i for i, each in enumerate(parts) if each)):
             parts[parent] += parts[joint]
             parts[joint] = []
