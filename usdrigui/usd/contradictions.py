@@ -38,11 +38,12 @@ handle's width besides: between its points a curved track cuts a corner."""
 def contradictions(stage: Usd.Stage) -> tuple[Issue, ...]:
     """LAYOUT_INVALID, an error or a warning, for each element of the layouts of today's format;
     `stage` has layouts that `read_layout` reads."""
+    scopes = [scope for scope in layout_scopes(stage) if schema.LAYOUT in applied(scope)]
+    known = _tokens(stage) if scopes else frozenset[str]()
     return tuple(
         replace(found, character=str(scope.GetPath().GetParentPath()))
-        for scope in layout_scopes(stage)
-        if schema.LAYOUT in applied(scope)
-        for found in _told(scope)
+        for scope in scopes
+        for found in _of_scope(scope, known)
     )
 
 
@@ -51,40 +52,40 @@ class _Character:
     """What a layout may speak of."""
 
     tokens: frozenset[str]
-    """Blend shapes of its meshes and SkelAnimations."""
+    """Blend shapes of the meshes and SkelAnimations of its stage."""
     base: Mapping[str, float]
     """Values of controls in the base pose, by name."""
 
 
-def _told(scope: Usd.Prim) -> tuple[Issue, ...]:
-    """The same of one layout, up to a property that has another type than the schema's."""
+def _of_scope(scope: Usd.Prim, known: frozenset[str]) -> tuple[Issue, ...]:
+    """The same of one layout, up to a property that has another type than the schema's; `known` as
+    `_tokens`."""
     found: list[Issue] = []
     try:
-        found.extend(_of_layout(scope))
+        found.extend(_of_layout(scope, known))
     except RigUIError as error:
         found.append(error.issue)
     return tuple(found)
 
 
-def _of_layout(scope: Usd.Prim) -> Iterator[Issue]:
+def _of_layout(scope: Usd.Prim, known: frozenset[str]) -> Iterator[Issue]:
     values = value_of(scope, schema.LAYOUT, "baseValues")
     names = base_controls(scope)
     base = dict(zip(names, values if len(values) else [0.0] * len(names), strict=True))
-    known = _Character(_tokens(scope), base)
+    character = _Character(known, base)
     elements = element_prims(scope)
     for mesh in dict.fromkeys(each.GetParent() for each in elements):
         yield from _of_drawing(mesh)
     for prim in elements:
         yield from _of_subset(prim)
         for instance in control_instances(prim):
-            yield from _of_drive(prim, instance, known)
-            yield from _of_track(prim, instance, known)
+            yield from _of_drive(prim, instance, character)
+            yield from _of_track(prim, instance, character)
 
 
-def _tokens(scope: Usd.Prim) -> frozenset[str]:
+def _tokens(stage: Usd.Stage) -> frozenset[str]:
     """The blend shapes that meshes and SkelAnimations of the stage name, but for ours."""
     found: set[str] = set()
-    stage = scope.GetStage()
     for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
         if schema.DRAWING in applied(prim):
             continue
