@@ -172,3 +172,17 @@ class Anchor(Record):
     def place(self) -> str:
         """``MESH#POINT``, as a configuration takes it, or ``board``."""
         return "board" if self.on_board else f"{self.mesh}#{self.point}"
+
+    def fits(self, topology_hash: str) -> bool:
+        """Whether a mesh of this hash has the points and faces on which the anchor was made; so it
+        has where one of the two hashes is not known (empty)."""
+        return "" in (self.topology_hash, topology_hash) or self.topology_hash == topology_hash
+
+    def mesh_change(self, topology_hash: str, points: int = 0) -> str:
+        """A clause on its mesh, which has this hash and so many points (0: not known) now; empty
+        where it fits."""
+        if self.fits(topology_hash):
+            return ""
+        counts = f": {self.point_count} points then, {points} now"
+        known = self.point_count and points
+        return f"{self.mesh} has other points or faces{counts if known else ''}"

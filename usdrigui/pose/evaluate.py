@@ -275,8 +275,7 @@ def _anchor_point(rig: Rig, element: Element) -> int:
     anchor = element.anchor
     for start, mesh in zip(rig.starts.tolist(), rig.meshes, strict=False):
         if mesh.path == anchor.mesh:
-            same = anchor.topology_hash in ("", mesh.topology_hash)  # without, nobody knows
-            if not same or not 0 <= anchor.point < len(mesh.points):
+            if not anchor.fits(mesh.topology_hash) or not 0 <= anchor.point < len(mesh.points):
                 raise refuse(
                     "LAYOUT_STALE",
                     mesh.path,

@@ -88,15 +88,8 @@ def layout_faults(stage: Usd.Stage) -> tuple[Issue, ...]:
                     )
             if not hashes[anchor.mesh]:
                 found.append(layout.mesh_gone(anchor.mesh))
-            elif anchor.topology_hash not in ("", hashes[anchor.mesh]):
-                found.append(
-                    issue(
-                        "LAYOUT_TOPOLOGY",
-                        element.name,
-                        f"{anchor.mesh} has other points or faces",
-                        layout.root,
-                    )
-                )
+            elif change := anchor.mesh_change(hashes[anchor.mesh]):
+                found.append(issue("LAYOUT_TOPOLOGY", element.name, change, layout.root))
     return tuple(dict.fromkeys((*found, *contradictions(stage))))
 
 

@@ -146,7 +146,7 @@ def _anchored(
 ) -> ControlSettings:
     anchor = element.anchor
     mesh = next((each for each in meshes if each.path == anchor.mesh), None)
-    if mesh is None or (anchor.topology_hash and anchor.topology_hash != mesh.topology_hash):
+    if mesh is None or not anchor.fits(mesh.topology_hash):
         change = "is gone" if mesh is None else "has other points or faces by now"
         raise refuse("FIXED_IMPOSSIBLE", element.name, f"its mesh {anchor.mesh} {change}")
     return replace(override, anchor=f"{anchor.mesh}#{anchor.point}")

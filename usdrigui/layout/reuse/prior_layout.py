@@ -184,5 +184,5 @@ def same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> i
     if anchor.mesh not in meshes:
         return -1
     start, mesh = meshes[anchor.mesh]
-    same = not anchor.topology_hash or anchor.topology_hash == mesh.topology_hash
-    return start + anchor.point if same and 0 <= anchor.point < len(mesh.points) else -1
+    known = anchor.fits(mesh.topology_hash) and 0 <= anchor.point < len(mesh.points)
+    return start + anchor.point if known else -1

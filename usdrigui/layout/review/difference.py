@@ -246,11 +246,9 @@ def _reasons(
         yield f"shares its element with {', '.join(joined)}"
     if left:
         yield f"no longer shares its element with {', '.join(left)}"
-    hashes = {one.topology_hash, other.topology_hash}
-    if not one.on_board and one.mesh == other.mesh and len(hashes) > 1 and "" not in hashes:
-        counts = f": {one.point_count} points then, {other.point_count} now"
-        known = one.point_count and other.point_count
-        yield f"{one.mesh} has other points or faces{counts if known else ''}"
+    change = one.mesh_change(other.topology_hash, other.point_count)
+    if not one.on_board and one.mesh == other.mesh and change:
+        yield change
     decided = "anchor" in new.element.pinned
     if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
         yield from _crowd(after, old, new)

@@ -179,10 +179,8 @@ def _anchor_faults(
     """What is wrong with an anchor on a `mesh` that is there; where it is, only if base poses are
     `comparable`."""
     anchor = element.anchor
-    if anchor.topology_hash and anchor.topology_hash != mesh.topology_hash:
-        change = f": {anchor.point_count} points then, {len(mesh.points)} now"
-        told = f"{anchor.mesh} has other points or faces{change if anchor.point_count else ''}"
-        yield issue("LAYOUT_TOPOLOGY", element.name, told)
+    if change := anchor.mesh_change(mesh.topology_hash, len(mesh.points)):
+        yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
     elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
