@@ -30,7 +30,8 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -49,6 +50,8 @@ NAMES = {
     "argmin": "argmax",
 }
 NAMES |= {"maximum": "minimum", "minimum": "maximum", "any": "all", "all": "any"}
+GUARD = 1e-100
+"""Half more of a smaller number is told only by lengths and weights that are smaller still."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +66,9 @@ class Mutant:
     new: str
     span: tuple[int, int]
     """The expression that is marked to see which tests reach it."""
+    place: str
+    """Path, function, the change, the expression around it and its turn among equal ones: the same
+    wherever the function stands in its file and however its lines are broken."""
 
     def applied(self, text: str) -> str:
         """The text of its file with the change."""
@@ -75,55 +81,72 @@ class Mutant:
 
 
 def mutants(path: Path) -> Iterator[Mutant]:
-    """Every mutant of a file; messages of refusals and annotations are left alone."""
+    """Every mutant of a file.
+
+    Left alone are messages of refusals, annotations, decorators, and numbers under `GUARD`, which
+    keep a quotient finite and change no other.
+    """
     text = path.read_text(encoding="utf-8")
     starts = [0]
     for line in text.splitlines(keepends=True):
         starts.append(starts[-1] + len(line))
+    where = path.relative_to(ROOT).as_posix()
+    alike: Counter[str] = Counter()
 
     def offset(line: int, column: int) -> int:
         raw = text[starts[line - 1] : starts[line]].encode()
         return starts[line - 1] + len(raw[:column].decode())
 
-    def made(
-        kind: str, node: ast.expr, after: int, before: int, pattern: str, new: str
-    ) -> Iterator[Mutant]:
-        found = re.compile(pattern).search(text, after, before)
-        if found:
-            where = str(path.relative_to(ROOT))
-            yield Mutant(where, node.lineno, kind, found.start(), found.group(), new, span)
-
-    for node in _expressions(ast.parse(text)):
-        start = offset(node.lineno, node.col_offset)
-        end = offset(node.end_lineno or 0, node.end_col_offset or 0)
-        span = start, end
-        match node:
-            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                new = str(value + 1) if isinstance(value, int) else repr(value * 1.5 or 1.0)
-                yield from made("number", node, start, end, re.escape(text[start:end]), new)
-            case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARED:
-                after, before = _end(left, offset), offset(right.lineno, right.col_offset)
-                yield from made("comparison", node, after, before, "[<>=!]=?", COMPARED[type(op)])
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in REPLACED:
-                after, before = _end(left, offset), offset(right.lineno, right.col_offset)
-                yield from made("arithmetic", node, after, before, r"[-+*/]", REPLACED[type(op)])
-            case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as callee) if (
-                name in NAMES
-            ):
-                after = _end(callee, offset)
-                yield from made("choice", node, after - len(name), after, name, NAMES[name])
-            case ast.Subscript(slice=ast.Constant(value=0) as at):
-                place = offset(at.lineno, at.col_offset)
-                yield from made("choice", node, place, place + 1, "0", "-1")
+    for node, around, function in _expressions(ast.parse(text)):
+        span = (
+            offset(node.lineno, node.col_offset),
+            offset(node.end_lineno or 0, node.end_col_offset or 0),
+        )
+        for kind, after, before, pattern, new in _changes(node, span, offset):
+            found = re.compile(pattern).search(text, after, before)
+            if found:
+                old = found.group()
+                place = f"{where}:{function}: {kind} {old} -> {new} in {ast.unparse(around)}"
+                alike[place] += 1
+                place = f"{place} #{alike[place]}"
+                yield Mutant(where, node.lineno, kind, found.start(), old, new, span, place)
 
 
-def _end(node: ast.expr, offset: object) -> int:
-    assert callable(offset)
-    return int(offset(node.end_lineno, node.end_col_offset))
+def _changes(
+    node: ast.expr, span: tuple[int, int], offset: Callable[[int, int], int]
+) -> Iterator[tuple[str, int, int, str, str]]:
+    """Kind, where what changes is searched for, its pattern and what stands there instead."""
+
+    def end(each: ast.expr) -> int:
+        return offset(each.end_lineno or 0, each.end_col_offset or 0)
+
+    match node:
+        case ast.Constant(value=bool()):
+            return
+        case ast.Constant(value=int(value)):
+            yield "number", *span, ".+", str(value + 1)
+        case ast.Constant(value=float(value)) if not 0.0 < value < GUARD:
+            yield "number", *span, ".+", repr(value * 1.5 or 1.0)
+        case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARED:
+            between = end(left), offset(right.lineno, right.col_offset)
+            yield "comparison", *between, "[<>=!]=?", COMPARED[type(op)]
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in REPLACED:
+            between = end(left), offset(right.lineno, right.col_offset)
+            yield "arithmetic", *between, r"[-+*/]", REPLACED[type(op)]
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as callee) if name in NAMES:
+            yield "choice", end(callee) - len(name), end(callee), name, NAMES[name]
+        case ast.Subscript(slice=ast.Constant(value=0) as at):
+            yield "choice", end(at) - 1, end(at), "0", "-1"
 
 
-def _expressions(tree: ast.AST) -> Iterator[ast.expr]:
-    """Expressions that decide something, each before those inside it."""
+def _expressions(
+    tree: ast.AST, around: ast.AST | None = None, function: str = ""
+) -> Iterator[tuple[ast.expr, ast.AST, str]]:
+    """Expressions that decide something, each before those inside it.
+
+    With each comes what tells it apart (itself, or what stands around a mere number) and the name
+    of its function or class.
+    """
     for name, value in ast.iter_fields(tree):
         if name in ("annotation", "returns", "decorator_list"):
             continue
@@ -132,32 +155,35 @@ def _expressions(tree: ast.AST) -> Iterator[ast.expr]:
                 node, ast.JoinedStr | ast.Raise | ast.Assert
             ):
                 continue
+            inside = around
+            if isinstance(node, ast.stmt):
+                inside = None if hasattr(node, "body") else node
             if isinstance(node, ast.expr):
-                yield node
-            yield from _expressions(node)
+                bare = isinstance(node, ast.Constant | ast.UnaryOp)
+                inside = around if bare and around else node
+                yield node, inside, function
+            if isinstance(node, ast.FunctionDef | ast.ClassDef):
+                yield from _expressions(node, None, f"{function}.{node.name}".lstrip("."))
+            else:
+                yield from _expressions(node, inside, function)
 
 
 def drawn(packages: Sequence[str], count: int, seed: int) -> list[Mutant]:
     """`count` of the packages' mutants, of every kind alike.
 
-    The seed and what a mutant changes give its turn, so that code which changes elsewhere draws the
+    The seed and its place give a mutant its turn, so that code which changes elsewhere draws the
     same mutants again.
     """
-    by_kind: dict[str, list[tuple[str, Mutant]]] = {}
+    by_kind: dict[str, list[Mutant]] = {}
     for package in packages:
         for path in sorted((ROOT / "usdrigui" / package).rglob("*.py")):
-            lines = path.read_text(encoding="utf-8").splitlines()
-            alike: dict[str, int] = {}
             for each in mutants(path):
-                line = lines[each.line - 1].strip()
-                said = f"{seed} {each.path} {each.kind} {each.old} {each.new} {line}"
-                alike[said] = alike.get(said, -1) + 1
-                turn = hashlib.sha256(f"{said} {alike[said]}".encode()).hexdigest()
-                by_kind.setdefault(each.kind, []).append((turn, each))
-    for mutants_of_kind in by_kind.values():
-        mutants_of_kind.sort(key=lambda each: each[0], reverse=True)
-    kinds = sorted(by_kind)
-    return [by_kind[kinds[at % len(kinds)]].pop()[1] for at in range(count)]
+                by_kind.setdefault(each.kind, []).append(each)
+    turns = [
+        sorted(alike, key=lambda each: hashlib.sha256(f"{seed} {each.place}".encode()).digest())
+        for _, alike in sorted(by_kind.items())
+    ]
+    return [turns[at % len(turns)][at // len(turns)] for at in range(count)]
 
 
 # --- tests ----------------------------------------------------------------------------------------
@@ -197,8 +223,8 @@ class Reached:
         What importing reaches is judged by the tests that reach a function of the file which names
         it; where none does, by those that reach any.
         """
-        tests = self.tests_at.get(_place(mutant), set())
-        if _place(mutant) not in self.tests_at:
+        tests = self.tests_at.get(mutant.place, set())
+        if mutant.place not in self.tests_at:
             functions = _functions_naming(mutant)
             tests = set().union(*(self.tests_at.get(each, set()) for each in functions))
         near = Path(mutant.path).stem
@@ -214,14 +240,10 @@ class Reached:
         return chosen
 
 
-def _place(mutant: Mutant) -> str:
-    return f"{mutant.path}[{mutant.span[0]}:{mutant.span[1]}]"
-
-
 def _functions(path: str) -> list[tuple[str, ast.FunctionDef]]:
     tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
     found = [each for each in ast.walk(tree) if isinstance(each, ast.FunctionDef)]
-    return [(f"{path}:{each.lineno}", each) for each in found]
+    return [(f"{path}:{each.name}", each) for each in found]
 
 
 def _functions_naming(mutant: Mutant) -> list[str]:
@@ -254,8 +276,8 @@ def marked(path: str, mutants: Sequence[Mutant]) -> str:
             indent = " " * first.col_offset
             added.append((starts[line - 1], 0, f"{indent}_place_seen({place!r})\n"))
     for start, end in {each.span for each in mutants}:
-        place = f"{path}[{start}:{end}]"
-        pair = [(start, -end, f"(_place_seen({place!r}) or ("), (end, -start, "))")]
+        places = [each.place for each in mutants if each.span == (start, end)]
+        pair = [(start, -end, f"(_place_seen(*{places!r}) or ("), (end, -start, "))")]
         if _parses(_with(text, pair)):
             added += pair
     future = re.search(r"^from __future__ import annotations\n", text, re.MULTILINE)
@@ -350,8 +372,9 @@ def judged(copy: Path, mutant: Mutant, reached: Reached, seconds: float) -> str:
         by = failing(copy, tests, allowed)
     finally:
         target.write_text(sound, encoding="utf-8")
-    if "::" in by and failing(copy, [by], allowed):
-        raise SystemExit(f"{by} fails without a mutant")
+    again = [by] if "::" in by else tests
+    if by and by != "time" and failing(copy, again, allowed):
+        raise SystemExit(f"{by}: so without a mutant: {' '.join(again)}")
     return by
 
 

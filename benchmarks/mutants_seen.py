@@ -15,11 +15,12 @@ import pytest
 _reached: set[str] = set()
 
 
-def seen(place: str) -> None:
-    """Note that the place was reached; false, so that `seen(place) or value` is the value."""
-    if place not in _reached:
-        _reached.add(place)
-        _append(f"S {place}")
+def seen(*places: str) -> None:
+    """Note that the places were reached; false, so that `seen(place) or value` is the value."""
+    for place in places:
+        if place not in _reached:
+            _reached.add(place)
+            _append(f"S {place}")
 
 
 def _append(line: str) -> None:

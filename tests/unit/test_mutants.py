@@ -47,12 +47,24 @@ def test_code_that_changes_elsewhere_draws_the_same_mutants(job, tmp_path, monke
     monkeypatch.setattr(job, "ROOT", tmp_path)
     path = tmp_path / "usdrigui" / "pose" / "code.py"
     path.parent.mkdir(parents=True)
-    lines = [f"a{each} = {each} + max(b, c) < {each}" for each in range(20)]
-    path.write_text("\n".join(lines))
-    first = {(each.line + 1, each.kind) for each in job.drawn(["pose"], 12, 0)}
-    path.write_text("\n".join(["d = 3", *lines]))
-    again = {(each.line, each.kind) for each in job.drawn(["pose"], 12, 0)}
+    function = "def f{}(a):\n    return {}a[0]{} + max(a) < {}\n"
+    path.write_text("".join(function.format(each, "", "", each) for each in range(20)))
+    first = {each.place for each in job.drawn(["pose"], 12, 0)}
+    path.write_text("d = 3\n" + "".join(function.format(each, "(", "\n)", each) for each in reversed(range(20))))
+    again = {each.place for each in job.drawn(["pose"], 12, 0)}
     assert len(first & again) >= 11
+
+
+def test_equal_expressions_of_a_function_are_told_apart_by_their_turn(job, tmp_path, monkeypatch):
+    monkeypatch.setattr(job, "ROOT", tmp_path)
+    path = tmp_path / "code.py"
+    path.write_text("def f(a):\n    return a(b=-1), a(b=-1), a + 1e-300\n\n\nclass C:\n    x = 0.5\n")
+    numbers = [each.place for each in job.mutants(path) if each.kind == "number"]
+    assert numbers == [
+        "code.py:f: number 1 -> 2 in a(b=-1) #1",
+        "code.py:f: number 1 -> 2 in a(b=-1) #2",
+        "code.py:C: number 0.5 -> 0.75 in x = 0.5 #1",
+    ]
 
 
 def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job, tmp_path, monkeypatch):
@@ -61,15 +73,15 @@ def test_a_mutant_answers_to_the_tests_that_reach_it_those_of_its_file_first(job
     path.write_text("from __future__ import annotations\n\nLEAST = 3\n\n\ndef f(a):\n    return a[0] > LEAST\n")
     constant, compared, *_ = sorted(job.mutants(path), key=lambda each: (each.line, each.kind))
     marked = job.marked("code.py", [constant, compared])
-    assert "LEAST = (_place_seen('code.py[" in marked
-    assert "    _place_seen('code.py:6')\n    return (_place_seen(" in marked
+    assert "LEAST = (_place_seen(*['code.py:: number 3 -> 4 in LEAST = 3 #1']) or (3))" in marked
+    assert "    _place_seen('code.py:f')\n    return (_place_seen(" in marked
     ast.parse(marked)
-    places = [f"code.py[{each.span[0]}:{each.span[1]}]" for each in (constant, compared)]
+    places = [each.place for each in (constant, compared)]
     told = tmp_path / "told"
     told.write_text(
-        f"S {places[0]}\nT a/test_law.py::one\nS code.py:6\nS {places[1]}\nE 0.5\n"
+        f"S {places[0]}\nT a/test_law.py::one\nS code.py:f\nS {places[1]}\nE 0.5\n"
         f"T a/test_law.py::failed\nS {places[1]}\n"
-        f"T a/test_code.py::two\nS code.py:6\nS {places[1]}\nE 3\nT a/test_law.py::three\nE 1\n"
+        f"T a/test_code.py::two\nS code.py:f\nS {places[1]}\nE 3\nT a/test_law.py::three\nE 1\n"
     )
     reached = job.Reached.read([told])
     for mutant in (constant, compared):
