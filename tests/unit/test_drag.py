@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from usdrigui.pose.drag import begin_drag, drag_to, values_at
+from usdrigui.pose.drag import Axis, End, _ends, begin_drag, drag_to, values_at
 
 VECTORS = drag_vectors.vectors()
 ZERO_ONE = (0.0, 1.0)
@@ -73,6 +73,8 @@ def test_refuses_records_that_do_not_fit_together():
         ({"ranges": [ZERO_ONE]}, "range"),
         ({"axes": [[0], [0]]}, "one axis"),
         ({"current": [np.nan]}, "finite"),
+        ({"base": [np.nan]}, "finite"),
+        ({"ranges": [(0.0, np.nan, 1.0)]}, "finite"),
     ):
         with pytest.raises(ValueError, match=message):
             begin_drag(**{**good, **wrong})
@@ -80,3 +82,66 @@ def test_refuses_records_that_do_not_fit_together():
     for at, moved in (([0.0, 0.0], (0, 0)), ([0.0], (np.nan, 0))):
         with pytest.raises(ValueError, match="coordinate"):
             drag_to(drag, at, moved)
+
+
+def test_one_value_of_many_that_is_not_finite_is_refused():
+    sound = {"ranges": [RANGE] * 2, "base": [0.0, 0.0], "current": [0.0, 0.0]}
+    for spoilt in ({"ranges": [RANGE, (0.0, 0.0, np.inf)]}, {"base": [0.0, np.nan]}, {"current": [0.0, np.nan]}):
+        with pytest.raises(ValueError, match="finite"):
+            begin_drag([EAST] * 2, [ZERO_ONE] * 2, [[0], [1]], **{**sound, **spoilt})
+
+
+def test_a_value_keeps_to_its_range_and_meets_the_base_pose_to_the_last_bit():
+    end = End(0, -1.0, 100.0, 1100.0, 400.0)
+    assert [end.value(at) for at in (0.5, 0.0, -0.5, -1.0, -1.4)] == [100.0, 100.0, 600.0, 1100.0, 1100.0]
+    assert end.value(-0.3 - 5e-13) == 400.0 != end.value(-0.3 - 5e-12)
+    assert [end.share(value) for value in (0.0, 100.0, 350.0, 1100.0, 1500.0)] == [0.0, 0.0, 0.25, 1.0, 1.0]
+    assert End(0, 1.0, 2.0, 2.0, 2.0).share(3.0) == 0.0, "a range without length"
+
+
+@pytest.mark.parametrize(
+    ("minimum", "default", "far"), [(-1.0, 0.0, 1.0), (-1.0, 0.25, -1.0), (-1.0, -0.25, 1.0), (0.0, 0.0, 1.0)]
+)
+def test_an_end_of_an_axis_goes_to_the_farther_side_of_its_default(minimum, default, far):
+    negative, positive = _ends([1, 0], np.array([(minimum, default, 1.0), (0.0, 0.0, 2.0)]), np.zeros(2))
+    assert (negative.member, negative.sign, negative.off, negative.far) == (1, -1.0, 0.0, 2.0)
+    assert (positive.member, positive.sign, positive.off, positive.far) == (0, 1.0, default, far)
+
+
+def test_the_arms_of_an_axis_part_where_the_base_pose_is():
+    axis = Axis((), np.array([-1.0, 0.0, 0.5, 1.0]), np.zeros((4, 2)), 0.5)
+    assert [arm.at.tolist() for arm in axis.arms()] == [[-1.0, 0.0, 0.5], [0.5, 1.0]]
+    assert [arm.at.tolist() for arm in Axis((), axis.at, axis.points, -1.0).arms()] == [axis.at.tolist()]
+
+
+@pytest.mark.parametrize(("x", "branch"), [(67.5, 1), (68.5, 3)])
+def test_a_handle_leaves_its_branch_for_one_that_is_twice_as_near_and_four_pixels_besides(x, branch):
+    """Down, across and up again, 100 pixels apart: at x = 68 it is 68 pixels from one and 32 from the other."""
+    track = np.array([[0.0, 0], [0, 400], [100, 400], [100, 0]])
+    drag = begin_drag([track], [(0.0, 1.0, 2.0, 3.0)], [[0]], [(0.0, 0.0, 3.0)], [0], [0.5])
+    (value,) = values_at(drag, drag_to(drag, drag.start, (x, 0.0)))
+    assert value == pytest.approx(0.5 if branch == 1 else 2.5, abs=1e-3)
+
+
+def test_a_handle_falls_short_of_the_pointer_by_a_hair_on_a_short_track():
+    """Where the range is 6 pixels long, by .02^2 / (6^2 + .02^2) of its way."""
+    drag = begin_drag([[(0.0, 0.0), (6.0, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
+    assert drag_to(drag, drag.start, (3.0, 0.0))[0] == pytest.approx(0.5 * (1.0 - 0.0004 / 36.0004), abs=1e-9)
+
+
+def test_a_track_shorter_than_six_pixels_is_drawn_out_to_24():
+    for length, way in ((6.0, 6.0), (5.9, 24.0), (1.0, 24.0)):
+        drag = begin_drag([[(0.0, 0.0), (-length, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
+        assert drag_to(drag, drag.start, (-0.5 * way, 0.0))[0] == pytest.approx(0.5, abs=1e-4)
+    drag = begin_drag([[(0.0, 0.0), (-0.9, 0.0)]], [ZERO_ONE], [[0]], [RANGE], [0], [0])
+    assert drag_to(drag, drag.start, (0.0, -12.0))[0] == pytest.approx(0.5, abs=1e-4), "upward, seen from its end"
+
+
+def test_of_several_short_axes_those_follow_that_have_a_quarter_of_the_longest():
+    """4, 1 and .9 pixels long, drawn out sixfold."""
+    lines = [[(0.0, 0.0), (4.0, 0.0)], [(0.0, 0.0), (0.0, 1.0)], [(0.0, 0.0), (0.0, -0.9)]]
+    drag = begin_drag(lines, [ZERO_ONE] * 3, [[0], [1], [2]], [RANGE] * 3, [0] * 3, [0] * 3)
+    assert drag.free == (0, 1)
+    assert drag_to(drag, drag.start, (12.0, 3.0)) == pytest.approx([0.5, 0.5, 0.0], abs=1e-4)
+    none = begin_drag([[(0.0, 0.0), (0.9, 0.0)]] * 2, [ZERO_ONE] * 2, [[0], [1]], [RANGE] * 2, [0] * 2, [0.3, 0.4])
+    assert values_at(none, drag_to(none, none.start, (50.0, 0.0))).tolist() == [0.3, 0.4]

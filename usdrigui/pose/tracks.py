@@ -25,7 +25,8 @@ def carried(points: Floats, position: Floats, anchor: Floats, carry: Floats) -> 
 def facing(normal: Floats, carry: Floats) -> Floats:
     """(3,) unit: a normal under the map of offsets `carry` (3, 3)."""
     turned = normal @ np.linalg.pinv(carry).T
-    return np.asarray(turned / max(float(np.linalg.norm(turned)), 1e-30))
+    length = float(np.linalg.norm(turned))
+    return np.asarray(turned / length if length else turned)
 
 
 def slid(
@@ -46,8 +47,6 @@ def slid(
 
 def along(values: Floats, track: Floats, value: float) -> Floats:
     """(3,) point of a polyline at a value: linear between the vertices and beyond the ends."""
-    if len(values) == 1:
-        return np.asarray(track[0])
     piece = int(np.clip(np.searchsorted(values, value, side="right") - 1, 0, len(values) - 2))
     share = (value - values[piece]) / (values[piece + 1] - values[piece])
     return np.asarray((1.0 - share) * track[piece] + share * track[piece + 1])

@@ -300,7 +300,7 @@ def _edit(layer: Sdf.Layer, added: str, removed: Sequence[str]) -> None:
 def _with_entry(text: str, path: str) -> str:
     """The text of a layer with one sublayer before all others."""
     start = len(text.partition("\n")[0]) + 1  # after the line that names the format
-    found = payloads.tokens(text, start)
+    found = payloads.tokens(text)
     first = next(found, None)
     if first is None or first[0] != "(":
         return text[:start] + _BLOCK.format(path=path) + text[start:]

@@ -52,9 +52,10 @@ class PayloadOf:
     """As the asset's root layer says it."""
 
 
-def tokens(text: str, start: int) -> Iterator[re.Match[str]]:
-    """Strings, asset paths, words and brackets of a text layer from `start` on; no comments."""
-    return (found for found in _TOKEN.finditer(text, start) if not found[0].startswith("#"))
+def tokens(text: str) -> Iterator[re.Match[str]]:
+    """Strings, asset paths, words and brackets of a text layer; no comments, as its first line is
+    one."""
+    return (found for found in _TOKEN.finditer(text) if not found[0].startswith("#"))
 
 
 def payloads_of(asset: Sdf.Layer, leads: Callable[[str], bool]) -> tuple[PayloadOf, ...]:
@@ -139,8 +140,8 @@ class _Found:
     """Where the text of a prim is, in characters."""
 
     name_end: int
-    metadata: int
-    """After its opening bracket; -1 where it has none."""
+    metadata: int | None
+    """After its opening bracket; None where it has none."""
     body: int
 
 
@@ -154,20 +155,12 @@ def with_payloads(text: str, payloads: Sequence[PayloadOf]) -> str:
 def without_payloads(text: str, payloads: Sequence[PayloadOf]) -> str:
     """The text without what `with_payloads` added."""
     for each in payloads:
-        names = each.root[1:].split("/")
-        overs = (_overs(each, known) for known in range(len(names)))
-        piece = next((piece for piece in overs if piece in text), None)
-        if piece:
-            text = text.replace(piece, "", 1)
-            continue
-        variants, bracketed, selection = _pieces(each)
-        text = text.replace(variants, "", 1)
-        text = text.replace(bracketed if bracketed in text else selection, "", 1)
+        text = _without_payload(text, each)
     return text
 
 
 def _with_payload(text: str, payload: PayloadOf) -> str:
-    names = payload.root[1:].split("/")
+    names = _names(payload)
     found, end = _find(text, names)
     if len(found) < len(names):
         end = len(text[:end].rstrip(" ")) if found else end
@@ -175,9 +168,30 @@ def _with_payload(text: str, payload: PayloadOf) -> str:
     variants, bracketed, selection = _pieces(payload)
     at = found[-1]
     text = text[: at.body] + variants + text[at.body :]
-    if at.metadata < 0:
+    if at.metadata is None:
         return text[: at.name_end] + bracketed + text[at.name_end :]
     return text[: at.metadata] + selection + text[at.metadata :]
+
+
+def _without_payload(text: str, payload: PayloadOf) -> str:
+    names = _names(payload)
+    overs = (_overs(payload, known) for known in range(len(names)))
+    if piece := next((piece for piece in overs if piece in text), None):
+        return text.replace(piece, "")
+    found, _ = _find(text, names)
+    if len(found) < len(names):
+        return text
+    variants, bracketed, selection = _pieces(payload)
+    at = found[-1]
+    text = text[: at.body] + text[at.body :].removeprefix(variants)
+    if at.metadata is None or text.startswith(bracketed, at.name_end):
+        return text[: at.name_end] + text[at.name_end :].removeprefix(bracketed)
+    return text[: at.metadata] + text[at.metadata :].removeprefix(selection)
+
+
+def _names(payload: PayloadOf) -> list[str]:
+    """Of its SkelRoot and the prims above it, the topmost first."""
+    return payload.root.lstrip("/").split("/")
 
 
 def _pieces(payload: PayloadOf) -> tuple[str, str, str]:
@@ -190,7 +204,7 @@ def _pieces(payload: PayloadOf) -> tuple[str, str, str]:
 
 def _overs(payload: PayloadOf, known: int) -> str:
     """An over of the SkelRoot, in overs of all above it but the first `known`."""
-    names = payload.root[1:].split("/")
+    names = _names(payload)
     indents = ["    " * level for level in range(len(names))]
     variants, bracketed, _ = _pieces(payload)
     above = range(known, len(names) - 1)
@@ -205,11 +219,11 @@ def _find(text: str, names: Sequence[str]) -> tuple[list[_Found], int]:
     """The specs of a prim and of those above it, the topmost first, as far as the text has them;
     and the end of the body of the last (of the text if there is none)."""
     found: list[_Found] = []
-    depth, header, name, metadata = 0, 0, (-1, ""), -1
-    for token in tokens(text, len(text.partition("\n")[0])):
+    depth, header, name, metadata = 0, 0, (-1, ""), None
+    for token in tokens(text):
         word = token[0]
         if not depth and word in ("def", "over", "class"):
-            header, name, metadata = 1, (-1, ""), -1
+            header, name, metadata = 1, (-1, ""), None
         elif not depth and header and name[0] < 0 and word[0] in "\"'":
             name = (token.end(), word[1:-1])
         elif not depth and header and name[0] < 0:

@@ -7,8 +7,18 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
-from usdrigui.layout.motion.activity import _moving_tokens, activity, agreement, importances, together, with_importances
+from usdrigui.layout.motion.activity import (
+    Activity,
+    _moving_tokens,
+    _turned,
+    activity,
+    agreement,
+    importances,
+    together,
+    with_importances,
+)
 from usdrigui.model import Performance
+from usdrigui.rotation import rotations
 from usdrigui.settings import ControlSettings
 
 FACE = makers.face()
@@ -109,3 +119,72 @@ def test_animations_of_somebody_else_are_refused_and_strays_are_told():
 def test_a_weight_that_stays_is_no_motion():
     clip = SimpleNamespace(tokens=("rises", "stays"), weights=np.array([[0.0, 0.5], [1.0, 0.5]]))
     assert _moving_tokens(clip) == ["rises"]
+
+
+def done_of(**amounts):
+    """What animations make some controls do; a control of nan is a pose."""
+    table = np.stack([np.asarray(each, dtype=np.float64) for each in amounts.values()], axis=1)
+    return Activity(tuple(amounts), table, np.nan_to_num(table), (), ())
+
+
+def test_a_set_takes_the_least_agreement_of_its_members_and_sets_of_equal_ones_go_by_name():
+    """b does four fifths of a, c the other way about; d and e do the same at other times."""
+    a, later = np.array([1.0, 1, 0, 0]), np.array([0.0, 0, 1, 1])
+    done = done_of(a=a, b=0.8 * a, c=0.9 * a, e=later, d=later)
+    assert together(done, {}, 0.8) == ((("e", "d"), 1.0), (("a", "b", "c"), pytest.approx(0.8)))
+    assert together(done, {}, 0.81)[1] == (("a", "c"), pytest.approx(0.9))
+    assert together(done, {}, 1.01) == ()
+
+
+def test_of_pairs_the_mean_counts_and_poses_are_left_out():
+    a = np.array([1.0, 0.5, 0.0])
+    done = done_of(a_L=a, pose=np.full(3, np.nan), a_R=0.0 * a, b=0.5 * a)
+    assert together(done, {"a_L": "a_R", "a_R": "a_L"}, 0.99) == ((("a_L", "a_R", "b"), pytest.approx(1.0)),)
+    assert importances(done, {"a_L": "a_R", "a_R": "a_L"}, 1.0) == {"a_L": 1.0, "a_R": 1.0, "b": 1.0}
+    assert importances(done, {}, 1.0) == {"a_L": 2.0, "a_R": 0.0, "b": 1.0}
+
+
+def test_what_is_used_a_thousandth_is_used_and_what_is_used_less_is_not():
+    some = np.array([0.0, 0.0021])
+    assert len(together(done_of(a=some, b=some), {}, 0.5)) == 1
+    assert together(done_of(a=0.9 * some, b=0.9 * some), {}, 0.5) == ()
+
+
+def jaw(*paths):
+    """A joint that stands turned by 90 degrees, its control about its y axis, and a clip of joints of these paths,
+    the n-th turned by 10 n degrees beyond that."""
+    up = rotations([0.0, 0.0, np.pi / 2])
+    base = np.eye(4)
+    base[:3, :3] = up
+    joints = (SimpleNamespace(path="x", base=np.eye(4)), SimpleNamespace(path="neck/jaw", base=base))
+    turned = np.radians(10.0 * np.arange(1, len(paths) + 1))[None, :, None] * [0.0, 1.0, 0.0]
+    clip = SimpleNamespace(joints=paths, rotations=rotations(np.concatenate([0.0 * turned, turned])) @ up)
+    drive = SimpleNamespace(joints=np.array([1]), rotations=np.array([[[0.0, 0, 0]], [[0.0, -1, 0]]]))
+    return joints, SimpleNamespace(drive=drive), clip
+
+
+@pytest.mark.parametrize(
+    ("paths", "column"),
+    [
+        (("eye", "neck/jaw"), 2),
+        (("eye", "other/jaw"), 2),
+        (("other/jaw", "neck/jaw"), 2),
+        (("neck/jaw", "other/jaw"), 1),
+        (("jaw", "other/jaw"), 0),
+        (("x", "neck"), 0),
+    ],
+)
+def test_a_joint_turns_from_the_base_pose_as_the_joint_of_its_path_or_the_only_one_of_its_name(paths, column):
+    found = _turned(*jaw(*paths))
+    if column:
+        assert found == pytest.approx([0.0, 10.0 * column])
+    else:
+        assert found is None
+
+
+def test_strays_are_told_by_name_up_to_three():
+    names = ("wing", "tail", "horn", "fin")
+    for count, listed in ((3, "horn, tail, wing"), (4, "fin, horn, tail and more")):
+        (told,) = activity(FACE, [clip(chin=RAMP, **dict.fromkeys(names[:count], RAMP))]).issues
+        assert f"{count} of them: {listed}" in told.message
+        assert ("and more" in told.message) == (count > 3)

@@ -1,0 +1,118 @@
+"""What the layer says of a control's drive and of the ranges of weights, worked out by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import makers
+import numpy as np
+import pytest
+from pxr import Sdf, Usd
+
+from usdrigui.model import Channel
+from usdrigui.usd import control_api
+from usdrigui.usd.control_api import _driven_joints, _driven_weights, _is_plain, _weight_ranges
+
+
+def driven(weights, values=(0.0, 1.0)):
+    """A control that drives the channels 0, 1, ... as the columns of `weights` (keys, channels) say."""
+    table = np.array(weights, dtype=np.float64)
+    return replace(makers.control("c", 0), drive=makers.drive(range(table.shape[1]), values, table))
+
+
+def rig_of(*animations, base=0.0):
+    """A rig of a channel in each of these SkelAnimations."""
+    channels = tuple(Channel(f"shape{i}", each, i) for i, each in enumerate(animations))
+    skeletons = tuple(SimpleNamespace(animation=each, path=f"/Root/skel{each}") for each in dict.fromkeys(animations))
+    return SimpleNamespace(channels=channels, skeletons=skeletons, base_weights=np.full(len(channels), base))
+
+
+def test_a_control_is_plain_where_its_value_is_the_weight():
+    plain, half = driven([[0.0], [1.0]]), driven([[0.0], [0.5]])
+    assert _is_plain(rig_of("/A"), plain)
+    assert not _is_plain(rig_of("/A"), half)
+    assert not _is_plain(rig_of("/A", base=0.25), plain), "the weight is a quarter more"
+    assert _is_plain(rig_of("/A", base=0.25), driven([[-0.25], [0.75]]))
+    assert not _is_plain(rig_of("/A", "/A"), driven([[0.0, 0.0], [1.0, 0.0]]))
+    turning = replace(plain.drive, joints=np.array([0]))
+    assert not _is_plain(rig_of("/A"), replace(plain, drive=turning))
+
+
+def test_weights_below_the_noise_of_the_file_are_not_driven():
+    found = _driven_weights(rig_of("/A", "/A", "/A"), driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]))
+    assert found["blendShapes"] == ["shape0", "shape2"]
+    assert found["blendShapeWeights"].tolist() == [0.0, 0.0, 0.5, -1.1e-6]
+    assert found["keys"].tolist() == [0.0, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("animations", "said", "which"),
+    [
+        (("/A", "/A"), [], []),
+        (("/A", "/B"), ["/A", "/B"], [0, 1]),
+        (("/B", "/A", "/B"), ["/B", "/A"], [0, 1, 0]),
+        (("", "/A"), ["/A"], []),
+    ],
+)
+def test_animations_are_named_unless_the_character_has_one(animations, said, which):
+    table = [[0.0] * len(animations), [0.5] * len(animations)]
+    found = _driven_weights(rig_of(*animations), driven(table))
+    assert (found["animation"], found["blendShapeAnimations"]) == (said, which)
+
+
+def turning(skeletons, rotations, translations, scales, extent=2.0):
+    """A rig and a control of one joint in each of these skeletons; rows (joints, 3) at the value 1."""
+    rest = np.eye(4)
+    rest[3, 1] = -extent
+    joints = tuple(SimpleNamespace(path=f"j{i}", skeleton=each, rest=rest) for i, each in enumerate(skeletons))
+    rig = SimpleNamespace(joints=joints, skeletons=tuple(SimpleNamespace(path=f"/S{i}") for i in range(2)))
+    rows = [np.stack([0.0 * np.array(each), np.array(each)]) for each in (rotations, translations, scales)]
+    drive = SimpleNamespace(joints=np.arange(len(joints)), rotations=rows[0], translations=rows[1], scales=rows[2])
+    return _driven_joints(rig, SimpleNamespace(drive=drive))
+
+
+def test_joints_are_said_in_degrees_and_factors_and_noise_is_left_out():
+    """Noise of a translation is measured by the longest bone, 2 long."""
+    still = np.zeros((3, 3))
+    turns, shifts, scales = still.copy(), still.copy(), still.copy()
+    turns[0, 0], turns[1, 1], turns[2, 0] = np.pi / 2, 0.9e-6, 0.9e-6
+    shifts[0, 1], shifts[1, 2] = 1.9e-6, 2.1e-6
+    scales[1, 0] = 0.9e-6
+    found = turning([0, 1, 0], turns, shifts, scales)
+    assert found["joints"] == ["j0", "j1"]
+    assert (found["skeleton"], found["jointSkeletons"]) == (["/S0", "/S1"], [0, 1])
+    assert found["jointRotationVectors"] == pytest.approx(np.array([[0.0, 0, 0], [0, 0, 0], [90, 0, 0], [0, 0, 0]]))
+    assert found["jointTranslations"].tolist() == [[0.0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 2.1e-6]]
+    assert len(found["jointScaleFactors"]) == 0
+    scales[1, 0] = np.log(2.0)
+    found = turning([1, 1, 1], still, still, scales)
+    assert found["jointScaleFactors"] == pytest.approx(np.array([[1.0, 1, 1], [2, 1, 1]]))
+    assert (found["joints"], found["skeleton"], found["jointSkeletons"]) == (["j1"], ["/S1"], [])
+    assert len(found["jointRotationVectors"]) == len(found["jointTranslations"]) == 0
+    assert turning([0, 0, 0], still, still, still) == {}
+
+
+def test_the_range_of_a_weight_is_that_of_the_control_whose_value_it_is():
+    """Of a SkelAnimation of four weights, of which the rig has the second and the fourth."""
+    channels = (Channel("b", "/A", 1), Channel("d", "/A", 3), Channel("b", "/B", 0))
+    half = replace(driven([[0.0], [0.5]]), minimum=-7.0)
+    plain = replace(makers.control("d", 1, -0.5, 2.0), drive=makers.drive([1]))
+    other = replace(makers.control("b", 2, -3.0, 3.0), drive=makers.drive([2]))
+    rig = SimpleNamespace(channels=channels, controls=(half, plain, other), base_weights=np.zeros(3))
+    assert _weight_ranges(rig, "/A").tolist() == [[0, 1], [0, 1], [0, 1], [-0.5, 2]]
+    assert _weight_ranges(rig, "/B").tolist() == [[-3, 3]]
+    assert _weight_ranges(rig, "/C").tolist() == []
+
+
+@pytest.mark.skipif(not hasattr(Usd, "AttributeLimits"), reason="USD before 25.11 has no limits")
+def test_ranges_are_said_where_usd_looks_for_them():
+    rig = makers.face(9, 11, ranges={"chin": (-0.5, 2.0)})
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    skeletons = tuple(SimpleNamespace(animation=each) for each in ("", "/Root/Anim"))
+    channels = tuple(replace(each, animation="/Root/Anim") for each in rig.channels)
+    control_api.author_limits(layer, replace(rig, channels=channels, skeletons=skeletons))
+    said = layer.GetAttributeAtPath("/Root/Anim.blendShapeWeights").GetInfo("limits")["soft"]
+    at = [each.token for each in channels].index("chin")
+    assert (said["minimum"][at], said["maximum"][at]) == (-0.5, 2.0)
+    assert len(said["minimum"]) == len(channels)

@@ -1,0 +1,126 @@
+"""The edit of an asset's root layer: its text and its specs say the same, and nothing stays behind."""
+
+from __future__ import annotations
+
+import pytest
+from pxr import Sdf
+
+from usdrigui.usd.payloads import PayloadOf, _find, payloads_of, with_payloads, without_payloads
+from usdrigui.usd.payloads import add as add_to_specs
+from usdrigui.usd.payloads import remove as remove_from_specs
+
+HEAD = PayloadOf("/Char/Head", "./head.rigui.usda")
+BODY = PayloadOf("/Char/Body", "./body.rigui.usda")
+BARE = '    def "Head"\n    {\n    }\n'
+TWIN = BARE.replace("Head", "Body")
+TEXTS = {
+    "empty": "#usda 1.0\n",
+    "without metadata": '#usda 1.0\n\ndef Xform "Char"\n{\n    def SkelRoot "Head"\n    {\n    }\n}\n',
+    "with metadata": '#usda 1.0\n(\n    doc = "{"\n)\n\ndef Xform "Char" (\n    kind = "component"\n)\n{\n'
+    '    def SkelRoot "Head" (\n        doc = """)("""\n    )\n    {\n        int a = 1\n    }\n}\n',
+    "only its parent": '#usda 1.0\n\nover "Char"\n{\n    int a = 1\n}\n',
+    "others of its name": f'#usda 1.0\n\ndef "Head"\n{{\n    def "Char"\n    {{\n{BARE}    }}\n}}\ndef "Char"\n'
+    f'{{\n    def "Hat"\n    {{\n{BARE}    }}\n{BARE}}}\n',
+    "words in values": '#usda 1.0\n\n# def "Char" {\ndef "Char" (\n    customData = {\n        string def = "Head"\n'
+    f'    }}\n)\n{{\n    token over = "Head" # {{\n    asset def = @a{{.usd@\n{BARE}}}\n',
+}  # fmt: skip
+
+
+def layer(text):
+    found = Sdf.Layer.CreateAnonymous(".usda")
+    assert found.ImportFromString(text)
+    return found
+
+
+@pytest.mark.parametrize("payloads", [(HEAD,), (HEAD, BODY)], ids=["one", "two"])
+@pytest.mark.parametrize("name", TEXTS)
+def test_the_text_gets_what_the_specs_get_and_loses_it_again(name, payloads):
+    text, specs = TEXTS[name], layer(TEXTS[name])
+    add_to_specs(specs, payloads)
+    edited = with_payloads(text, payloads)
+    assert layer(edited).ExportToString() == specs.ExportToString()
+    assert set(payloads_of(specs, lambda path: path.startswith("./"))) == set(payloads)
+    assert payloads_of(specs, lambda path: path == BODY.path) == payloads[1:]
+    assert without_payloads(edited, payloads[::-1]) == text
+    remove_from_specs(specs, payloads)
+    assert specs.ExportToString() == layer(text).ExportToString()
+
+
+def test_a_prim_is_found_with_its_name_its_metadata_and_its_body():
+    text = '#usda 1.0\ndef Xform "A" (\n    kind = "group"\n)\n{\n    over "B"\n    {\n    }\n}\n'
+    (outer, inner), end = _find(text, ["A", "B"])
+    assert end == -1
+    assert text[: outer.name_end].endswith('Xform "A"')
+    assert text[: outer.metadata].endswith('"A" (')
+    assert text[: outer.body].endswith('"group"\n)\n{')
+    assert text[: inner.name_end].endswith('over "B"')
+    assert inner.metadata is None
+    assert text[: inner.body].endswith('over "B"\n    {')
+
+
+@pytest.mark.parametrize(
+    ("names", "known", "rest"), [(["A", "C"], 1, "}\n"), (["C"], 0, ""), (["A", "B", "C"], 2, "}\n}\n")]
+)
+def test_of_a_prim_that_is_not_there_the_place_is_found(names, known, rest):
+    text = '#usda 1.0\ndef "A"\n{\n    def "B"\n    {\n}\n}\n'
+    found, end = _find(text, names)
+    assert len(found) == known
+    assert text[end:] == rest
+
+
+def test_what_else_stands_in_the_variants_stays():
+    """Another opinion in the variant, and another payload."""
+    specs = layer('#usda 1.0\ndef "Char"\n{\n    def "Head"\n    {\n    }\n}\n')
+    add_to_specs(specs, [HEAD])
+    inside = specs.GetPrimAtPath("/Char/Head{rigUI=ui}")
+    inside.payloadList.Append(Sdf.Payload("./other.usda", "/Other"))
+    remove_from_specs(specs, [HEAD])
+    assert [each.assetPath for each in inside.payloadList.GetAddedOrExplicitItems()] == ["./other.usda"]
+    assert specs.GetPrimAtPath("/Char/Head").variantSelections["rigUI"] == "ui"
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_of_two_payloads_the_other_stays_with_all_that_it_needs(name):
+    """What two SkelRoots get as their metadata is the same text."""
+    text = TEXTS[name] if name != "without metadata" else TEXTS[name].replace("    }\n", f"    }}\n{TWIN}", 1)
+    both, specs = with_payloads(text, [HEAD, BODY]), layer(text)
+    assert without_payloads(both, [BODY]) == with_payloads(text, [HEAD])
+    add_to_specs(specs, [HEAD, BODY])
+    remove_from_specs(specs, [HEAD])
+    assert layer(without_payloads(both, [HEAD])).ExportToString() == specs.ExportToString()
+
+
+def test_what_somebody_changed_is_left_alone():
+    text = with_payloads(TEXTS["without metadata"], [HEAD])
+    changed = text.replace('rigUI = "ui"', 'rigUI = "none"').replace('"none" {', '"none" {  # mine')
+    assert without_payloads(changed, [HEAD]) == changed
+    for name in ("only its parent", "without metadata", "with metadata"):
+        assert without_payloads(TEXTS[name], [HEAD]) == TEXTS[name]
+
+
+def test_the_overs_of_a_prim_that_the_text_lacks_read_as_usd_writes_them():
+    assert (
+        with_payloads("#usda 1.0\n", [HEAD])
+        == """#usda 1.0
+
+over "Char"
+{
+    over "Head" (
+        variants = {
+            string rigUI = "ui"
+        }
+        prepend variantSets = "rigUI"
+    )
+    {
+        variantSet "rigUI" = {
+            "none" {
+            }
+            "ui" (
+                prepend payload = @./head.rigui.usda@</Char/Head>
+            ) {
+            }
+        }
+    }
+}
+"""
+    )
