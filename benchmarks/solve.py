@@ -38,12 +38,13 @@ from typing import Any
 
 import numpy as np
 from instances import CROWDED, TABLE_1, face_like, subdivided
+from problem_file import load_problem, save_problem
 
 from usdrigui.errors import RigUIError
 from usdrigui.model import Assignment, Element, Floats, LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings, load
-from usdrigui.solve import load_problem, save_problem, solve
+from usdrigui.solve import solve
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty

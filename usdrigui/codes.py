@@ -845,20 +845,11 @@ _CODES: dict[str, Code] = {
         "Allow places on the board (objective.off_face_allowed), make handles smaller or prune"
         " fewer candidates.",
     ),
-    "SOLVE_TOO_LARGE": Code(
-        "error", "There are too many layouts to enumerate.", "Use the method highs.", Exit.LIMIT
-    ),
     "SOLVE_EXTRA": Code(
         "error",
         "The method needs a package that is not installed.",
         "Install usdrigui-core[toulbar2], or use the method highs.",
         Exit.USAGE,
-    ),
-    "PROBLEM_FILE": Code(
-        "error",
-        "The file is no layout problem of this version.",
-        "Save it again with this version.",
-        Exit.FILE,
     ),
     "EXPLANATION_FAILED": Code(
         "warning",

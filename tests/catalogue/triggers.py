@@ -414,13 +414,6 @@ def _solved(method: str, **settings: Any) -> Trigger:
     return trigger
 
 
-def _too_large(folder: Path, patch: Any) -> Found:
-    import usdrigui.solve.enumerate
-
-    patch.setattr(usdrigui.solve.enumerate, "MOST", 1)
-    return _solved("enumerate")(folder, patch)
-
-
 def _infeasible(folder: Path, _: Any) -> Found:
     from usdrigui.solve import solve
 
@@ -578,13 +571,6 @@ def _glyph(text: str) -> Trigger:
     return trigger
 
 
-def _bad_problem(folder: Path, _: Any) -> Found:
-    from usdrigui.solve.exchange import load_problem
-
-    (folder / "problem.npz").write_bytes(b"none")
-    return refused(lambda: load_problem(folder / "problem.npz"))
-
-
 def _in_variants(owner: str, prim: str, *arguments: object) -> Trigger:
     """The smallest character with a variant set LOD on `owner`, of which ``box`` has no `prim`."""
 
@@ -716,10 +702,8 @@ TRIGGERS: Mapping[str, Trigger] = {
     "BATCH_SCHEDULER": _no_scheduler,
     "ANIMATION_MISSING": _no_animation,
     "NORMALS_INWARD": _trajectories("NORMALS_INWARD"),
-    "SOLVE_TOO_LARGE": _too_large,
     "SOLVE_EXTRA": _without("pytoulbar2", _solved("toulbar2")),
     "SOLVE_INFEASIBLE": _infeasible,
-    "PROBLEM_FILE": _bad_problem,
     "TERM_INVALID": _bad_term,
     "POSE_CONTROL": _posed(_valued({"smirk": 1.0})),
     "POSE_VALUE": _posed(_valued({"smile": float("nan")})),

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from enumeration import best_of_all
 from layout_problems import crowd, random_problem
 
 from usdrigui.errors import RigUIError
@@ -37,7 +38,6 @@ from usdrigui.solve.reduced_problem import DEAREST, ReducedProblem, Solution, le
 from usdrigui.solve.triplets import raise_bound
 
 Way = Callable[[pytest.MonkeyPatch], None]
-ENUMERATE = SolveSettings(method="enumerate")
 HIGHS = SolveSettings()
 PART = max(40, int(os.environ.get("USDRIGUI_BRUTE_FORCE", "200")) // 5)
 """Random problems compared with enumeration, of each of the five parts."""
@@ -87,7 +87,7 @@ def failures(seeds: range) -> list[str]:
     found = []
     for seed in seeds:
         problem = random_problem(seed)
-        best, mine = solved(problem, ENUMERATE), solved(problem, HIGHS)
+        best, mine = best_of_all(problem), solved(problem, HIGHS)
         if (best is None) != (mine is None):
             found.append(f"{seed}: feasible to one only")
         elif best is not None and mine is not None:
@@ -139,7 +139,7 @@ def test_agrees_with_enumeration_on_random_problems(way: Way, monkeypatch: pytes
 def test_proves_crowds_optimal(seed: int, way: Way, monkeypatch: pytest.MonkeyPatch) -> None:
     way(monkeypatch)
     problem = crowd(seed, variables=4, candidates=14 if way is by_program else 30)
-    best = solve(problem, ENUMERATE)
+    best = best_of_all(problem)
     assert faults(problem, solve(problem, HIGHS), best) == []
 
 
@@ -238,7 +238,7 @@ def overstated(problems: list[LayoutProblem], monkeypatch: pytest.MonkeyPatch, w
     monkeypatch.setattr(LocalSearch, "_moves", _nothing)
     count = 0
     for problem in problems:
-        best = solved(problem, ENUMERATE)
+        best = best_of_all(problem)
         mine = solved(problem, replace(HIGHS, work_limit=work))
         if best is not None and mine is not None:
             count += mine.bound > best.cost + 1e-9
@@ -319,8 +319,7 @@ def test_infeasible_names_the_variables() -> None:
 
 def test_infeasible_problems_are_told_at_once_however_their_bound_is_rounded() -> None:
     problem = random_problem(5000453, 6, 8)  # its bound ended one unit of rounding below what is never allowed
-    with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
-        solve(problem, ENUMERATE)
+    assert best_of_all(problem) is None
     spent = Budget(replace(HIGHS, work_limit=10**6))
     with pytest.raises(RigUIError, match="SOLVE_INFEASIBLE"):
         solve_whole(problem, spent)
@@ -542,7 +541,7 @@ def test_handles_at_the_separation_exactly_are_allowed(
 ) -> None:
     by_blocks(monkeypatch)
     problem = on_a_line(*grid)
-    assert faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE)) == []
+    assert faults(problem, solve(problem, HIGHS), best_of_all(problem)) == []
 
 
 def test_handles_too_near_by_rounding_alone_are_not() -> None:
@@ -554,7 +553,7 @@ def test_handles_too_near_by_rounding_alone_are_not() -> None:
         cost = np.array([-1.0, -0.5])
         elements.append(Variable(f"v{away}", np.arange(2), cost, samples, samples[:, :, 0].copy(), np.inf, -cost))
     problem = LayoutProblem(tuple(elements), Overlap(5.0, 1.0, 4.0, 0.05, 0.15), 0.05, 0.85)
-    assert faults(problem, solve(problem, HIGHS), solve(problem, ENUMERATE)) == []
+    assert faults(problem, solve(problem, HIGHS), best_of_all(problem)) == []
 
 
 def dear_pairs(seed: int, factor: float) -> LayoutProblem:
@@ -574,7 +573,7 @@ def dear_pairs(seed: int, factor: float) -> LayoutProblem:
 @pytest.mark.parametrize("seed", [7, 12, 32, 44, 49])
 def test_pairs_dearer_than_all_else_leave_no_rounding_behind(seed: int, factor: float) -> None:
     problem = dear_pairs(seed, factor)
-    mine, best = solve(problem, replace(HIGHS, work_limit=100_000)), solve(problem, ENUMERATE)
+    mine, best = solve(problem, replace(HIGHS, work_limit=100_000)), best_of_all(problem)
     assert faults(problem, mine, best) == []
 
 

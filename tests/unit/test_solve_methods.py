@@ -1,24 +1,24 @@
-"""The other methods, the exchange format, and the laws that all solutions obey."""
+"""The other methods, and the laws that all solutions obey."""
 
 from __future__ import annotations
 
 import itertools
 import sys
 import time
-from dataclasses import fields, replace
-from pathlib import Path
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from enumeration import best_of_all
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from layout_problems import crowd, random_problem, renumbered
 
 from usdrigui.errors import RigUIError
-from usdrigui.model import ExtraPairs, LayoutProblem
+from usdrigui.model import LayoutProblem
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
-from usdrigui.solve import load_problem, partition, save_problem, solve
+from usdrigui.solve import partition, solve
 from usdrigui.solve.branch_and_bound import _folded, _Node
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.exact import infeasible_penalty
@@ -51,13 +51,13 @@ def test_renumbering_changes_nothing_but_names(seed: int, order: int) -> None:
 @given(st.integers(1000, 10**6))
 def test_bound_optimum_cost_in_this_order(seed: int) -> None:
     problem = random_problem(seed)
-    optimum = best_or_none(problem, "enumerate")
-    if optimum is not None:
+    best = best_of_all(problem)
+    if best is not None:
         for method, labels in (("highs", partition.ONE_BY_ONE), ("highs", 0), ("paper", 0)):
             with pytest.MonkeyPatch.context() as patch:
                 patch.setattr(partition, "ONE_BY_ONE", labels)
                 found = solve(problem, SolveSettings(method=method, work_limit=3_000))
-            assert found.bound <= optimum + 1e-9 <= found.cost + 2e-9
+            assert found.bound <= best.cost + 1e-9 <= found.cost + 2e-9
 
 
 def test_total_renumbered() -> None:
@@ -72,7 +72,7 @@ def test_total_renumbered() -> None:
 
 def test_paper_with_one_cluster_and_all_candidates_is_the_optimum() -> None:
     problem = crowd(4, variables=4, candidates=20)
-    whole = solve(problem, SolveSettings(method="enumerate"))
+    whole = best_of_all(problem)
     assert solve(problem, SolveSettings(method="paper")).cost == pytest.approx(whole.cost, rel=1e-4)
 
 
@@ -97,12 +97,7 @@ def test_paper_counts_explicit_costs_across_clusters() -> None:
         assert found.cost == pytest.approx(total_cost(problem, found.labels))
 
 
-# --- enumeration, toulbar2 ---------------------------------------------------------------------------
-
-
-def test_enumeration_refuses_what_is_too_large() -> None:
-    with pytest.raises(RigUIError, match="SOLVE_TOO_LARGE"):
-        solve(crowd(0, variables=9, candidates=60), SolveSettings(method="enumerate"))
+# --- toulbar2 ----------------------------------------------------------------------------------------
 
 
 def test_toulbar2_agrees_on_whole_problems() -> None:
@@ -127,7 +122,7 @@ def test_toulbar2_agrees_where_costs_are_huge(seed: int) -> None:
         ),
         overlap=replace(problem.overlap, weight=problem.overlap.weight * factor),
     )
-    ours, theirs = (solve(huge, SolveSettings(method=each)) for each in ("enumerate", "toulbar2"))
+    ours, theirs = best_of_all(huge), solve(huge, SolveSettings(method="toulbar2"))
     assert theirs.bound <= ours.cost
     assert theirs.cost == pytest.approx(ours.cost)
     assert theirs.status == "optimal"
@@ -152,53 +147,7 @@ def test_toulbar2_missing_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
         solve(crowd(0), SolveSettings(method="toulbar2"))
 
 
-# --- exchange ----------------------------------------------------------------------------------------
-
-
-def test_saved_problem_is_the_problem(tmp_path: Path) -> None:
-    for seed in (3, 8, 21):
-        problem = random_problem(seed)
-        save_problem(tmp_path / "a.npz", problem)
-        again = load_problem(tmp_path / "a.npz")
-        assert [each.name for each in again.variables] == [each.name for each in problem.variables]
-        for one, other in zip(problem.variables, again.variables, strict=True):
-            assert all(np.array_equal(getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
-        assert len(again.extra) == len(problem.extra)
-        labels = np.zeros(len(problem.variables), dtype=np.int64)
-        assert total_cost(again, labels) == total_cost(problem, labels)
-        save_problem(tmp_path / "b.npz", again)
-        assert (tmp_path / "a.npz").read_bytes() == (tmp_path / "b.npz").read_bytes()
-
-
-def test_other_files_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(RigUIError, match="FILE_NOT_FOUND"):
-        load_problem(tmp_path / "none.npz")
-    (tmp_path / "text.npz").write_text("hello")
-    np.savez(tmp_path / "other.npz", version=np.array(99))
-    np.savez(tmp_path / "short.npz", version=np.array(1))
-    for name in ("text", "other", "short"):
-        with pytest.raises(RigUIError, match="PROBLEM_FILE"):
-            load_problem(tmp_path / f"{name}.npz")
-
-
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        {"first_labels": np.array([-1])},
-        {"second_labels": np.array([10**6])},
-        {"second": 99},
-        {"costs": np.array([-1.0])},
-        {"first_labels": np.array([0, 0]), "second_labels": np.array([1, 1]), "costs": np.array([1.0, 2.0])},
-    ],
-)
-def test_explicit_costs_of_no_candidates_are_refused(tmp_path: Path, wrong: dict[str, object]) -> None:
-    problem = crowd(0, variables=2, candidates=3)
-    good = ExtraPairs(0, 1, np.array([0]), np.array([0]), np.array([1.0]))
-    save_problem(tmp_path / "a.npz", replace(problem, extra=(good,)))
-    assert len(load_problem(tmp_path / "a.npz").extra) == 1
-    save_problem(tmp_path / "a.npz", replace(problem, extra=(replace(good, **wrong),)))
-    with pytest.raises(RigUIError, match="PROBLEM_FILE"):
-        load_problem(tmp_path / "a.npz")
+# --- costs --------------------------------------------------------------------------------------------
 
 
 def test_a_forbidden_pair_costs_local_search_more_than_any_layout_without_one() -> None:

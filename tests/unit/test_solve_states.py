@@ -1,15 +1,15 @@
-"""Elements that are never visible together do not interact: in the objective, in every solver, in files."""
+"""Elements that are never visible together do not interact: in the objective, in the solver."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from enumeration import best_of_all
 from layout_problems import crowd, random_problem
 
 from usdrigui.overlap import pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import solve
-from usdrigui.solve.exchange import load_problem, save_problem
 
 
 def with_states(problem, seed):
@@ -33,7 +33,7 @@ def apart(problem):
 @pytest.mark.parametrize("seed", range(6))
 def test_every_method_finds_the_optimum_of_problems_with_states(seed):
     problem = with_states(random_problem(seed), seed)
-    truth = solve(problem, SolveSettings(method="enumerate"))
+    truth = best_of_all(problem)
     found = solve(problem, SolveSettings(gap=1e-7))
     assert found.cost == pytest.approx(truth.cost, abs=1e-9)
     assert found.status == "optimal"
@@ -57,10 +57,3 @@ def test_two_of_one_state_are_kept_apart_and_two_of_two_are_not():
     assert np.isinf(pair_costs(replace(same, variables=(first, here)), 0, 1, labels, labels)[0])
     elsewhere = replace(here, states=frozenset({1}))
     assert pair_costs(replace(same, variables=(first, elsewhere)), 0, 1, labels, labels)[0] == 0.0
-
-
-def test_states_are_saved_with_the_problem(tmp_path):
-    problem = with_states(random_problem(2), 2)
-    save_problem(tmp_path / "problem.npz", problem)
-    found = load_problem(tmp_path / "problem.npz")
-    assert [each.states for each in found.variables] == [each.states for each in problem.variables]

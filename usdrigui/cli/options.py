@@ -111,7 +111,7 @@ def add_settings(parser: Any, *, layer: bool = False) -> None:
     group.add_argument(
         "--gap", type=float, metavar="SHARE", help="gap of the cost at which to stop"
     )
-    group.add_argument("--method", metavar="NAME", help="highs, paper, enumerate or toulbar2")
+    group.add_argument("--method", metavar="NAME", help="highs, paper or toulbar2")
     group.add_argument(
         "--time-limit",
         type=float,

@@ -512,7 +512,7 @@ class ObjectiveSettings:
 class SolveSettings:
     """How the layout problem is solved, and for how long."""
 
-    method: Literal["highs", "paper", "enumerate", "toulbar2"] = setting(
+    method: Literal["highs", "paper", "toulbar2"] = setting(
         "highs", "Solver of what dual bounds and tests leave of the layout problem.", level="expert"
     )
     gap: float = setting(

@@ -10,9 +10,8 @@ from collections.abc import Callable
 from usdrigui.model import Assignment, LayoutProblem
 from usdrigui.settings import SolveSettings
 from usdrigui.solve.budget import Budget, Progress
-from usdrigui.solve.exchange import load_problem, save_problem
 
-__all__ = ["Progress", "load_problem", "save_problem", "solve"]
+__all__ = ["Progress", "solve"]
 
 
 def solve(
@@ -25,18 +24,14 @@ def solve(
 
     `progress` is told of every better layout or bound; `stop` is asked now and then, and when it
     says true the best layout so far comes back with its honest gap.  Raises RigUIError
-    SOLVE_INFEASIBLE when no layout is allowed, SOLVE_TOO_LARGE when the method cannot enumerate the
-    problem, SOLVE_EXTRA when the method's package is not installed.
+    SOLVE_INFEASIBLE when no layout is allowed, SOLVE_EXTRA when the method's package is not
+    installed.
     """
     budget = Budget(settings, progress, stop)
     if settings.method == "paper":
         from usdrigui.solve.paper import solve_by_clusters
 
         return solve_by_clusters(problem, budget)
-    if settings.method == "enumerate":
-        from usdrigui.solve.enumerate import solve_by_enumeration
-
-        return solve_by_enumeration(problem, budget)
     from usdrigui.solve.exact import solve_whole
 
     return solve_whole(problem, budget)

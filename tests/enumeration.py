@@ -1,4 +1,4 @@
-"""All layouts one by one: what the other methods are tested against."""
+"""The best of all layouts, one by one: what the solver is held against."""
 
 from __future__ import annotations
 
@@ -6,28 +6,20 @@ import math
 
 import numpy as np
 
-from usdrigui.errors import refuse
 from usdrigui.model import Assignment, Floats, LayoutProblem
 from usdrigui.overlap import pair_costs
-from usdrigui.solve.budget import Budget
 
 MOST = 4_000_000
 """Layouts that are enumerated at most; one number each."""
 
 
-def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
-    """The best of all layouts.  Raises SOLVE_TOO_LARGE or SOLVE_INFEASIBLE."""
+def best_of_all(problem: LayoutProblem) -> Assignment | None:
+    """None where no layout keeps all handles apart."""
     labels = [
-        np.append(
-            np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []
-        ).astype(np.int64)
+        np.append(np.arange(len(each.cost)), [-1] if np.isfinite(each.off_face_cost) else []).astype(np.int64)
         for each in problem.variables
     ]
-    layouts = math.prod(len(each) for each in labels)
-    if layouts > MOST or len(labels) > 32:
-        raise refuse(
-            "SOLVE_TOO_LARGE", "solve.method", f"{layouts} layouts to enumerate; at most {MOST}"
-        )
+    assert math.prod(len(each) for each in labels) <= MOST
     total = np.zeros([1] * len(labels))
     for at, (each, mine) in enumerate(zip(problem.variables, labels, strict=True)):
         own = np.where(mine >= 0, np.append(each.cost, 0.0)[mine], each.off_face_cost)
@@ -36,16 +28,11 @@ def solve_by_enumeration(problem: LayoutProblem, budget: Budget) -> Assignment:
         for b in range(a + 1, len(labels)):
             total = total + _along(_table(problem, a, b, labels[a], labels[b]), len(labels), a, b)
     if not total.size or not np.isfinite(total.min()):
-        raise refuse("SOLVE_INFEASIBLE", "solve", "no layout keeps all handles apart")
+        return None
     best = np.unravel_index(int(total.argmin()), total.shape)
     cost = float(total.min())
-    budget.note("enumeration", layouts=layouts)
-    least = sum(
-        min(float(each.cost.min(initial=np.inf)), each.off_face_cost) for each in problem.variables
-    )
     chosen = np.array([mine[at] for mine, at in zip(labels, best, strict=True)], dtype=np.int64)
-    in_play, steps = max(0.0, cost - least), tuple(budget.steps)
-    return Assignment(chosen, cost, cost, "optimal", in_play, "enumerate", "enumerate", steps)
+    return Assignment(chosen, cost, cost, "optimal", 0.0, "enumeration", "enumeration", ())
 
 
 def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.ndarray) -> Floats:
@@ -60,6 +47,4 @@ def _table(problem: LayoutProblem, a: int, b: int, mine: np.ndarray, other: np.n
 
 def _along(values: Floats, dimensions: int, *axes: int) -> Floats:
     """The array with its axes at the given places among `dimensions`."""
-    return values.reshape(
-        [values.shape[axes.index(at)] if at in axes else 1 for at in range(dimensions)]
-    )
+    return values.reshape([values.shape[axes.index(at)] if at in axes else 1 for at in range(dimensions)])
