@@ -26,7 +26,8 @@ from skel_stages import (
 from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
 from usdrigui.model import Channel
-from usdrigui.settings import JointSettings, Settings, load
+from usdrigui.settings import ControlSettings, JointSettings, Settings, load
+from usdrigui.usd import ranges
 from usdrigui.usd.controls import blend_shape_drafts, joint_settings
 from usdrigui.usd.ranges import Authored
 from usdrigui.usd.rig import read_rigs
@@ -261,6 +262,13 @@ def test_an_animation_widens_the_range_but_never_narrows_it(tmp_path):
     assert span(controls(rig)["frown"]) == (0.0, 0.0, 1.0, "default")
     assert rig.clip.times.tolist() == [1.0, 2.0, 3.0]
     assert np.allclose(rig.clip.weights[:, 0], [0.0, -0.75, 2.5])
+
+
+@pytest.mark.parametrize(("reached", "maximum"), [(1.0 + ranges.SNAP, 1.0), (1.02, 1.02)])
+def test_an_overshoot_of_a_hundredth_is_no_range(reached, maximum):
+    nowhere = [(np.nan, np.nan)]
+    authored = Authored(nowhere, nowhere, [(0.0, 1.0)], [(0.0, reached)])
+    assert ranges.blend_shape_range(0, authored, ControlSettings(), 0.0).maximum == maximum
 
 
 @pytest.mark.parametrize("as_text", [True, False])

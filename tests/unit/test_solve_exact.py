@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 from enumeration import best_of_all
 from layout_problems import crowd, random_problem
+from scipy.sparse import csr_array
 
 from usdrigui.errors import RigUIError
 from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, LayoutProblem, Overlap, Variable
@@ -25,6 +26,7 @@ from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
 from usdrigui.solve import branch_and_bound as branch_and_bound_module
+from usdrigui.solve.assignment import assignment
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
 from usdrigui.solve.dominance import undominated
@@ -80,6 +82,16 @@ def test_local_search_goes_on_as_long_as_it_helps(monkeypatch: pytest.MonkeyPatc
     rounds = costs[:: len(problem.variables)]
     assert rounds[0] > rounds[-1] == search.cost
     assert len(set(rounds)) == len(rounds)
+
+
+def test_insertion_gives_each_variable_its_cheapest_label() -> None:
+    """Of a (labels 0, 1) and b (2, 3, 4) the cheapest, 0 and 2, fit; from 1 and 3 no single move leads there."""
+    linear = np.array([0.0, 1.0, 0.0, 0.5, 5.0])
+    pairs = csr_array(([10.0, 10.0, 10.0, 6.0], ([0, 0, 1, 1], [4, 3, 2, 4])), shape=(5, 5))
+    search = LocalSearch(np.array([0, 2, 5]), linear, local_search.KnownRows(pairs), Budget(HIGHS), 100.0)
+    search.construct()
+    assert search.chosen.tolist() == [0, 2]
+    assert search.cost == 0.0
 
 
 def failures(seeds: range) -> list[str]:
@@ -185,6 +197,33 @@ def test_of_triplets_that_raise_the_bound_those_that_take_little_work_come_first
     assert problem.bound() == pytest.approx(1.0, abs=1e-5)
     raise_bound(problem, Budget(HIGHS))
     assert problem.bound() == pytest.approx(2.1, abs=1e-5)
+
+
+def test_of_triplets_that_gain_nothing_the_one_whose_weakest_table_costs_most_comes_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two triplets of two labels each; the first labels cost something in pairs, the second ones nothing."""
+    pairs = np.zeros((12, 12))
+    for (a, b), cost in {(0, 1): 0.9, (0, 2): 0.9, (1, 2): 0.1, (3, 4): 0.5, (3, 5): 0.5, (4, 5): 0.5}.items():
+        pairs[2 * a, 2 * b] = cost
+    problem = ReducedProblem(np.repeat(np.arange(6), 2), np.arange(12), np.zeros(12), pairs)
+    monkeypatch.setattr(triplets, "AT_ONCE", 1)
+    raise_bound(problem, Budget(HIGHS))
+    assert list(problem.messages) == [(3, 4, 5)]
+
+
+def test_a_triplet_costs_what_its_tables_were_not_given() -> None:
+    problem = ReducedProblem(np.arange(3), np.arange(3), np.zeros(3), np.zeros((3, 3)))
+    problem.messages[0, 1, 2] = tuple(np.array([[each]], dtype=np.float32) for each in (-1.0, -0.5, 0.25))
+    assert problem.triplet_costs((0, 1, 2)).tolist() == [[[1.25]]]
+
+
+def test_rounding_is_taken_off_a_bound_not_added() -> None:
+    problem = crowd(0, variables=2, candidates=3)
+    labels, budget = all_labels(problem), Budget(HIGHS)
+    chosen = np.array([0, -1])
+    budget.found("test", bound=total_cost(problem, chosen) - 0.5)
+    assert assignment(problem, labels, chosen, budget, "test").bound < budget.bound
 
 
 @pytest.mark.parametrize("solver", ["highs", "highs with triplets", "branch and bound"])

@@ -238,6 +238,11 @@ def test_a_problem_is_sampled_by_displacement_not_by_cost() -> None:
     assert found.labels[0] < 50
 
 
+def test_of_an_element_that_the_sample_passed_over_the_candidate_that_moves_is_kept() -> None:
+    still_and_moving, allowed = [np.array([0.0, 1.0])] * 5, [np.ones(2, dtype=bool)] * 5
+    assert np.concatenate(sample(still_and_moving, 1e-6, np.random.default_rng(0), allowed)).tolist() == [1] * 5
+
+
 def test_a_sample_keeps_one_of_each_and_follows_the_seed() -> None:
     weights = [np.full(400, 1e-3), np.full(400, 1.0)]
     allowed = [np.ones(400, dtype=bool)] * 2

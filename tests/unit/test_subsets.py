@@ -32,8 +32,8 @@ def asset(tmp_path):
     UsdSkel.BindingAPI.Apply(stage.GetPrimAtPath("/Root/skel")).CreateAnimationSourceRel().SetTargets(
         [Sdf.Path("/Root/anim")]
     )
-    UsdGeom.Subset.CreateGeomSubset(mesh, "end", UsdGeom.Tokens.face, Vt.IntArray([3, 99]))
-    UsdGeom.Subset.CreateGeomSubset(mesh, "corner", UsdGeom.Tokens.point, Vt.IntArray([9, 4, -1]))
+    UsdGeom.Subset.CreateGeomSubset(mesh, "end", UsdGeom.Tokens.face, Vt.IntArray([3, 4]))
+    UsdGeom.Subset.CreateGeomSubset(mesh, "corner", UsdGeom.Tokens.point, Vt.IntArray([9, 4, -1, 10]))
     UsdGeom.Subset.CreateGeomSubset(mesh, "nothing", UsdGeom.Tokens.face, Vt.IntArray([]))
     stage.Save()
     return tmp_path / "strip.usda"

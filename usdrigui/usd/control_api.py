@@ -44,9 +44,8 @@ def author_control_api(
 def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
     plain = _is_plain(rig, control)
-    driven = np.flatnonzero(
-        np.abs(drive.weights).max(axis=0, initial=0.0) > (-1.0 if plain else _NOISE)
-    )
+    still = np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0)
+    driven = np.flatnonzero(plain | ~still)
     channels = [rig.channels[channel] for channel in drive.channels[driven]]
     animations = list(dict.fromkeys(channel.animation for channel in channels if channel.animation))
     which = [

@@ -18,8 +18,8 @@ from usdrigui.usd.skeleton import Armature
 
 Source = Literal["config", "limits", "animation", "inbetweens", "metadata", "default"]
 
-_SNAP = 0.01
-"""An animation that leaves [0, 1] by less than this is noise or overshoot, not a range."""
+SNAP = 0.01
+"""An animation that leaves [0, 1] by no more than this is noise or overshoot, not a range."""
 
 
 @dataclass(frozen=True)
@@ -126,9 +126,9 @@ def _authored_range(channel: int, authored: Authored) -> tuple[float, float, Sou
     )
     for table, name in others:
         least, greatest = table[channel]
-        if least < low - _SNAP:
+        if least < low - SNAP:
             low, source = least, name
-        if greatest > high + _SNAP:
+        if greatest > high + SNAP:
             high, source = greatest, name
     return low, high, source
 

@@ -210,10 +210,10 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     shorter than `least`."""
     motion = face.trajectories.motion_of(control)
     one = np.array([source])
-    length = arc_lengths(motion, one)
-    factor = float(magnification(length, least)[0])
-    track = face.trajectories.base[point] + factor * paths(motion, one)[0]
-    return Member(face.control_name(control), motion.values, track, float(length[0]), factor)
+    lengths, (path,) = arc_lengths(motion, one), paths(motion, one)
+    (length,), (factor,) = lengths.tolist(), magnification(lengths, least).tolist()
+    track = face.trajectories.base[point] + factor * path
+    return Member(face.control_name(control), motion.values, track, length, factor)
 
 
 def anchor_at(face: Face, point: int) -> Anchor:

@@ -225,10 +225,7 @@ def _around(trajectories: Trajectories, points: Floats) -> csr_array:
     )
     blur = _BLUR * trajectories.face_size
     apart, near = cKDTree(centres).query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * blur)
-    weights = np.where(
-        np.isfinite(apart), np.exp(-0.5 * np.square(np.minimum(apart, 3.0 * blur) / blur)), 0.0
-    )
-    weights *= np.append(area, 0.0)[near]
+    weights = np.exp(-0.5 * np.square(apart / blur)) * np.append(area, 0.0)[near]
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)
     rows = np.repeat(np.arange(len(points)), near.shape[1])
     return csr_array(

@@ -1,11 +1,15 @@
 """The board."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import makers
 import numpy as np
 import pytest
+
+from usdrigui.layout.board.board import _directions, _right_end
+from usdrigui.layout.board.board_place import face_middle
 
 POINTS, QUADS = makers.mask()
 
@@ -82,3 +86,26 @@ def test_the_board_hangs_on_the_joint_that_holds_the_face():
     line = chain.lay_out(rig)
     whole = chain.by_name(line)["whole"]
     assert head[whole.anchor.point] == 1.0
+
+
+def test_opposed_members_run_to_opposite_sides_of_the_board():
+    pairs = SimpleNamespace(controls=range(4), axes=((0, 1), (2, 3)))
+    right, up = np.eye(3)[:2]
+    assert _directions(pairs, np.eye(3)[:2]) == pytest.approx(np.array([-right, right, -up, up]))
+
+
+def test_another_column_begins_two_handle_widths_right_of_track_and_label():
+    """A track to 3, two handle widths of a half each, and letters, each less than a handle wide."""
+    tracks = SimpleNamespace(track=np.array([[0.0, 0, 0], [3, 0, 0]])), SimpleNamespace(track=np.zeros((2, 3)))
+    ends = [_right_end(SimpleNamespace(members=tracks, label=label), np.eye(3)[:2], 0.5) for label in ("", "abcd")]
+    assert ends[0] == pytest.approx(4.0)
+    assert 0.25 * 4 < ends[1] - ends[0] < 0.5 * 4
+
+
+def test_the_middle_of_the_face_is_half_way_between_the_ends_of_what_moves_notably():
+    points = np.array([[0.0, 0, 0], [1, 5, 1], [4, 2, 0], [90, 90, 90]])
+    motion = SimpleNamespace(points=np.arange(4), arc_length=np.array([1.0, 0.5, 0.9, 0.4]))
+    moving, flat = SimpleNamespace(base=points, motions=[motion]), SimpleNamespace(normal=np.zeros(3))
+    assert face_middle(moving, flat).tolist() == [2.0, 2.5, 0.5]
+    mirrored = SimpleNamespace(normal=np.array([1.0, 0.0, 0.0]), origin=np.array([1.0, 7.0, 7.0]))
+    assert face_middle(moving, mirrored).tolist() == [1.0, 2.5, 0.5]

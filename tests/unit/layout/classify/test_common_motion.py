@@ -5,6 +5,8 @@ import makers
 import numpy as np
 import pytest
 
+from usdrigui.layout.classify.common_motion import _sum_of_others
+
 POINTS, _ = makers.mask()
 SHAPES = makers.face_shapes(POINTS)
 NOSTRIL = (0.12, 0.05)
@@ -45,3 +47,10 @@ def test_no_control_explains_another_by_going_far_beyond_its_own_range():
     face = chain.face_of(makers.face_with(tiny=0.1 * SHAPES["smile_L"]), settings)
     index = [control.name for control in face.rig.controls].index("smile_L")
     assert face.trajectories.motion_of(index).common.max() < 0.25
+
+
+def test_another_control_goes_twice_its_range_in_a_sum_and_no_further():
+    line = chain.measured(makers.face_with(tiny=0.1 * SHAPES["smile_L"]))
+    index = [control.name for control in line.face.rig.controls].index("smile_L")
+    _, weights = _sum_of_others(line.similarity, index, np.ones(len(line.face.rig.controls), dtype=bool))
+    assert weights.max() == pytest.approx(2.0)

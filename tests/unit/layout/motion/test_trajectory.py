@@ -135,6 +135,8 @@ def test_controls_of_the_whole_head_cover_it_and_no_other_does(kind):
     share = coverage_of_smaller(trajectories(rig, DENSE).motions, np.ones(len(points)))
     assert share[-1] > 0.6
     assert share[:-1].max() < 0.6
+    small = trajectories(makers.moved(rig, 1e-3 * np.eye(3)), DENSE)
+    assert coverage_of_smaller(small.motions, np.ones(len(points))) == pytest.approx(share)
 
 
 def jointed(angle):

@@ -73,13 +73,15 @@ def tube(points):
     ]
 
 
-def equipped(shared):
+def equipped(shared, chain_of_sword=1):
     """The body with two eyeballs and a sword of their own meshes; its own skin `shared` between neighbours or of rigid
-    parts."""
+    parts.  So many joints in a chain hold the sword."""
     at = {joint.path: joint.bind[3, :3] for joint in BODY.joints}
     hung = {"h/s/t/n/e/b": (0.03, 1.6, 0.1), "h/s/t/n/e/c": (-0.03, 1.6, 0.1), "h/s/t/a0/a1/a2/w": (1.45, 0.9, 0.1)}
     names = [*at, *hung]
-    places = np.array([*at.values(), *hung.values()])
+    chained = ["h/s/t/a0/a1/a2/w" + "/v" * more for more in range(1, chain_of_sword)]
+    names += chained
+    places = np.array([*at.values(), *hung.values(), *([hung["h/s/t/a0/a1/a2/w"]] * len(chained))])
     joints = limbs.skeleton_rig(names, places, list(range(len(names)))).joints
     own = BODY.meshes[0].skin.joints
     above = np.maximum([joint.parent for joint in joints], 0)
@@ -92,7 +94,9 @@ def equipped(shared):
     ball = np.concatenate([np.c_[np.sin(t) * RING, np.full(6, np.cos(t))] for t in np.linspace(0.3, 2.8, 5)])
     stick = np.concatenate([np.c_[0.01 * RING[:, 0], np.full(6, y), 0.01 * RING[:, 1]] for y in np.linspace(0, 0.6, 7)])
     for name, shape in zip(hung, (0.02 * ball, 0.02 * ball, stick), strict=True):
-        held = replace(skin, joints=np.full((len(shape), 1), names.index(name)), weights=np.ones((len(shape), 1)))
+        holding = [name, *(each for each in chained if each.startswith(name))]
+        by = np.array([names.index(holding[at * len(holding) // len(shape)]) for at in range(len(shape))])
+        held = replace(skin, joints=by[:, None], weights=np.ones((len(shape), 1)))
         meshes.append(makers.mesh(shape + hung[name], tube(shape), path=f"/Root/{name[-1]}", skin=held))
     return limbs.with_default_controls(replace(BODY, joints=joints, meshes=tuple(meshes)))
 
@@ -106,6 +110,11 @@ def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
     assert list(found) == parts
     assert {name.partition(":")[0] for name in found["eyes"]} == {"b", "c"}
     assert {name.partition(":")[0] for name in found.get("props", ("w:",))} == {"w"}
+
+
+@pytest.mark.parametrize(("joints", "prop"), [(2, True), (3, False)])
+def test_a_chain_of_three_joints_with_skin_is_hair_or_a_tail_and_no_prop(joints, prop):
+    assert ("props" in named(equipped(True, joints))) is prop
 
 
 def test_a_head_without_a_body_keeps_its_eyes():

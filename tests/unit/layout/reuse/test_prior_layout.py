@@ -9,7 +9,16 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.reuse.partial_layout import fixed_by
-from usdrigui.layout.reuse.prior_layout import NO_PRIOR, KeptGroup, PriorLayout, joined, kept_groups, prior_of_previous
+from usdrigui.layout.reuse.prior_layout import (
+    NO_PRIOR,
+    KeptGroup,
+    Place,
+    PriorLayout,
+    joined,
+    kept_groups,
+    leaving_penalties,
+    prior_of_previous,
+)
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.settings import ControlSettings, Settings
@@ -279,3 +288,10 @@ def test_of_two_prior_layouts_the_first_holds(face, before):
     assert both.groups[: len(first.groups)] == first.groups
     members = [control for group in both.groups for control in group.controls]
     assert len(members) == len(set(members)) == len(face.controls)
+
+
+def test_a_place_costs_by_how_much_further_than_the_nearest_it_lies_from_the_earlier_one():
+    """Candidates 1, 2 and 5 away: the nearest costs nothing, all from the cutoff of two handle widths on the same."""
+    base = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [5, 0, 0]])
+    prior = PriorLayout(places={7: Place(0, base[0], False)}, penalty=3.0, cutoff_distance=2.0)
+    assert leaving_penalties(prior, [7], np.array([1, 2, 3]), base, 1.0).tolist() == [0.0, 1.5, 3.0]

@@ -9,7 +9,7 @@ import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.reuse import retargeting
-from usdrigui.layout.reuse.retargeting import _face_middle, corresponding, of_another
+from usdrigui.layout.reuse.retargeting import _face_middle, _turn, _warped, corresponding, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
 
@@ -159,3 +159,18 @@ def test_most_landmarks_count_where_few_are_wrong():
     similarity, weights = retargeting._robust(source, target)
     assert np.flatnonzero(weights == 0.0).tolist() == [5]
     assert np.delete(similarity(source) - target, 5, axis=0) == pytest.approx(np.zeros((11, 3)), abs=0.2)
+
+
+@pytest.mark.parametrize("end", [(0.0, 0.0, 1.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.6, 0.0, 0.8)])
+def test_the_turn_from_up_to_up_is_a_rotation_even_from_below(end):
+    turn = _turn(np.array([0.0, 1.0, 0.0]), np.array(end))
+    assert turn @ [0.0, 1.0, 0.0] == pytest.approx(end)
+    assert turn @ turn.T == pytest.approx(np.eye(3))
+    assert np.linalg.det(turn) == pytest.approx(1.0)
+
+
+def test_landmarks_that_correspond_smoothly_are_met_by_the_warp():
+    """Each is predicted from the others: the smoothness that suits few landmarks would miss them by .1."""
+    source = np.random.default_rng(0).uniform(-1.0, 1.0, (40, 3))
+    target = source + 0.2 * np.stack([np.sin(2.0 * source[:, 1]), source[:, 0] ** 2, 0.0 * source[:, 0]], axis=1)
+    assert _warped(source, target, source) == pytest.approx(target, abs=0.02)
