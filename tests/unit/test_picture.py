@@ -22,8 +22,9 @@ from usdrigui.pose.evaluate import elements_at, evaluate, prepare, values_of
 from usdrigui.rays import GridCaster
 from usdrigui.view import lettering, overlay, picture, shading, sheet
 from usdrigui.view import sheet as view_sheet
+from usdrigui.view.complexion import complexion
 from usdrigui.view.picture import contact_sheet, render
-from usdrigui.view.sections import sections
+from usdrigui.view.sections import cut_away, sections
 
 SMALL = (640, 400)
 BLUE, RED, VIOLET = palette.SIDES["left"], palette.SIDES["right"], palette.BOARD
@@ -537,3 +538,15 @@ def test_a_character_in_parts_has_a_close_up_of_each_part_and_of_each_hand():
     width, height = render(rig, layout, size=(320, 240)).size
     assert width == 320
     assert height - 4 * 240 >= boards * 34
+
+
+def test_a_part_without_handles_on_the_character_is_shown_without_the_skin_that_hides_it():
+    """The inside of a mouth: its controls are on the board, and its teeth alone are drawn."""
+    rig = makers.face_with_teeth()
+    whole = laid_out.layout_of(rig)
+    (teeth,) = (each for each in whole.elements if each.controls == {"teeth"})
+    colours = complexion(rig, whole)
+    board = replace(teeth, anchor=replace(teeth.anchor, on_board=True))
+    hidden = cut_away(rig, replace(whole, elements=(board,)), colours).clear
+    assert np.flatnonzero(~hidden).tolist() == [len(hidden) - 4 + i for i in range(4)]
+    assert cut_away(rig, whole, colours) is colours

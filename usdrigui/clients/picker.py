@@ -20,12 +20,11 @@ from PIL import Image
 from usdrigui.markup import markup
 from usdrigui.model import Element, Floats, Layout, Record, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
-from usdrigui.surface import mesh_triangles
 from usdrigui.view import lettering, shading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.overlay import colour_of, form_of
-from usdrigui.view.sections import main_layout, sections
-from usdrigui.view.shading import look
+from usdrigui.view.sections import cut_away, main_layout, sections
+from usdrigui.view.shading import Complexion, look
 from usdrigui.view.silhouette import silhouette
 
 _HANDLE = 22.0
@@ -273,21 +272,31 @@ Panel = tuple[Backdrop, list[Spot]]
 def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     """One panel a part of a character."""
     posed = evaluate(prepare(rig, layout))
-    subject = shading.body(rig, posed.points, complexion(rig, main_layout(layout)))
+    colours = complexion(rig, main_layout(layout))
     if len(layout.parts) < 2:
-        return [_panel(rig, layout, posed, subject, "", labels)]
+        return [_panel(rig, layout, posed, colours, "", labels)]
     found = sections(layout, posed, rig.up)
-    return [_panel(rig, each.layout, each.posed, subject, each.title, labels) for each in found]
+    return [
+        _panel(
+            rig,
+            each.layout,
+            each.posed,
+            cut_away(rig, each.layout, colours),
+            each.title,
+            labels,
+        )
+        for each in found
+    ]
 
 
 def _panel(
-    rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
+    rig: Rig, layout: Layout, posed: PosedLayout, colours: Complexion, title: str, labels: bool
 ) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
     rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
-    corners = mesh_triangles(rig.meshes, visible_only=True)
-    corners = corners if len(corners) else mesh_triangles(rig.meshes)
+    subject = shading.body(rig, posed.points, colours)
+    corners = subject.corners
     skin = posed.points[np.unique(corners)]
     low, high = _region(_spots(layout, posed, plane), skin @ plane)
     smaller = min(1.0, _LARGEST * _HANDLE / max(float((high - low).max()), 1e-9))

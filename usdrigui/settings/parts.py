@@ -643,8 +643,8 @@ class PartSettings:
 
     divide: bool = setting(
         True,
-        "Lay out face, eyes, hands, feet, props and body each by itself; else all controls as"
-        " one part.",
+        "Lay out face, inside of the mouth, eyes, hands, feet, props and body each by itself; else"
+        " all controls as one part.",
     )
     controls: Mapping[str, str] = setting(
         {},

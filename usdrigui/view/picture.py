@@ -19,7 +19,7 @@ from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.view import directions, lettering, overlay, shading
 from usdrigui.view.complexion import complexion
-from usdrigui.view.sections import main_layout, sections
+from usdrigui.view.sections import cut_away, main_layout, sections
 from usdrigui.view.shading import Body, Camera, Complexion
 
 VIEWS = {
@@ -87,7 +87,8 @@ def render(
         )
     pages, colours = [], complexion(rig, main_layout(layout))
     for each in sections(layout, posed, rig.up):
-        scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, colours)
+        own = cut_away(rig, each.layout, colours)
+        scene = _set_up(rig, each.layout, each.posed, each.views or None, size, labels, own)
         name = title or rig.root.strip("/") or "character"
         held = len(each.layout.controls)
         pages.append(
@@ -145,7 +146,8 @@ def _set_up(
 
     ``colours`` are by default those that the layout's own main part shows.
     """
-    skin, ahead = _skin(rig, posed), directions.ahead_of(rig, layout)
+    colours = colours or complexion(rig, main_layout(layout))
+    skin, ahead = _skin(rig, posed, colours), directions.ahead_of(rig, layout)
     if views is None:
         shown = [
             (layout.view, True),
@@ -184,7 +186,7 @@ def _set_up(
         tuple(panels),
         tuple(cameras),
         tuple(corners),
-        colours or complexion(rig, main_layout(layout)),
+        colours,
     )
 
 
@@ -295,11 +297,11 @@ def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
         )
 
 
-def _skin(rig: Rig, posed: PosedLayout) -> Floats:
-    """(m, 3) finite points of the visible meshes, or of all if none is."""
+def _skin(rig: Rig, posed: PosedLayout, colours: Complexion) -> Floats:
+    """(m, 3) finite points of the visible meshes, or of all if none is, that are drawn."""
     seen = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
-    points = posed.points[seen] if seen.any() else posed.points
-    return np.asarray(points[np.isfinite(points).all(axis=1)])
+    seen = (seen if seen.any() else ~seen) & ~colours.clear
+    return np.asarray(posed.points[seen & np.isfinite(posed.points).all(axis=1)])
 
 
 def _framed(
@@ -316,7 +318,7 @@ def _framed(
 
     ``rows`` are those of the camera; the layout's ``own`` view is broader.
     """
-    low, high = bare = _extent(layout, posed, rows, False)
+    low, high = bare = _extent(layout, posed, rows, skin)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
@@ -328,7 +330,7 @@ def _framed(
 
 def _framed_board(layout: Layout, posed: PosedLayout, rows: Floats) -> _Framed:
     """The rectangle around the board, with room for the names to its right."""
-    low, high = _extent(layout, posed, rows, True)
+    low, high = _extent(layout, posed, rows)
     pad = 1.5 * layout.handle_width
     names = lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0
     return _Framed(
@@ -361,15 +363,19 @@ def _around_head(
     return wide_low, wide_high
 
 
-def _extent(layout: Layout, posed: PosedLayout, rows: Floats, board: bool) -> tuple[Floats, Floats]:
-    """Corners (2,) of the box around the tracks on the face, or beside it, in the view's plane."""
+def _extent(
+    layout: Layout, posed: PosedLayout, rows: Floats, skin: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """Corners (2,) of the box in the view's plane around the tracks on the character, without any
+    around its `skin` (m, 3); around those of the board where no skin is given."""
+    board = skin is None
     lines = [
         track
         for element, at in zip(layout.elements, posed.elements, strict=True)
         if element.anchor.on_board == board
         for track in (*at.tracks, *([at.glyph] if board and len(at.glyph) else []))
     ]
-    points = np.concatenate(lines) if lines else posed.points[np.isfinite(posed.points).all(axis=1)]
+    points = np.concatenate(lines) if lines or skin is None else skin
     across = points @ rows[:2].T
     return across.min(axis=0), across.max(axis=0)
 
@@ -462,7 +468,8 @@ def _numbers(controls: int, layout: Layout, width: float) -> str:
     board = len(layout.elements) - on_face
     held = {part for part in (element.part for element in layout.elements) if part}
     place = held.pop() if len(held) == 1 else "character" if held else "face"
-    parts = [f"{controls} controls", f"{on_face} elements on the {place}"]
+    parts = [f"{controls} control{'s' * (controls != 1)}"]
+    parts += [f"{on_face} elements on the {place}"] if on_face or not board else []
     parts += [f"{board} on the board"] if board else []
     parts += [f"{len(layout.left_off)} left off"] if layout.left_off else []
     if np.isfinite(layout.bound) and np.isfinite(layout.cost):

@@ -7,14 +7,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.model import Element, Floats, Layout, LayoutPart, Side
+from usdrigui.deform import deform
+from usdrigui.model import Element, Floats, Layout, LayoutPart, Rig, Side
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view import directions
+from usdrigui.view.shading import Complexion
 
 _APART = 1.0
 """Two sides are apart when the gap between them is this many times the extent of either."""
 _SHOWN = 2
 """Elements of a side, at least, that has a close-up of its own: eyes look together."""
+_TITLES = {"interior": "inside the mouth"}
+"""What parts are called that are not called by their names."""
+_TOUCHED = 0.01
+"""Share of a control's largest displacement from which a point belongs to what it moves."""
 _QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
 """Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""
 
@@ -39,7 +45,8 @@ def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, .
         own = [i for i, element in enumerate(layout.elements) if element.part == part.name]
         sides = _sides(layout, own)
         if not sides:
-            found.append(_section(layout, posed, part, own, part.name, ()))
+            title = _TITLES.get(part.name, part.name)
+            found.append(_section(layout, posed, part, own, title, ()))
         for side, chosen in sides:
             views = _best_views(part, side, [layout.elements[i] for i in chosen], up)
             found.append(
@@ -57,6 +64,22 @@ def main_layout(layout: Layout) -> Layout:
         layout,
         elements=tuple(each for each in layout.elements if each.part == layout.parts[0].name),
     )
+
+
+def cut_away(rig: Rig, layout: Layout, colours: Complexion) -> Complexion:
+    """How the points of a rig look in the close-up of a part: one without an element on the
+    character, as tongue and teeth have none, is shown without the skin that hides it."""
+    if any(not element.anchor.on_board for element in layout.elements):
+        return colours
+    moved = np.zeros(len(colours.clear), dtype=np.bool_)
+    still = deform(rig, layout.base_values)
+    for index, control in enumerate(rig.controls):
+        if control.name in layout.controls:
+            values = np.tile(layout.base_values, (2, 1))
+            values[:, index] = control.minimum, control.maximum
+            ways = np.max([np.linalg.norm(deform(rig, each) - still, axis=1) for each in values], 0)
+            moved |= ways > _TOUCHED * np.max(ways, initial=0.0)
+    return replace(colours, clear=colours.clear | ~moved) if moved.any() else colours
 
 
 def _section(

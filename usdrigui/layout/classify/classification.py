@@ -16,7 +16,7 @@ from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Category, Flags, Floats, Motion, Rig, Symmetry, Trajectories
+from usdrigui.model import Category, Control, Flags, Floats, Motion, Rig, Symmetry, Trajectories
 from usdrigui.settings import CandidateSettings
 
 _UNMOVED_SHARE = 0.1
@@ -81,7 +81,8 @@ def classify(
         shares_of_face(every, visible_areas),
     )
     meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
-    covered = _of_families(covered[: len(meanings)], meanings)
+    controls = [rig.controls[motion.control] for motion in trajectories.motions]
+    covered = _of_sets(covered[: len(meanings)], controls, meanings)
     vanish = visibility_shapes(rig, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
     repeated = composites(
@@ -156,14 +157,19 @@ def _category(
     return "", ""
 
 
-def _of_families(covered: Floats, meanings: Sequence[Meaning | None]) -> Floats:
-    """(motions,) shares of the face with the median of its family for each member: a family leaves
-    the face as a whole."""
-    found = covered.copy()
-    names = [each.action.name if each and each.action.in_family else "" for each in meanings]
-    for name in sorted({*names} - {""}):
-        members = [i for i, own in enumerate(names) if own == name]
-        found[members] = np.median(covered[members])
+def _of_sets(
+    covered: Floats, controls: Sequence[Control], meanings: Sequence[Meaning | None]
+) -> Floats:
+    """(motions,) shares of the face with the median of its set for each member: a family leaves the
+    face as a whole, and so do the axes of a joint, a head's nod with its turn."""
+    found, members = covered.copy(), dict[tuple[str, str], list[int]]()
+    for index, (control, meaning) in enumerate(zip(controls, meanings, strict=True)):
+        if meaning is not None and meaning.action.in_family:
+            members.setdefault(("family", meaning.action.name), []).append(index)
+        elif control.kind == "joint":
+            members.setdefault(("joint", control.source), []).append(index)
+    for each in members.values():
+        found[each] = np.median(covered[each])
     return found
 
 

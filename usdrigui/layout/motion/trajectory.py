@@ -290,10 +290,15 @@ class _Scale:
         """The scale of what the motions move."""
         local = _local(motions, excluded, areas)
         peaks = np.array([motion.peak for motion in motions])
-        size = _face_size([motions[i] for i in np.flatnonzero(local)], base @ rig.up) or _diagonal(
-            base
+        shown = [motions[i] for i in np.flatnonzero(local)]
+        # A joint may own a single point, and all points may rest in one place.
+        size = (
+            _face_size(shown, base @ rig.up)
+            or _diagonal(base[np.concatenate([np.zeros(0, int), *(each.points for each in shown)])])
+            or _diagonal(base)
+            or float(peaks.max(initial=0.0))
+            or 1.0
         )
-        size = size or float(peaks.max(initial=0.0)) or 1.0  # All points may rest in one place.
         return _Scale(size, float(np.median(peaks[local])) if local.any() else size)
 
 

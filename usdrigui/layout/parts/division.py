@@ -1,7 +1,8 @@
 """The parts of a character: which controls are laid out together, at one scale.
 
 A control of a joint is of the part of its joint, every other control of the part whose skin it
-moves most.  A rig that is a face alone, or a hand, is one part.
+moves most.  Tongue and teeth are told by their names.  A rig that is a face alone, or a hand, is
+one part.
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial import cKDTree
 
+from usdrigui.conventions import meanings
 from usdrigui.layout.parts.joint_regions import (
     BODY,
     EYES,
     FACE,
     FEET,
     HANDS,
+    INTERIOR,
     PROPS,
     JointRegions,
     joint_regions,
@@ -27,11 +30,14 @@ from usdrigui.model import Control, Flags, Indices, Motion, Record, Rig, Traject
 from usdrigui.settings import Settings
 from usdrigui.ties import first_largest
 
-ORDER = (FACE, EYES, HANDS, FEET, PROPS)
+ORDER = (FACE, INTERIOR, EYES, HANDS, FEET, PROPS)
 """Parts that are laid out first, in this order; the body comes last, for its handles are the
 widest."""
 _NEAR = 0.5
 """A blend shape of skin nearer to the face than this share of the head's extent (the neck) is of
+the face."""
+_SEVERAL = 2
+"""Controls of tongue and teeth, at least, that make a part: a lone ``tongueOut`` is on the board of
 the face."""
 _MOST = 0.9
 """Share of a motion, area times distance, that has to lie there."""
@@ -42,8 +48,8 @@ class Part(Record):
     """One part of a character."""
 
     name: str
-    """``face``, ``eyes``, ``hands``, ``feet``, ``props``, ``body``, or as the configuration calls
-    it."""
+    """``face``, ``interior`` (of the mouth), ``eyes``, ``hands``, ``feet``, ``props``, ``body``, or
+    as the configuration calls it."""
     controls: frozenset[int]
     """Indices of its controls."""
     excluded: frozenset[int] = frozenset()
@@ -51,8 +57,8 @@ class Part(Record):
 
 
 def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...]:
-    """The parts of a character in the order in which they are laid out: face, eyes, hands, feet,
-    props, others, body.
+    """The parts of a character in the order in which they are laid out: face, inside of the mouth,
+    eyes, hands, feet, props, others, body.
 
     Every control that moves something is in one part.  Without ``parts.divide`` all are in one, and
     so they are where the skeleton tells no parts; controls that the configuration groups or pairs
@@ -62,6 +68,8 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     whole = settings.candidates.global_coverage
     tell = _Names(rig, found, regions, whole).of if regions is not None else _face
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
+    if settings.candidates.conventions:
+        names |= dict.fromkeys(_inside_mouth(rig, names), INTERIOR)
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
     index = {control.name: i for i, control in enumerate(rig.controls)}
@@ -82,6 +90,18 @@ def _face(control: Control, motion: Motion) -> str:
     """The part of a control where the skeleton tells nothing."""
     del control, motion
     return FACE
+
+
+def _inside_mouth(rig: Rig, names: Mapping[int, str]) -> list[int]:
+    """The controls of the face that bear the name of a tongue or of teeth, where there are
+    several."""
+    meant = meanings([control.name for control in rig.controls])
+    found = [
+        control
+        for control, part in names.items()
+        if part == FACE and (own := meant[control]) is not None and own.action.category == INTERIOR
+    ]
+    return found if len(found) >= _SEVERAL else []
 
 
 def _named(names: Mapping[int, str], name: str) -> frozenset[int]:

@@ -19,6 +19,8 @@ from usdrigui.model import Flags, Indices, Rig, Trajectories
 from usdrigui.ties import first_largest
 
 FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"
+INTERIOR = "interior"
+"""Tongue, teeth and gums."""
 
 _HEAD = ("head", "頭")
 _FACIAL = 6

@@ -193,6 +193,33 @@ def test_the_configuration_names_parts_and_keeps_groups_together():
     assert "ears" not in moved
 
 
+@pytest.mark.parametrize(
+    ("names", "conventions", "inside"),
+    [
+        (("tongueUp", "tongueOut"), True, {"tongueUp", "tongueOut"}),
+        (("tongueOut",), True, set()),
+        (("tongueUp", "tongueOut"), False, set()),
+    ],
+)
+def test_tongue_and_teeth_are_a_part_where_they_have_several_controls(names, conventions, inside):
+    rig = makers.face()
+    called = tuple(replace(control, name=name) for control, name in zip(rig.controls, names, strict=False))
+    rig = replace(rig, controls=called + rig.controls[len(names) :])
+    found = named(rig, load({"candidates": {"conventions": conventions}}))
+    assert found.pop("interior", set()) == inside
+    assert found == {"face": {control.name for control in rig.controls} - inside}
+
+
+def test_a_part_without_height_is_as_large_as_what_it_moves():
+    """Not as the whole character: a tongue whose joint owned one point had a board as wide as the body."""
+    points, faces = makers.mask()
+    moved = np.flatnonzero(points[:, 1] == points[len(points) // 2, 1])[:5]
+    offsets = np.zeros_like(points)
+    offsets[moved] = 0.0, 0.0, 0.1
+    found = trajectories(makers.rig(points, faces, {"lift": offsets}), Settings().trajectories)
+    assert found.face_size == pytest.approx(np.linalg.norm(np.ptp(points[moved], axis=0)))
+
+
 def test_a_face_is_one_part():
     assert list(named(makers.face())) == ["face"]
 
