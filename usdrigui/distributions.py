@@ -7,7 +7,6 @@ Nothing here imports pxr.
 from __future__ import annotations
 
 from importlib.machinery import ModuleSpec
-from importlib.metadata import PathDistribution
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -28,23 +27,25 @@ def colliding() -> tuple[Issue, ...]:
     may not look."""
     try:
         owners = _owners()
+        if len(owners) < 2:
+            return ()
+        named = _names(owners)
     except OSError:
         return ()
-    if len(owners) < 2:
-        return ()
-    return (
-        issue(
-            "USD_TWICE", "", f"{' and '.join(owners)} own the same files of pxr in {_places()[0]}"
-        ),
-    )
+    found = f"{' and '.join(named)} own the same files of pxr in {_places()[0]}"
+    return (issue("USD_TWICE", "", found),)
 
 
-def _owners() -> tuple[str, ...]:
+def _owners() -> list[Path]:
+    """The metadata folders of the packages that hold pxr."""
     records = [record for place in _places() for record in sorted(place.glob("*.dist-info/RECORD"))]
-    owning = [record.parent for record in records if _OWNED in b"\n" + record.read_bytes()]
-    return tuple(
-        f"{each.metadata['Name']} {each.version}" for each in map(PathDistribution, owning)
-    )
+    return [record.parent for record in records if _OWNED in b"\n" + record.read_bytes()]
+
+
+def _names(owners: list[Path]) -> list[str]:
+    from importlib.metadata import PathDistribution  # as long to load as the whole command line
+
+    return [f"{each.metadata['Name']} {each.version}" for each in map(PathDistribution, owners)]
 
 
 def _places() -> list[Path]:

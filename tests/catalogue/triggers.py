@@ -434,11 +434,11 @@ def _without(package: str, trigger: Trigger) -> Trigger:
 
 
 def _bad_term(folder: Path, patch: Any) -> Found:
-    from usdrigui.layout.place import extensions
+    from importlib import metadata
 
     term = SimpleNamespace(linear=lambda _face, _motion, points: -np.ones(len(points)))
     entry = SimpleNamespace(name="studio", load=lambda: term)
-    patch.setattr(extensions, "entry_points", lambda **_: [entry])
+    patch.setattr(metadata, "entry_points", lambda **_: [entry])
     return process(folder, "", "--set", 'objective.terms=["studio"]')
 
 

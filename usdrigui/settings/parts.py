@@ -444,7 +444,7 @@ class ObjectiveSettings:
         bounds=(0.0001, 1.0),
     )
     handle_size_min: float = setting(
-        0.012,
+        0.004,
         "Width below which handles do not shrink, however crowded the face is.",
         unit="face sizes",
         bounds=(0.0001, 1.0),

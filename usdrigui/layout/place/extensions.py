@@ -16,14 +16,16 @@ else happens to be installed.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from importlib.metadata import EntryPoint, entry_points
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from usdrigui.errors import Faults, refuse
 from usdrigui.layout.face import Face
 from usdrigui.model import Choice, ExtraPairs, Floats, Indices, LayoutProblem, Motion
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 GROUP = "usdrigui.terms"
 
@@ -65,6 +67,8 @@ def _loaded(name: str) -> Any:
 
 
 def _entry(name: str) -> EntryPoint:
+    from importlib.metadata import entry_points
+
     for entry in entry_points(group=GROUP):
         if entry.name == name:
             return entry

@@ -26,7 +26,7 @@ _AROUND = 4.0
 _BLUR = np.linspace(0.5, 1.5, 5)
 """Shares of that distance over which the count is averaged: an area may be gathered in a few
 points."""
-_STEPS = 32
+_STEPS = 64
 """Widths tried between the least and the largest."""
 _MANY = 2000
 """Places beyond which those in one cell, half a handle wide, count as one: pairs grow with the

@@ -1,6 +1,7 @@
 """Terms of other packages."""
 
 from dataclasses import replace
+from importlib import metadata
 from importlib.metadata import EntryPoint
 
 import chain
@@ -46,7 +47,7 @@ class Wrong:
 def installed(monkeypatch):
     found = [EntryPoint("low", f"{__name__}:KeepLow", extensions.GROUP), EntryPoint("wrong", "x:y", extensions.GROUP)]
     loads = {"low": KeepLow, "wrong": Wrong}
-    monkeypatch.setattr(extensions, "entry_points", lambda group: [e for e in found if e.group == group])
+    monkeypatch.setattr(metadata, "entry_points", lambda group: [e for e in found if e.group == group])
     monkeypatch.setattr(EntryPoint, "load", lambda self: loads[self.name])
 
 
