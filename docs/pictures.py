@@ -188,8 +188,8 @@ TERM = '''"""Lower places are better."""
 class KeepLow:
     @staticmethod
     def linear(context, motion, points):
-        heights = context.trajectories.base[points] @ context.rig.up
-        return 4.0 * (heights - heights.min()) / context.trajectories.face_size
+        heights = context.trajectories.surface.points[points] @ context.rig.up
+        return 4.0 * (heights - heights.min()) / context.trajectories.surface.face_size
 '''
 PETALS = 5
 

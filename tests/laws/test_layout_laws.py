@@ -94,8 +94,8 @@ def test_a_symmetric_element_off_the_plane_takes_the_left_of_its_two_places(matr
     puff = chain.by_name(line)["puff"]
     # Its place as seen from the character: the same point, or in the mirror that point's image.
     back = np.linalg.inv(matrix) @ puff.anchor.position
-    left = line.face.symmetry.normal
-    assert puff.anchor.position @ left - line.face.symmetry.origin @ left > 0.3
+    left = line.face.symmetry.plane.normal
+    assert puff.anchor.position @ left - line.face.symmetry.plane.origin @ left > 0.3
     plain = chain.by_name(chain.lay_out(rig, settings))["puff"].anchor.position
     assert back == pytest.approx(plain * ([-1.0, 1.0, 1.0] if matrix is MIRROR else [1.0, 1.0, 1.0]), abs=1e-5)
 

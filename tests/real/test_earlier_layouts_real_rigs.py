@@ -66,7 +66,7 @@ def test_nine_in_ten_controls_stand_within_two_handle_widths_on_a_head_of_other_
     now = {member.control: element.anchor for element in ours.elements for member in element.members}
     # Meshes without skin or transform: root space is their own.
     assert all(
-        np.allclose(ready.face.trajectories.base[s : s + len(m.points)], m.points, atol=1e-4)
+        np.allclose(ready.face.trajectories.surface.points[s : s + len(m.points)], m.points, atol=1e-4)
         for s, m in zip(rig.starts, rig.meshes, strict=False)
     )
     apart = []

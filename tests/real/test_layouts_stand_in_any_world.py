@@ -96,7 +96,7 @@ def test_a_shot_that_scales_and_turns_the_asset_gives_the_same_anchors(name, z_u
 @cache
 def with_whole_head(name):
     plain = line_of(name)
-    base = plain.face.trajectories.base
+    base = plain.face.trajectories.surface.points
     moved = np.zeros(len(base), dtype=bool)
     for candidate_set in plain.candidates.sets:
         if candidate_set.category != "global":
@@ -136,7 +136,7 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
     """Every triangle is tried, from a quarter of a handle before the surface: no caster, no normal, no view
     of the product's own."""
     line = line_of(name)
-    rig, base = line.face.rig, line.face.trajectories.base
+    rig, base = line.face.rig, line.face.trajectories.surface.points
     triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
     spots = np.array([element.anchor.position for element in on_face(line)])
     seen = np.zeros(len(spots), dtype=bool)
@@ -148,9 +148,9 @@ def test_a_straight_line_leads_from_every_anchor_to_one_of_three_viewers(name):
 
 def test_what_lies_behind_the_head_is_hidden_from_all_three():
     line = line_of("godette")
-    rig, base = line.face.rig, line.face.trajectories.base
+    rig, base = line.face.rig, line.face.trajectories.surface.points
     triangles = base[mesh_triangles(rig.meshes, visible_only=True)]
-    size = line.face.trajectories.face_size
+    size = line.face.trajectories.surface.face_size
     behind = np.array([e.anchor.position for e in on_face(line)]) - size * np.array(FRONTS["godette"])
     for toward in viewers(np.array(FRONTS["godette"]), rig.up):
         assert free(behind, toward, triangles).mean() < 0.5
@@ -207,4 +207,4 @@ def test_elements_of_several_ways_drive_them_from_one_handle():
     assert jaw is ict["jawRight"]
     for element in (gaze, jaw):
         starts = [member.track[int(np.argmin(np.abs(member.values)))] for member in element.members]
-        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.face_size
+        assert np.ptp(starts, axis=0).max() < 1e-6 * line_of("ict_face57").face.trajectories.surface.face_size

@@ -18,7 +18,7 @@ import numpy as np
 from usdrigui.conventions import Meaning
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Flags, Floats, Motion, Record, Symmetry, Trajectories
+from usdrigui.model import Flags, Floats, MirrorPlane, Motion, Record, Symmetry, Trajectories
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
@@ -91,7 +91,7 @@ def expectations(
         for (m, each), tells in zip(placed, informative, strict=True)
         if each is not None and each.action.place
     ]
-    if not symmetry.normal.any():
+    if not symmetry.plane.normal.any():
         clear = [each for each, tells in zip(placed, informative, strict=True) if tells]
         symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, clear)
     middles = np.array(
@@ -99,15 +99,17 @@ def expectations(
     ).reshape(-1, 2)
     places = np.array([place for _, _, place, _ in known]).reshape(-1, 2)
     kept = np.array([tells for *_, tells in known], dtype=np.bool_)
-    fit = _fit(middles[kept], places[kept]) if symmetry.normal.any() else None
+    fit = _fit(middles[kept], places[kept]) if symmetry.plane.normal.any() else None
     if fit is None:
         return (None,) * len(meanings)
     scale, height = fit
-    axes = np.stack([symmetry.normal, views.up])
-    origin = symmetry.origin + (height - symmetry.origin @ views.up) * views.up
+    axes = np.stack([symmetry.plane.normal, views.up])
+    origin = symmetry.plane.origin + (height - symmetry.plane.origin @ views.up) * views.up
     found: dict[int, Expectation] = {}
     for (motion, action, place, _), middle in zip(known, middles, strict=True):
-        side = np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.face_size else 0.0
+        side = (
+            np.sign(middle[0]) if abs(middle[0]) > _SIDED * trajectories.surface.face_size else 0.0
+        )
         both = side == 0.0 and place[0] != 0.0
         target = np.array([place[0] * side if side else abs(place[0]), place[1]])
         found[motion.control] = Expectation(axes, origin, scale, target, bool(both), action.radius)
@@ -170,8 +172,8 @@ def _middle_of_names(
     sides: dict[tuple[str, str], Floats] = {}
     for motion, each in placed:
         if each is not None and each.side:
-            weight = _weights(trajectories.areas, visible, motion)
-            sides[each.action.name, each.side] = weight @ trajectories.base[motion.points]
+            weight = _weights(trajectories.surface.areas, visible, motion)
+            sides[each.action.name, each.side] = weight @ trajectories.surface.points[motion.points]
     pairs = [
         (left, sides[action, "right"])
         for (action, side), left in sorted(sides.items())
@@ -185,14 +187,14 @@ def _middle_of_names(
     if np.linalg.norm(mean) < _ALIGNED:
         return symmetry
     origin = np.median([0.5 * (left + right) for left, right in pairs], axis=0)
-    return replace(symmetry, normal=mean / np.linalg.norm(mean), origin=origin)
+    return replace(symmetry, plane=MirrorPlane(origin, mean / np.linalg.norm(mean)))
 
 
 def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
     two lobes of a symmetric motion that of one) and height, scene units."""
-    weight = _weights(trajectories.areas, views.anywhere, motion)
-    points = trajectories.base[motion.points]
+    weight = _weights(trajectories.surface.areas, views.anywhere, motion)
+    points = trajectories.surface.points[motion.points]
     apart = plane_distance(points, symmetry)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread

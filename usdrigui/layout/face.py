@@ -24,7 +24,7 @@ class Face:
     @cached_property
     def clear(self) -> Flags:
         """(n,) points at which a handle can be seen as a whole."""
-        base, normals = self.trajectories.base, self.trajectories.normals
+        base, normals = self.trajectories.surface.points, self.trajectories.surface.normals
         return clear_handles(self.views, base, normals, self.handle_width)
 
     def control_name(self, control: int) -> str:

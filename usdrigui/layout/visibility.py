@@ -93,13 +93,16 @@ def find_views(
     point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
     understood.
     """
-    ahead = front_of(rig.up, trajectories, symmetry.normal)
+    ahead = front_of(rig.up, trajectories, symmetry.plane.normal)
     directions = _directions(view, ahead, rig.up, camera)
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
     frame = _frame(trajectories, symmetry, ahead, rig.up)
     if not occlusion:
         return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
-    points, normals = frame.points(trajectories.base), frame.directions(trajectories.normals)
+    points, normals = (
+        frame.points(trajectories.surface.points),
+        frame.directions(trajectories.surface.normals),
+    )
     caster = make_caster(points[mesh_triangles(rig.meshes, visible_only=True)])
     seen = [
         visible_from(caster, points, normals, frame.directions(toward)) for toward in directions
@@ -109,10 +112,17 @@ def find_views(
 
 def _frame(trajectories: Trajectories, symmetry: Symmetry, ahead: Floats, up: Floats) -> Frame:
     """The face's frame at the middle of the character."""
-    middle = trajectories.base.mean(axis=0) if len(trajectories.base) else np.zeros(3)
-    if symmetry.normal.any():
-        middle = middle - ((middle - symmetry.origin) @ symmetry.normal) * symmetry.normal
-    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), trajectories.face_size)
+    middle = (
+        trajectories.surface.points.mean(axis=0)
+        if len(trajectories.surface.points)
+        else np.zeros(3)
+    )
+    if symmetry.plane.normal.any():
+        middle = (
+            middle
+            - ((middle - symmetry.plane.origin) @ symmetry.plane.normal) * symmetry.plane.normal
+        )
+    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), trajectories.surface.face_size)
 
 
 def mostly_hidden(

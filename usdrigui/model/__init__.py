@@ -17,15 +17,16 @@ from usdrigui.model.candidates import Candidates, CandidateSet, Category, Elemen
 from usdrigui.model.controls import Channel, Control, ControlKind, Drive, Joint, Skeleton
 from usdrigui.model.layout import Anchor, Decision, Element, Layout, LayoutPart, Member, Side
 from usdrigui.model.mesh import RigMesh, Shape, Skin, Subset
-from usdrigui.model.motion import Motion, Symmetry, Trajectories
+from usdrigui.model.motion import BaseSurface, MirrorPlane, Motion, Symmetry, Trajectories
 from usdrigui.model.problem import Choice, ExtraPairs, LayoutProblem, Overlap, Variable
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles, freeze
-from usdrigui.model.rig import Glyph, LeftOff, Rig
+from usdrigui.model.rig import Findings, Glyph, LeftOff, Rig
 
 __all__ = [
     "GAP_FLOOR",
     "Anchor",
     "Assignment",
+    "BaseSurface",
     "CandidateSet",
     "Candidates",
     "Category",
@@ -39,6 +40,7 @@ __all__ = [
     "Element",
     "ElementKind",
     "ExtraPairs",
+    "Findings",
     "Flags",
     "Floats",
     "Glyph",
@@ -50,6 +52,7 @@ __all__ = [
     "LayoutProblem",
     "LeftOff",
     "Member",
+    "MirrorPlane",
     "Motion",
     "Overlap",
     "Performance",

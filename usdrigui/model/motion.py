@@ -6,9 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.errors import Issue
 from usdrigui.model.record import Flags, Floats, Indices, Record, Singles
-from usdrigui.model.rig import LeftOff
+from usdrigui.model.rig import Findings
 
 _STANDS = 0.75
 """A control of a joint stands where the joint owns this share of the most that it owns anywhere."""
@@ -17,31 +16,37 @@ _OWN = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectories(Record):
-    """Trajectories of every point under every control, at the base pose."""
+class BaseSurface(Record):
+    """The surface of all meshes in the base pose."""
 
-    base: Floats
-    """(n, 3) points of the base pose."""
+    points: Floats
+    """(n, 3) in root space."""
     normals: Floats
-    """(n, 3) unit outward normals at the base pose; zero where undefined."""
+    """(n, 3) unit, outward; zero where undefined."""
     places: Indices
     """(n,) index of the first point at the same position: points split at seams share one place."""
     areas: Floats
     """(n,) area of the surface around each place; zero for points that are not the first of a
     place."""
-    motions: tuple[Motion, ...]
-    """One per control that moves something; others stand in `left_off`."""
     face_size: float
     """Height along `Rig.up` of the region moved by the local controls: the unit of handle sizes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectories(Record):
+    """Trajectories of every point under every control, at the base pose."""
+
+    surface: BaseSurface
+    motions: tuple[Motion, ...]
+    """One per control that moves something; others are left off."""
+    excluded: tuple[Motion, ...]
+    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face
+    controls."""
     typical_length: float
     """Median over local controls of the largest arc length (design: l0), the unit of
     displacement."""
-    left_off: tuple[LeftOff, ...]
-    issues: tuple[Issue, ...] = ()
-    """Tiny and duplicate controls: kept, but worth knowing."""
-    excluded: tuple[Motion, ...] = ()
-    """Motions of `Rig.excluded`, which their `control` counts: part of the yardstick for whole-face
-    controls."""
+    findings: Findings
+    """Controls that move nothing; tiny and duplicate ones, which are kept."""
 
     def motion_of(self, control: int) -> Motion:
         """The motion of a control, which must move something."""
@@ -113,16 +118,22 @@ class Motion(Record):
 
 
 @dataclass(frozen=True, eq=False)
+class MirrorPlane(Record):
+    """The plane of symmetry."""
+
+    origin: Floats
+    """(3,) in root space."""
+    normal: Floats
+    """(3,) unit, points to the character's left; zero when there is no symmetry."""
+
+
+@dataclass(frozen=True, eq=False)
 class Symmetry(Record):
     """The mirror plane of the character and what it maps to what."""
 
-    origin: Floats
-    normal: Floats
-    """(3,) points to the character's left; zero when there is no symmetry."""
+    plane: MirrorPlane
     partner: Indices
     """(n,) nearest point to the mirror image, or -1 where none lies within the tolerance."""
-    distance: Floats
-    """(n,) distance of the partner from the exact mirror image (inf where none)."""
     twins: Indices
     """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
     sources: tuple[str, ...]

@@ -104,3 +104,11 @@ class LeftOff:
     """``read``, ``trajectories``, ``candidates``, ``groups``, ``solve`` or ``config``."""
     reason: str
     """For people: one clause, without a full stop."""
+
+
+@dataclass(frozen=True, slots=True)
+class Findings:
+    """What a stage dropped and what it complains of."""
+
+    left_off: tuple[LeftOff, ...]
+    issues: tuple[Issue, ...]

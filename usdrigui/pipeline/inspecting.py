@@ -95,12 +95,14 @@ def _facts(character: Divided, parts: Sequence[ProblemInputs]) -> CharacterFacts
         (*rig.left_off, *(note for inputs in parts for note in inputs.left_off))
     ):
         flags.setdefault(note.control, []).append(note.reason)
-    for odd in dict.fromkeys(each for inputs in parts for each in inputs.face.trajectories.issues):
+    for odd in dict.fromkeys(
+        each for inputs in parts for each in inputs.face.trajectories.findings.issues
+    ):
         flags.setdefault(odd.path, []).append(odd.message)
     symmetric = character.symmetry or parts[0].face.symmetry
     return CharacterFacts(
         root=rig.root,
-        points=len(character.trajectories.base),
+        points=len(character.trajectories.surface.points),
         meshes=len(rig.meshes),
         joints=len(rig.joints),
         symmetric=float((symmetric.partner >= 0).mean()),

@@ -124,7 +124,7 @@ class ProblemInputs:
             for which, each in self.matchings.items()
             for found in matching_issues(which, each)
         )
-        rig, odd = self.face.rig, self.face.trajectories.issues
+        rig, odd = self.face.rig, self.face.trajectories.findings.issues
         own = of_character(rig.character, (*odd, *unexplained, *renamed, *self.pins.issues))
         return (*rig.issues, *own)
 
@@ -143,7 +143,7 @@ class ProblemInputs:
     @property
     def left_off(self) -> tuple[LeftOff, ...]:
         """Controls that the stages after reading left off, and why."""
-        return (*self.face.trajectories.left_off, *self.candidates.left_off)
+        return (*self.face.trajectories.findings.left_off, *self.candidates.left_off)
 
     @property
     def twin_names(self) -> dict[str, str]:
@@ -357,14 +357,14 @@ def measure(
     _refuse_motionless(rig, found)
     with clock.stage("symmetry"):
         fields, twins = displacement_fields(found), configured_twins(rig, settings.controls)
-        if whole is not None and whole.normal.any() and part != FACE:
+        if whole is not None and whole.plane.normal.any() and part != FACE:
             # A hand by itself is nearly symmetric about its middle finger.
             symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
         else:
             symmetry = symmetry_at_pose(
                 rig, found, fields, settings.symmetry, twins, settings.trajectories, base_values
             )
-            if whole is not None and not symmetry.normal.any():
+            if whole is not None and not symmetry.plane.normal.any():
                 symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
     with clock.stage("candidates"):
         views = find_views(

@@ -39,15 +39,15 @@ def expected(shapes, **settings):
 def test_controls_are_expected_where_they_act_on_whichever_side_their_names_put_them(swapped):
     face, found = expected(shapes(swapped))
     for motion in face.trajectories.motions:
-        peak = face.trajectories.base[[motion.points[np.argmax(motion.arc_length)]]]
+        peak = face.trajectories.surface.points[[motion.points[np.argmax(motion.arc_length)]]]
         assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
 
 
 def test_names_tell_the_middle_of_a_face_that_is_not_its_own_mirror_image():
     face, found = expected(shapes(), symmetry={"enabled": False})
-    assert not face.symmetry.normal.any()
+    assert not face.symmetry.plane.normal.any()
     for motion in face.trajectories.motions:
-        peak = face.trajectories.base[[motion.points[np.argmax(motion.arc_length)]]]
+        peak = face.trajectories.surface.points[[motion.points[np.argmax(motion.arc_length)]]]
         assert found[face.control_name(motion.control)].distance(peak)[0] < 0.2
     sides_at_random = {name.replace("_L", "_X").replace("_R", "_L").replace("_X", "_R") if "y" in name else name: each
                        for name, each in shapes().items()}  # fmt: skip

@@ -54,9 +54,9 @@ def test_what_lies_behind_the_face_is_not_seen_unless_occlusion_is_off():
 def test_tracks_inside_the_model_are_hidden_and_shallow_ones_are_not():
     face = chain.face_of(makers.face())
     point = np.argmin(np.linalg.norm(POINTS[:, :2], axis=1))
-    steps = np.linspace(0.0, 1.0, 5)[:, None] * face.trajectories.normals[point]
+    steps = np.linspace(0.0, 1.0, 5)[:, None] * face.trajectories.surface.normals[point]
     deep, out, shallow = (POINTS[point] + length * steps for length in (-0.3, 0.3, -0.01))
-    normals = np.repeat(face.trajectories.normals[[point]], 3, axis=0)
+    normals = np.repeat(face.trajectories.surface.normals[[point]], 3, axis=0)
     found = mostly_hidden(face.views, np.stack([deep, out, shallow]), normals, depth=0.02)
     assert found.tolist() == [True, False, False]
 
@@ -92,7 +92,7 @@ def test_a_handle_is_clear_where_its_rim_is_seen_and_not_edge_on():
 
 def test_only_a_single_view_from_the_side_sees_one_side_only():
     face = chain.face_of(makers.face())
-    normal = face.symmetry.normal
+    normal = face.symmetry.plane.normal
     assert not face.views.one_sided(normal)
     for toward, one_sided in ((normal, True), (face.views.directions[0], False)):
         assert replace(face.views, directions=toward[None]).one_sided(normal) == one_sided

@@ -60,7 +60,7 @@ def board_elements(
     if not board:
         return []
     rows = _rows(face.rig.controls, board)
-    width, height = face.handle_width, _TALL * face.trajectories.face_size
+    width, height = face.handle_width, _TALL * face.trajectories.surface.face_size
     middle = face_middle(face.trajectories, face.symmetry)
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
@@ -263,7 +263,7 @@ def _anchor(drawing: _Drawing, place: Floats) -> Anchor:
 
 
 def _side(face: Face, entry: BoardEntry, own: int) -> Side:
-    if not face.symmetry.normal.any():
+    if not face.symmetry.plane.normal.any():
         return "none"
     if not entry.group.images:
         return "middle"

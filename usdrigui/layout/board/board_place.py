@@ -12,10 +12,13 @@ from usdrigui.ties import first_largest
 
 def face_middle(trajectories: Trajectories, symmetry: Symmetry) -> Floats:
     """(3,) middle of the moving region, on the mirror plane where there is one."""
-    points = trajectories.base[_face_points(trajectories)]
+    points = trajectories.surface.points[_face_points(trajectories)]
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    if symmetry.normal.any():
-        middle = middle - ((middle - symmetry.origin) @ symmetry.normal) * symmetry.normal
+    if symmetry.plane.normal.any():
+        middle = (
+            middle
+            - ((middle - symmetry.plane.origin) @ symmetry.plane.normal) * symmetry.plane.normal
+        )
     return np.asarray(middle, dtype=np.float64)
 
 
@@ -26,7 +29,7 @@ def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:
     `frame` (2, 3) are right and up on the screen.
     """
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in face.rig.meshes])
-    flat = face.trajectories.base[drawn] @ frame.T
+    flat = face.trajectories.surface.points[drawn] @ frame.T
     near = flat[np.abs(flat[:, 1] - middle @ frame[1]) <= half, 0]
     return float(near.max()) if len(near) else float(middle @ frame[0])
 
@@ -35,12 +38,12 @@ def anchor_point(face: Face, middle: Floats) -> int:
     """The point whose joint influences the board takes: of the joint that holds most of the face,
     the point that it holds most firmly and that moves least, nearest to the middle of the face."""
     trajectories = face.trajectories
-    total = np.zeros(len(trajectories.base))
+    total = np.zeros(len(trajectories.surface.points))
     for motion in trajectories.motions:
         total[motion.points] += motion.arc_length
     firmness = _firmness(face.rig, _face_points(trajectories))
-    apart = np.linalg.norm(trajectories.base - middle, axis=1)
-    unit = trajectories.face_size
+    apart = np.linalg.norm(trajectories.surface.points - middle, axis=1)
+    unit = trajectories.surface.face_size
     order = np.lexsort(
         (np.round(apart / unit, 6), np.round(total / unit, 6), -np.round(firmness, 3))
     )
@@ -49,7 +52,7 @@ def anchor_point(face: Face, middle: Floats) -> int:
 
 def _face_points(trajectories: Trajectories) -> Indices:
     """Points that controls move notably."""
-    moved = np.zeros(len(trajectories.base), dtype=bool)
+    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
     for motion in trajectories.motions:
         moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
     return np.flatnonzero(moved)

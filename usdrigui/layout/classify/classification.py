@@ -74,7 +74,7 @@ def classify(
     Whether one is global does not depend on which others the configuration excludes: those still
     count for what the face is.
     """
-    visible_areas = np.where(views.anywhere, trajectories.areas, 0.0)
+    visible_areas = np.where(views.anywhere, trajectories.surface.areas, 0.0)
     every = (*trajectories.motions, *trajectories.excluded)
     covered, shares = (
         coverage_of_smaller(every, visible_areas),
@@ -207,7 +207,7 @@ def _named_local(meaning: Meaning | None) -> bool:
 
 def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:
     """Share of the control's motion, area times distance, that some view sees."""
-    weight = trajectories.areas[motion.points] * motion.arc_length
+    weight = trajectories.surface.areas[motion.points] * motion.arc_length
     total = float(weight.sum())
     seen = visible[motion.points]
     return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
@@ -215,6 +215,6 @@ def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -
 
 def _moves_everything(trajectories: Trajectories, motion: Motion) -> bool:
     """The paper's own criterion for a global control."""
-    count = len(trajectories.base)
+    count = len(trajectories.surface.points)
     still = motion.arc_length < 0.999 * motion.arc_length.mean()
     return bool(count - len(motion.points) + still.sum() < _UNMOVED_SHARE * count)

@@ -47,13 +47,13 @@ def with_common_motion(
     owns skin stands there; it is left out.
     """
     fields = similarity.fields
-    row = np.full(len(trajectories.base), -1, dtype=np.int64)
+    row = np.full(len(trajectories.surface.points), -1, dtype=np.int64)
     row[fields.places] = np.arange(len(fields.places))
     motions = list(trajectories.motions)
     for index in np.flatnonzero(on_face).tolist():
         motion = motions[index]
         if motion.owned is None:
-            at = row[trajectories.places[motion.points]]
+            at = row[trajectories.surface.places[motion.points]]
             share = np.ones(len(at))
             share[at >= 0] = _shares(similarity, index, on_face, at[at >= 0])
             common = _beyond_the_best(share, motion.arc_length, visible[motion.points])

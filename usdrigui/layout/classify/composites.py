@@ -198,8 +198,8 @@ class _Spreads:
     """What tells a control that moves distant parts of the face at once."""
 
     def __init__(self, rig: Rig, trajectories: Trajectories, similarity: Similarity) -> None:
-        regions = notable_points(trajectories.motions, len(trajectories.base))
-        self.size = regions @ trajectories.areas
+        regions = notable_points(trajectories.motions, len(trajectories.surface.points))
+        self.size = regions @ trajectories.surface.areas
         self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
         self.far = _distant(trajectories, similarity, rig.up)
@@ -235,9 +235,9 @@ def _distant(trajectories: Trajectories, similarity: Similarity, up: Floats) -> 
     place."""
     fields = similarity.fields
     weight = np.linalg.norm(fields.vectors, axis=2) * fields.weights
-    heights = trajectories.base[fields.places] @ up
+    heights = trajectories.surface.points[fields.places] @ up
     middle = weight @ heights / np.maximum(weight.sum(axis=1), 1e-300)
-    apart = np.abs(middle[:, None] - middle[None, :]) > _APART * trajectories.face_size
+    apart = np.abs(middle[:, None] - middle[None, :]) > _APART * trajectories.surface.face_size
     return np.asarray(apart & (similarity.shared < 0.05))
 
 

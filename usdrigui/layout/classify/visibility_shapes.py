@@ -26,7 +26,7 @@ _STILL_SEEN = 0.05
 
 def visibility_shapes(rig: Rig, trajectories: Trajectories, views: Views) -> Flags:
     """(motions,) which controls mostly make whole parts of the surface disappear."""
-    parts = components(mesh_triangles(rig.meshes), trajectories.places)
+    parts = components(mesh_triangles(rig.meshes), trajectories.surface.places)
     sizes = np.bincount(parts)
     flags = np.zeros(len(trajectories.motions), dtype=bool)
     for index, motion in enumerate(trajectories.motions):
@@ -34,7 +34,7 @@ def visibility_shapes(rig: Rig, trajectories: Trajectories, views: Views) -> Fla
         whole = np.bincount(own, minlength=len(sizes)) >= _WHOLE * sizes
         moved = np.bincount(own, weights=motion.arc_length, minlength=len(sizes))
         if moved[whole].sum() >= _MOST * moved.sum():
-            collapsed = whole & _shrunk(trajectories.base, motion, own, len(sizes))
+            collapsed = whole & _shrunk(trajectories.surface.points, motion, own, len(sizes))
             flags[index] = moved[collapsed].sum() >= _MOST * moved.sum() or _moves_inside(
                 rig, trajectories, views, motion, whole[own]
             )
@@ -68,13 +68,18 @@ def _moves_inside(
     out of sight."""
     points = motion.points[inside]
     seen = views.anywhere[points]
-    size = float(_extents(np.zeros(len(points), dtype=np.int64), trajectories.base[points], 1)[0])
+    size = float(
+        _extents(np.zeros(len(points), dtype=np.int64), trajectories.surface.points[points], 1)[0]
+    )
     if views.caster is None or not seen.any() or float(np.median(motion.arc_length[inside])) < size:
         return False
-    end = trajectories.base.copy()
+    end = trajectories.surface.points.copy()
     end[motion.points] += motion.offsets[-1]
     corners = mesh_triangles(rig.meshes, visible_only=True)
-    caster, normals = make_caster(end[corners]), vertex_normals(end, corners, trajectories.places)
+    caster, normals = (
+        make_caster(end[corners]),
+        vertex_normals(end, corners, trajectories.surface.places),
+    )
     still = [
         visible_from(caster, end[points[seen]], normals[points[seen]], toward)
         for toward in views.directions

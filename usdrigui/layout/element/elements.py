@@ -84,8 +84,8 @@ def layout(
         handle_width=face.handle_width,
         space=settings.candidates.space,
         view=face.views.directions[0],
-        plane_origin=face.symmetry.origin,
-        plane_normal=face.symmetry.normal,
+        plane_origin=face.symmetry.plane.origin,
+        plane_normal=face.symmetry.plane.normal,
         base_values=base_values,
         method=assignment.method,
         status=assignment.status,
@@ -189,7 +189,7 @@ def _reversed(face: Face, members: tuple[Member, ...]) -> tuple[int, ...]:
 
 
 def _normal(face: Face, point: int) -> Floats:
-    normal = face.trajectories.normals[point]
+    normal = face.trajectories.surface.normals[point]
     return np.array(normal if normal.any() else face.views.directions[0])
 
 
@@ -212,7 +212,7 @@ def _member(face: Face, control: int, point: int, source: int, least: float) -> 
     one = np.array([source])
     lengths, (path,) = arc_lengths(motion, one), paths(motion, one)
     (length,), (factor,) = lengths.tolist(), magnification(lengths, least).tolist()
-    track = face.trajectories.base[point] + factor * path
+    track = face.trajectories.surface.points[point] + factor * path
     return Member(face.control_name(control), motion.values, track, length, factor)
 
 
@@ -220,15 +220,15 @@ def anchor_at(face: Face, point: int) -> Anchor:
     """The anchor on a point of the face."""
     index, local = face.rig.mesh_of(point)
     mesh = face.rig.meshes[index]
-    base, normal = face.trajectories.base[point], face.trajectories.normals[point]
+    base, normal = face.trajectories.surface.points[point], face.trajectories.surface.normals[point]
     return Anchor(mesh.path, local, len(mesh.points), mesh.topology_hash, base, normal, False)
 
 
 def _side(face: Face, point: int) -> Side:
     """The side of the character on which a point lies."""
-    if not face.symmetry.normal.any():
+    if not face.symmetry.plane.normal.any():
         return "none"
-    apart = float(plane_distance(face.trajectories.base[point], face.symmetry))
-    if abs(apart) <= _ON_PLANE * face.trajectories.face_size:
+    apart = float(plane_distance(face.trajectories.surface.points[point], face.symmetry))
+    if abs(apart) <= _ON_PLANE * face.trajectories.surface.face_size:
         return "middle"
     return "left" if apart > 0.0 else "right"

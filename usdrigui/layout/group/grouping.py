@@ -176,7 +176,7 @@ class _Grouping:
         self.names = [face.control_name(motion.control) for motion in motions]
         twins = face.symmetry.twins
         # What the only view does not see holds no element, be it the image of one that is seen.
-        fold = mirror.fold and not face.views.one_sided(face.symmetry.normal)
+        fold = mirror.fold and not face.views.one_sided(face.symmetry.plane.normal)
         found = {
             i: index.get(int(twins[motions[i].control]), -1) if fold else -1 for i in self.sets
         }
@@ -195,7 +195,12 @@ class _Grouping:
     def _has_own_place(self, control: int, requests: Requests) -> bool:
         face = self.face
         return has_own_place(
-            face.rig, face.trajectories.base, face.symmetry, requests, face.handle_width, control
+            face.rig,
+            face.trajectories.surface.points,
+            face.symmetry,
+            requests,
+            face.handle_width,
+            control,
         )
 
     # --- the user's -----------------------------------------------------------------------------
@@ -388,7 +393,7 @@ class _Grouping:
         """How far an axis runs along the surface rather than out of it: what a drag on a screen can
         follow."""
         fields = self.similarity.fields
-        normals = self.face.trajectories.normals[fields.places]
+        normals = self.face.trajectories.surface.normals[fields.places]
         vectors = fields.vectors[axis.motions[0]]
         out = float((np.einsum("mi,mi->m", vectors, normals) ** 2 * fields.weights).sum())
         return 1.0 - out / max(
@@ -489,7 +494,7 @@ class _Grouping:
         return found
 
     def _flags(self, points: Indices) -> Flags:
-        flags = np.zeros(len(self.face.trajectories.base), dtype=bool)
+        flags = np.zeros(len(self.face.trajectories.surface.points), dtype=bool)
         flags[points] = True
         return flags
 
@@ -550,12 +555,12 @@ class _Grouping:
         """How far on the character's left the candidates lie; names with a side decide in the
         middle."""
         points = np.concatenate([self.sets[i].points for i in sorted(motions)])
-        apart = plane_distance(self.face.trajectories.base[points], self.face.symmetry)
+        apart = plane_distance(self.face.trajectories.surface.points[points], self.face.symmetry)
         names = sorted(
             (self.names[i] for i in motions), key=lambda name: (not has_side(name), name)
         )
         inverse = ["".join(chr(0x10FFFF - ord(letter)) for letter in name) for name in names]
-        return round(float(apart.mean() / self.face.trajectories.face_size), 3), inverse
+        return round(float(apart.mean() / self.face.trajectories.surface.face_size), 3), inverse
 
     def _group(self, merged: _Merged, image: _Merged | None) -> Group:
         motions = self.face.trajectories.motions

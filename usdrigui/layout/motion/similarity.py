@@ -72,11 +72,11 @@ class Similarity(Record):
 
 def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
     """The displacement fields of all motions."""
-    count = len(trajectories.base)
+    count = len(trajectories.surface.points)
     moved = np.zeros(count)
     for motion in trajectories.motions:
         moved[motion.points] += motion.arc_length / motion.arc_length.max(initial=1e-300)
-    moved[trajectories.places != np.arange(count)] = 0.0
+    moved[trajectories.surface.places != np.arange(count)] = 0.0
     places = _most_moved(moved, max(1, _ENTRIES // max(1, len(trajectories.motions))))
     row = np.full(count, -1, dtype=np.int64)
     row[places] = np.arange(len(places))
@@ -85,7 +85,7 @@ def displacement_fields(trajectories: Trajectories) -> DisplacementFields:
         at = row[motion.points]
         held = at >= 0
         field[at[held]] = (motion.offsets[-1] - motion.offsets[0])[held]
-    weights = trajectories.areas[places]
+    weights = trajectories.surface.areas[places]
     if not weights.any():
         weights = np.ones(len(places))
     return DisplacementFields(places, vectors, weights / max(float(weights.mean()), 1e-300))

@@ -13,7 +13,9 @@ from usdrigui.joint_tree import Hanging, hanging
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
 from usdrigui.layout.motion.owned_skin import owned_skin
 from usdrigui.model import (
+    BaseSurface,
     Control,
+    Findings,
     Flags,
     Floats,
     Indices,
@@ -122,18 +124,21 @@ def of_controls(
     """
     motions = tuple(motion for motion in found.motions if motion.control in controls)
     left_out = tuple(motion for motion in found.excluded if motion.control in excluded)
-    scale = _Scale.of(rig, found.base, found.areas, motions, left_out)
+    scale = _Scale.of(rig, found.surface.points, found.surface.areas, motions, left_out)
     return replace(
         found,
+        surface=replace(found.surface, face_size=scale.face_size),
         motions=motions,
-        face_size=scale.face_size,
-        typical_length=scale.typical_length,
-        issues=(
-            *(each for each in found.issues if each.code == "NORMALS_INWARD"),
-            *_tiny(rig.controls, motions, scale.face_size, settings),
-            *_duplicates(rig.controls, motions),
-        ),
         excluded=left_out,
+        typical_length=scale.typical_length,
+        findings=replace(
+            found.findings,
+            issues=(
+                *(each for each in found.findings.issues if each.code == "NORMALS_INWARD"),
+                *_tiny(rig.controls, motions, scale.face_size, settings),
+                *_duplicates(rig.controls, motions),
+            ),
+        ),
     )
 
 
@@ -255,20 +260,18 @@ def _assembled(
     inward = faces_inward(base, corners)
     scale = _Scale.of(rig, base, areas, motions, excluded)
     return Trajectories(
-        base=base,
-        normals=-normals if inward else normals,
-        places=places,
-        areas=areas,
-        motions=motions,
-        face_size=scale.face_size,
-        typical_length=scale.typical_length,
-        left_off=left_off,
-        issues=(
-            *_inward(rig.root, inward),
-            *_tiny(rig.controls, motions, scale.face_size, settings),
-            *_duplicates(rig.controls, motions),
+        BaseSurface(base, -normals if inward else normals, places, areas, scale.face_size),
+        motions,
+        excluded,
+        scale.typical_length,
+        Findings(
+            left_off,
+            (
+                *_inward(rig.root, inward),
+                *_tiny(rig.controls, motions, scale.face_size, settings),
+                *_duplicates(rig.controls, motions),
+            ),
         ),
-        excluded=excluded,
     )
 
 

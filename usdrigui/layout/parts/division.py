@@ -188,7 +188,7 @@ class _Names:
                 (i for i in driven if self.rig.joints[i].path == control.source), driven[0]
             )
             return self.regions.of_joint[own]
-        mass = self.found.areas[motion.points] * motion.arc_length
+        mass = self.found.surface.areas[motion.points] * motion.arc_length
         total = float(mass.sum())
         masses = np.bincount(self.skin[motion.points], mass, len(self.known)).astype(np.float64)
         most = self.known[first_largest(masses)]
@@ -206,7 +206,7 @@ class _Names:
 
     def _all_props(self, motion: Motion) -> bool:
         """Whether a motion takes along what the props are made of."""
-        areas, props = self.found.areas, self.skin == self.known.index(PROPS)
+        areas, props = self.found.surface.areas, self.skin == self.known.index(PROPS)
         moved = motion.points[props[motion.points]]
         return float(areas[moved].sum()) >= self.whole * float(areas[props].sum())
 
@@ -217,7 +217,9 @@ class _Names:
         held = owners >= 0
         found = np.where(held, own[np.maximum(owners, 0)], 0)
         if not held.all():
-            _, nearest = cKDTree(self.found.base[held]).query(self.found.base[~held])
+            _, nearest = cKDTree(self.found.surface.points[held]).query(
+                self.found.surface.points[~held]
+            )
             found[~held] = found[held][nearest]
         return found
 
@@ -225,7 +227,7 @@ class _Names:
         """(n,) the points no further from the face than half of the head's extent."""
         if not face.any():
             return face
-        base = self.found.base
+        base = self.found.surface.points
         extent = float(np.ptp(base[face], axis=0).max())
         apart, _ = cKDTree(base[face]).query(base, distance_upper_bound=_NEAR * extent)
         return np.asarray(np.isfinite(apart))

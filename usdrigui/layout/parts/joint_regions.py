@@ -67,7 +67,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
-    own = pieces_of(rig, tree, found.places, owner_of_points(rig))
+    own = pieces_of(rig, tree, found.surface.places, owner_of_points(rig))
     eyeballs = eyes(own, tree.below(heads) - heads)
     for name, roots in ((EYES, eyeballs), (PROPS, props(own, heads, eyeballs))):
         for joint in tree.below(roots):
@@ -126,7 +126,7 @@ def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     for motion in found.motions:
         if rig.controls[motion.control].kind == "blendShape":
             mass = np.bincount(
-                owners[motion.points] + 1, found.areas[motion.points] * motion.arc_length
+                owners[motion.points] + 1, found.surface.areas[motion.points] * motion.arc_length
             )
             votes[first_largest(mass.astype(np.float64)) - 1] += 1
     total = sum(votes.values())

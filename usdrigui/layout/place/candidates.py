@@ -185,7 +185,7 @@ def _allowed(
 ) -> Flags:
     """Those `among` (p,) the moving points where the control may stand, before any pruning: one of
     each place, near what the configuration names, on the skin that its joint owns."""
-    first = among & (face.trajectories.places[motion.points] == motion.points)
+    first = among & (face.trajectories.surface.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, requests, motion.points, first, settings.near_radius)
     return motion.stands_on(near) | _in_the_middle(face, motion, near, settings)
 
@@ -229,7 +229,7 @@ def _where_expected(face: Face, motion: Motion, seen: Flags, expected: Expectati
     if expected is None or not seen.any():
         return seen
     arc = motion.arc_length
-    near, around = expected.regions(face.trajectories.base[motion.points])
+    near, around = expected.regions(face.trajectories.surface.points[motion.points])
     for region, least in ((seen & near, _MOST), (seen & around, _NOTABLE)):
         if arc[region].max(initial=0.0) >= least * arc[seen].max():
             return region
@@ -284,9 +284,9 @@ def _seen(face: Face, points: Indices, settings: CandidateSettings) -> Flags:
 def _without_occluded(face: Face, motion: Motion, kept: Flags, samples: int) -> Flags:
     """(p,) those `kept` whose trajectory does not run largely inside or behind the model."""
     points = motion.points[kept]
-    tracks = polylines(motion, face.trajectories.base, points, points, samples)
+    tracks = polylines(motion, face.trajectories.surface.points, points, points, samples)
     hidden = mostly_hidden(
-        face.views, tracks, face.trajectories.normals[points], 0.5 * face.handle_width
+        face.views, tracks, face.trajectories.surface.normals[points], 0.5 * face.handle_width
     )
     clear = kept.copy()
     clear[kept] = ~hidden

@@ -53,7 +53,7 @@ def handle_width(
     points, weights = _wanted(trajectories, views.anywhere, placed)
     frame = np.vstack([screen(views), views.directions[:1]])
     return fitting_width(
-        flattened(points, toward), weights, frame, trajectories.face_size, settings
+        flattened(points, toward), weights, frame, trajectories.surface.face_size, settings
     )
 
 
@@ -113,15 +113,17 @@ def on_face(
 
 def _wanted(trajectories: Trajectories, anywhere: Flags, placed: Flags) -> tuple[Floats, Floats]:
     """Places (p, 3) that the `placed` controls want, and how many want each (p,)."""
-    total = np.zeros(len(trajectories.base))
+    total = np.zeros(len(trajectories.surface.points))
     for motion in (trajectories.motions[i] for i in np.flatnonzero(placed)):
-        seen = anywhere[motion.points] & (trajectories.places[motion.points] == motion.points)
+        seen = anywhere[motion.points] & (
+            trajectories.surface.places[motion.points] == motion.points
+        )
         seen = motion.stands_on(seen)
         if not seen.any():
             continue
         arc = np.where(seen, motion.arc_length, 0.0)
         wanted = motion.points[arc >= KEPT * arc.max()]
-        areas = trajectories.areas[wanted]
+        areas = trajectories.surface.areas[wanted]
         total[wanted] += areas / areas.sum() if areas.any() else 1.0 / len(wanted)
     chosen = np.flatnonzero(total)
-    return trajectories.base[chosen], total[chosen]
+    return trajectories.surface.points[chosen], total[chosen]

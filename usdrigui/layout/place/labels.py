@@ -80,7 +80,7 @@ def labels_of(
 
 def own_mirror_image(face: Face, group: Group) -> bool:
     """Whether the element is its own mirror image: one in the middle, not doubled."""
-    if not face.symmetry.normal.any() or group.mirror or group.images:
+    if not face.symmetry.plane.normal.any() or group.mirror or group.images:
         return False
     return {int(face.symmetry.twins[control]) for control in group.controls} == set(group.controls)
 
@@ -103,7 +103,7 @@ def drawn_points(
         ]
         samples.append(np.concatenate(tracks, axis=1))
     return flattened(np.stack(samples, axis=1), toward), flattened(
-        face.trajectories.base[choice.anchors], toward
+        face.trajectories.surface.points[choice.anchors], toward
     )
 
 
@@ -115,7 +115,9 @@ def _drawn_track(
     motion = face.trajectories.motion_of(control)
     factor = magnification(arc_lengths(motion, sources), least)
     offsets = resampled(paths(motion, sources), samples)
-    return np.asarray(face.trajectories.base[anchors][:, None] + factor[:, None, None] * offsets)
+    return np.asarray(
+        face.trajectories.surface.points[anchors][:, None] + factor[:, None, None] * offsets
+    )
 
 
 def _importance(override: ControlSettings) -> float:
@@ -162,7 +164,9 @@ def _with_copies(
     kept = (anchors >= 0).all(axis=1) & (sources >= 0).all(axis=1)
     if group.doubled:
         # The mirror image of a label of a doubled element is the same layout.
-        kept &= plane_distance(face.trajectories.base[anchors[:, 0]], face.symmetry) >= 0.0
+        kept &= (
+            plane_distance(face.trajectories.surface.points[anchors[:, 0]], face.symmetry) >= 0.0
+        )
     return Choice(index, group.copies, anchors[kept], sources[kept])
 
 
@@ -174,5 +178,9 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
         return np.stack([points, face.symmetry.partner[points]], axis=1)
     orbit = [face.trajectories.motion_of(controls[0]) for controls in group.copies]
     return orbit_points(
-        face.trajectories, orbit, face.rig.up, tolerance * face.trajectories.face_size, points
+        face.trajectories,
+        orbit,
+        face.rig.up,
+        tolerance * face.trajectories.surface.face_size,
+        points,
     )

@@ -36,7 +36,7 @@ def kept_near(
     if not override.near or not among.any():
         return among
     apart = _distances(face, f'controls."{face.control_name(control)}".near', override.near)[points]
-    radius = (override.within or default_radius) * face.trajectories.face_size
+    radius = (override.within or default_radius) * face.trajectories.surface.face_size
     inside: Flags = among & (apart <= radius)
     if not inside.any():
         inside[first_smallest(np.where(among, apart, np.inf))] = True
@@ -55,19 +55,21 @@ def check_near(rig: Rig, where: str, near: str) -> None:
 def proxies(face: Face, point: int) -> Indices:
     """Visible places nearest to a hidden `point`, ascending: where a hidden control can stand on
     the face."""
-    places = face.trajectories.places
+    places = face.trajectories.surface.places
     seen = np.flatnonzero(face.views.anywhere & (places == np.arange(len(places))))
     if not len(seen):
         return seen
     count = min(_PROXIES, len(seen))
-    _, nearest = cKDTree(face.trajectories.base[seen]).query(face.trajectories.base[point], k=count)
+    _, nearest = cKDTree(face.trajectories.surface.points[seen]).query(
+        face.trajectories.surface.points[point], k=count
+    )
     return np.sort(seen[np.atleast_1d(nearest)])
 
 
 def _distances(face: Face, where: str, near: str) -> Floats:
     """(n,) how far every point is from what `near` names: along the surface, so that a lip is not
     near the other, and straight where no surface leads there (another mesh, a joint)."""
-    base, name = face.trajectories.base, near.removeprefix(MIRROR)
+    base, name = face.trajectories.surface.points, near.removeprefix(MIRROR)
     joint = name.startswith("joint:")
     if joint:
         centres = _joint_position(face.rig, where, name.removeprefix("joint:"))[None]
@@ -80,7 +82,7 @@ def _distances(face: Face, where: str, near: str) -> Floats:
         return np.asarray(straight)
     _, sources = cKDTree(base).query(centres)
     along = surface_distances(
-        base, mesh_triangles(face.rig.meshes), face.trajectories.places, np.asarray(sources)
+        base, mesh_triangles(face.rig.meshes), face.trajectories.surface.places, np.asarray(sources)
     )
     return np.where(np.isfinite(along), along, straight)
 

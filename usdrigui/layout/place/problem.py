@@ -67,7 +67,7 @@ def placement_problem(
     overlap, separation = _constants(face, settings.objective)
     sets = {face.trajectories.motions[each.motion].control: each for each in candidates.sets}
     toward = face.views.flat_direction(settings.candidates.space)
-    base, samples = face.trajectories.base, settings.objective.samples
+    base, samples = face.trajectories.surface.points, settings.objective.samples
     existing = existing_variables(requests.fixed_elements, face.rig, base, samples, toward)
     costs = _Costs(face, settings, overlap, separation, existing)
     variables, choices = [], []
@@ -93,7 +93,7 @@ def placement_problem(
 def penalties_of_leaving(face: Face, requests: Requests, choice: Choice) -> tuple[Floats, float]:
     """What an earlier layout makes each label cost (R,), and what it makes leaving the face
     cost."""
-    prior, base = requests.prior, face.trajectories.base
+    prior, base = requests.prior, face.trajectories.surface.points
     stay, leave = np.zeros(len(choice.anchors)), 0.0
     for copy, controls in enumerate(choice.controls):
         stay += leaving_penalties(prior, controls, choice.anchors[:, copy], base, face.handle_width)
@@ -107,7 +107,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
     if settings.scene_units:
         corners = mesh_triangles(face.rig.meshes)
         radius = (
-            mean_edge_length(trajectories.base, corners, trajectories.places)
+            mean_edge_length(trajectories.surface.points, corners, trajectories.surface.places)
             * settings.overlap_radius
         )
         sharpness = settings.overlap_sharpness
@@ -119,7 +119,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
         settings.overlap_max, radius, sharpness, cutoff_distance, 1.0 - settings.displacement_weight
     )
     return overlap, (
-        face.handle_width if settings.separation else _COINCIDENT * trajectories.face_size
+        face.handle_width if settings.separation else _COINCIDENT * trajectories.surface.face_size
     )
 
 

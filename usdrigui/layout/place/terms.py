@@ -39,7 +39,7 @@ def linear_cost(
     settings: ObjectiveSettings,
 ) -> Floats:
     """(p,) sum of all linear terms at `points`, which must be among the motion's points."""
-    own = occlusion(face.trajectories.normals, motion, points, occlusion_weight)
+    own = occlusion(face.trajectories.surface.normals, motion, points, occlusion_weight)
     own = own + common(face, motion, points, settings) + _LOOSE * motion.missing(points)
     return own + user_linear_cost(face, motion, points, settings.terms)
 
@@ -90,7 +90,9 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     nearest of `points`, so that an element with none on the plane is not driven off the face; of
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
-    apart = plane_distance(face.trajectories.base[points], face.symmetry) / face.handle_width
+    apart = (
+        plane_distance(face.trajectories.surface.points[points], face.symmetry) / face.handle_width
+    )
     cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
     if of_joint and weight:
         cost += _BESIDE * (np.abs(apart) > ON_PLANE)

@@ -72,9 +72,9 @@ def with_drawn_handles(
     widths = {each.name: each.handle_width for each in layout.parts}
     width = (
         widths.get(part, layout.handle_width)
-        or settings.objective.handle_size * trajectories.face_size
+        or settings.objective.handle_size * trajectories.surface.face_size
     )
-    size = width * (1.0 - _ROUNDING) / trajectories.face_size
+    size = width * (1.0 - _ROUNDING) / trajectories.surface.face_size
     return replace(
         settings,
         objective=replace(settings.objective, handle_size=size, max_neighbours=0.0),

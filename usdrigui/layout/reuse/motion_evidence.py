@@ -180,17 +180,17 @@ def _at_one_point(one: Floats, other: Floats, *, exact: bool = True) -> Floats:
 
 def _moved_places(trajectories: Trajectories) -> Indices:
     """Places that any control moves."""
-    moved = np.zeros(len(trajectories.base), dtype=bool)
+    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
     for motion in trajectories.motions:
         moved[motion.points] = True
-    return np.flatnonzero(moved & (trajectories.places == np.arange(len(moved))))
+    return np.flatnonzero(moved & (trajectories.surface.places == np.arange(len(moved))))
 
 
 def _thinned(trajectories: Trajectories, size: float) -> Floats:
     """(m, 3) about one moved place in every cell of a grid, whose cells are `size` of the face."""
-    base = trajectories.base[_moved_places(trajectories)]
+    base = trajectories.surface.points[_moved_places(trajectories)]
     _, first = np.unique(
-        np.floor(base / (size * trajectories.face_size)), axis=0, return_index=True
+        np.floor(base / (size * trajectories.surface.face_size)), axis=0, return_index=True
     )
     return base[np.sort(first)]
 
@@ -212,7 +212,7 @@ def _cells(trajectories: Trajectories) -> csr_array:
     places, number, count = _cell_numbers(trajectories)
     areas = _areas(trajectories, places)
     share = areas / np.bincount(number, areas, count)[number]
-    return csr_array((share, (number, places)), shape=(count, len(trajectories.base)))
+    return csr_array((share, (number, places)), shape=(count, len(trajectories.surface.points)))
 
 
 def _around(trajectories: Trajectories, points: Floats) -> csr_array:
@@ -221,9 +221,13 @@ def _around(trajectories: Trajectories, points: Floats) -> csr_array:
     areas = _areas(trajectories, places)
     area = np.bincount(number, areas, count)
     centres = np.stack(
-        [np.bincount(number, areas * axis, count) / area for axis in trajectories.base[places].T], 1
+        [
+            np.bincount(number, areas * axis, count) / area
+            for axis in trajectories.surface.points[places].T
+        ],
+        1,
     )
-    blur = _BLUR * trajectories.face_size
+    blur = _BLUR * trajectories.surface.face_size
     apart, near = cKDTree(centres).query(points, k=_NEIGHBOURS, distance_upper_bound=2.0 * blur)
     weights = np.exp(-0.5 * np.square(apart / blur)) * np.append(area, 0.0)[near]
     weights /= np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)
@@ -236,14 +240,14 @@ def _around(trajectories: Trajectories, points: Floats) -> csr_array:
 def _cell_numbers(trajectories: Trajectories) -> tuple[Indices, Indices, int]:
     """The moved places, the cell of each, and the number of cells."""
     places = _moved_places(trajectories)
-    grid = np.floor(trajectories.base[places] / (_CELLS * trajectories.face_size))
+    grid = np.floor(trajectories.surface.points[places] / (_CELLS * trajectories.surface.face_size))
     _, number = np.unique(grid, axis=0, return_inverse=True)
     return places, number.reshape(-1), int(number.max(initial=-1)) + 1
 
 
 def _areas(trajectories: Trajectories, places: Indices) -> Floats:
     """(places,) areas, all above zero."""
-    areas = trajectories.areas[places]
+    areas = trajectories.surface.areas[places]
     return np.maximum(areas, 1e-6 * float(areas.max(initial=0.0)) or 1.0)
 
 
@@ -293,13 +297,15 @@ def _anchor_points(
     that corrects an anchor seldom draws its track again.
     """
     meshes, places = points_of_meshes(rig), _moved_places(trajectories)
-    tree = cKDTree(trajectories.base[places])
+    tree = cKDTree(trajectories.surface.points[places])
     found = {}
     for name, each in held.items():
         near = int(places[tree.query(each.element.anchor.position)[1]])
         same = same_point(each.element, meshes)
         apart = [
-            _to_track(trajectories.base[point], each.track) for point in (near, same) if point >= 0
+            _to_track(trajectories.surface.points[point], each.track)
+            for point in (near, same)
+            if point >= 0
         ]
         found[name] = same if same >= 0 and apart[-1] <= apart[0] else near
     return found

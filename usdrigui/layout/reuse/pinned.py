@@ -137,7 +137,7 @@ def _moved_by_all(controls: Sequence[str], rig: Rig, trajectories: Trajectories)
     """Points that every one of these controls moves by a share of its peak; none where one of them
     moves nothing."""
     by_name = {rig.controls[motion.control].name: motion for motion in trajectories.motions}
-    found = np.arange(len(trajectories.base))
+    found = np.arange(len(trajectories.surface.points))
     for motion in (by_name.get(name) for name in controls):
         far = (
             motion.points[motion.arc_length >= _MOVES * motion.peak]
@@ -211,9 +211,11 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     partner = int(symmetry.partner[point])
     if partner in motion.points:
         return partner
-    there = reflected(trajectories.base[point][None], symmetry)[0]
+    there = reflected(trajectories.surface.points[point][None], symmetry)[0]
     far = motion.points[motion.arc_length >= _MOVES * motion.peak]
-    return int(far[first_smallest(np.linalg.norm(trajectories.base[far] - there, axis=1))])
+    return int(
+        far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]
+    )
 
 
 # --- recorded -------------------------------------------------------------------------------------

@@ -171,11 +171,11 @@ def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
 def _middle(trajectories: Trajectories, motion: Motion, power: float) -> Floats:
     """(3,) mean of the places (a face that is split at seams is the same face), weighted by the
     distance moved."""
-    first = trajectories.places[motion.points] == motion.points
+    first = trajectories.surface.places[motion.points] == motion.points
     weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
     if not weights.any():
         weights = np.ones(len(weights))
-    return np.asarray(weights @ trajectories.base[motion.points] / weights.sum())
+    return np.asarray(weights @ trajectories.surface.points[motion.points] / weights.sum())
 
 
 def _spread(points: Floats) -> bool:
@@ -264,7 +264,7 @@ def _by_size(theirs: tuple[Rig, Trajectories], ours: tuple[Rig, Trajectories]) -
     """From too few landmarks: moving regions put middle on middle, scaled by their heights, up on
     up."""
     (rig, one), (other_rig, other) = theirs, ours
-    scale = other.face_size / one.face_size
+    scale = other.surface.face_size / one.surface.face_size
     rotation = _turn(rig.up, other_rig.up)
     return _Similarity(scale, rotation, _face_middle(other) - scale * rotation @ _face_middle(one))
 
@@ -282,8 +282,8 @@ def _turn(start: Floats, end: Floats) -> Floats:
 
 
 def _face_middle(trajectories: Trajectories) -> Floats:
-    moved = np.zeros(len(trajectories.base), dtype=bool)
+    moved = np.zeros(len(trajectories.surface.points), dtype=bool)
     for motion in trajectories.motions:
         moved[motion.points[motion.arc_length >= 0.5 * motion.arc_length.max()]] = True
-    points = trajectories.base[moved]
+    points = trajectories.surface.points[moved]
     return np.asarray(0.5 * (points.min(axis=0) + points.max(axis=0)))

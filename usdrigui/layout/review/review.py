@@ -190,8 +190,8 @@ def _anchor_faults(
 
 def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
-    here = trajectories.base[_point(rig, element)]
-    return float(np.linalg.norm(here - element.anchor.position)) / trajectories.face_size
+    here = trajectories.surface.points[_point(rig, element)]
+    return float(np.linalg.norm(here - element.anchor.position)) / trajectories.surface.face_size
 
 
 def _custom_base(layout: Layout, settings: ReadSettings) -> bool:

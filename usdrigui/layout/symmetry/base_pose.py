@@ -11,8 +11,8 @@ import numpy as np
 from usdrigui.layout.motion.similarity import DisplacementFields, displacement_fields
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
-from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance, reflected
-from usdrigui.model import Floats, Rig, Symmetry, Trajectories
+from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance
+from usdrigui.model import Floats, MirrorPlane, Rig, Symmetry, Trajectories
 from usdrigui.settings import SymmetrySettings, TrajectorySettings
 
 _APART = 0.05
@@ -47,9 +47,9 @@ def symmetry_at_pose(
         return _or_at_bind_pose(rig, trajectories, found, settings, configured, sampling)
     neutral = _same_controls(rig, trajectories, sampling)
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings, configured)
-    if not symmetry.normal.any():
+    if not symmetry.plane.normal.any():
         return find_symmetry(rig, trajectories, fields, settings, configured)
-    return _at_pose(symmetry, neutral, trajectories.base)
+    return _at_pose(symmetry, neutral, trajectories.surface.points)
 
 
 def _or_at_bind_pose(
@@ -69,7 +69,7 @@ def _or_at_bind_pose(
     symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings, configured)
     if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
         return found
-    return _at_pose(symmetry, neutral, trajectories.base)
+    return _at_pose(symmetry, neutral, trajectories.surface.points)
 
 
 def _bound(rig: Rig) -> Rig | None:
@@ -111,8 +111,10 @@ def _same_controls(
 def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:
     """The same partners with the plane where most pairs now have it: what one side does must not
     tilt it."""
-    side = plane_distance(neutral.base, symmetry)
-    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.5 * _APART * neutral.face_size))
+    side = plane_distance(neutral.surface.points, symmetry)
+    left = np.flatnonzero(
+        (symmetry.partner >= 0) & (side > 0.5 * _APART * neutral.surface.face_size)
+    )
     if not len(left):
         return symmetry
     other = base[symmetry.partner[left]]
@@ -121,14 +123,5 @@ def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetr
     normal = normal / np.linalg.norm(normal)
     offset = float(np.median(0.5 * (base[left] + other) @ normal))
     middle = base.mean(axis=0)
-    moved = replace(symmetry, origin=middle - (middle @ normal - offset) * normal, normal=normal)
-    return replace(moved, distance=_distances(base, moved))
-
-
-def _distances(base: Floats, symmetry: Symmetry) -> Floats:
-    """(n,) distance of each point's partner from its exact mirror image; inf where there is
-    none."""
-    apart = np.linalg.norm(
-        reflected(base, symmetry) - base[np.maximum(symmetry.partner, 0)], axis=1
-    )
-    return np.where(symmetry.partner >= 0, apart, np.inf)
+    plane = MirrorPlane(middle - (middle @ normal - offset) * normal, normal)
+    return replace(symmetry, plane=plane)

@@ -54,10 +54,10 @@ def _moving_normals(trajectories: Trajectories) -> Floats:
     """
     votes = np.zeros(3)
     for motion in trajectories.motions:
-        weight = trajectories.areas[motion.points] * np.minimum(
+        weight = trajectories.surface.areas[motion.points] * np.minimum(
             motion.arc_length / motion.arc_length.mean(), 1.0
         )
         total = float(weight.sum())
         if total > 0.0:
-            votes += weight @ trajectories.normals[motion.points] / total
+            votes += weight @ trajectories.surface.normals[motion.points] / total
     return votes

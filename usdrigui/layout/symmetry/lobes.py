@@ -33,8 +33,8 @@ _ASIDE = 0.1
 def all_aside(trajectories: Trajectories, symmetry: Symmetry, points: Indices) -> bool:
     """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
     face: one handle would be on one side only."""
-    apart = np.abs(plane_distance(trajectories.base[points], symmetry))
-    return bool(apart.min(initial=np.inf) > _ASIDE * trajectories.face_size)
+    apart = np.abs(plane_distance(trajectories.surface.points[points], symmetry))
+    return bool(apart.min(initial=np.inf) > _ASIDE * trajectories.surface.face_size)
 
 
 def two_lobed(
@@ -56,8 +56,8 @@ def two_lobed(
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
-    apart = np.abs(plane_distance(trajectories.base[motion.points], symmetry))
-    middle = length[apart <= _MIDDLE * trajectories.face_size].max(initial=0.0)
+    apart = np.abs(plane_distance(trajectories.surface.points[motion.points], symmetry))
+    middle = length[apart <= _MIDDLE * trajectories.surface.face_size].max(initial=0.0)
     least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
     return bool(middle < least * length.max())
 
@@ -68,5 +68,5 @@ def in_the_middle(
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
     own = motion.owned is not None and int(symmetry.twins[motion.control]) == motion.control
-    apart = np.abs(plane_distance(trajectories.base[motion.points], symmetry))
-    return own & symmetry.normal.any() & (apart <= ON_PLANE * handle_width)
+    apart = np.abs(plane_distance(trajectories.surface.points[motion.points], symmetry))
+    return own & symmetry.plane.normal.any() & (apart <= ON_PLANE * handle_width)

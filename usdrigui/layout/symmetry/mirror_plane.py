@@ -18,7 +18,7 @@ from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
-from usdrigui.model import Flags, Floats, Indices, Rig, Symmetry, Trajectories
+from usdrigui.model import Flags, Floats, Indices, MirrorPlane, Rig, Symmetry, Trajectories
 from usdrigui.settings import SymmetrySettings
 from usdrigui.ties import axis_across, rounded, towards
 
@@ -79,20 +79,20 @@ def find_symmetry(
     mirror image within ``symmetry.tolerance`` there is no symmetry: normal zero, partners -1, twins
     as the configuration says or -1.
     """
-    count = len(trajectories.base)
-    tolerance = settings.tolerance * trajectories.face_size
+    count = len(trajectories.surface.points)
+    tolerance = settings.tolerance * trajectories.surface.face_size
     plane = None
     if settings.enabled and trajectories.motions:
         plane = _named_instead(
             rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories
         )
     if plane is None:
-        partner, distance = np.full(count, -1, dtype=np.int64), np.full(count, np.inf)
+        partner = np.full(count, -1, dtype=np.int64)
         origin, normal = np.zeros(3), np.zeros(3)
     else:
         plane = _towards_left(plane, rig, trajectories)
-        partner, distance = _partners(plane, trajectories, tolerance)
-        middle = trajectories.base.mean(axis=0)
+        partner = _partners(plane, trajectories, tolerance)
+        middle = trajectories.surface.points.mean(axis=0)
         normal, origin = (
             plane.normal,
             middle - (middle @ plane.normal - plane.offset) * plane.normal,
@@ -100,7 +100,7 @@ def find_symmetry(
     twins, sources, turned = find_twins(
         rig, trajectories, fields, (partner, normal), configured, settings.twin_similarity
     )
-    return Symmetry(origin, normal, partner, distance, twins, sources, turned)
+    return Symmetry(MirrorPlane(origin, normal), partner, twins, sources, turned)
 
 
 def about_plane_of(
@@ -113,7 +113,7 @@ def about_plane_of(
 ) -> Symmetry:
     """The symmetry of a part of a character about the plane of the `whole`; parameters as of
     `find_symmetry`."""
-    mirror = whole.partner, whole.normal
+    mirror = whole.partner, whole.plane.normal
     twins, sources, turned = find_twins(
         rig, trajectories, fields, mirror, configured, settings.twin_similarity
     )
@@ -122,13 +122,13 @@ def about_plane_of(
 
 def reflected(points: Floats, symmetry: Symmetry) -> Floats:
     """(..., 3) mirror images of `points`."""
-    apart = (points - symmetry.origin) @ symmetry.normal
-    return np.asarray(points - 2.0 * apart[..., None] * symmetry.normal, dtype=np.float64)
+    apart = (points - symmetry.plane.origin) @ symmetry.plane.normal
+    return np.asarray(points - 2.0 * apart[..., None] * symmetry.plane.normal, dtype=np.float64)
 
 
 def plane_distance(points: Floats, symmetry: Symmetry) -> Floats:
     """(...) signed distance from the mirror plane, positive on the character's left."""
-    return np.asarray((points - symmetry.origin) @ symmetry.normal, dtype=np.float64)
+    return np.asarray((points - symmetry.plane.origin) @ symmetry.plane.normal, dtype=np.float64)
 
 
 # --- the plane ------------------------------------------------------------------------------------
@@ -142,7 +142,7 @@ def _find_plane(
     if len(region) < 4:
         return None
     # All places, not only those that move: a control of one side must not tilt the plane.
-    every = trajectories.base[np.unique(trajectories.places)]
+    every = trajectories.surface.points[np.unique(trajectories.surface.places)]
     tree = cKDTree(every)
     sample = _thinned(region, weights)
     rough = sample[:: max(1, len(sample) // _ROUGH)]
@@ -198,7 +198,7 @@ def _by_motions(
     """
 
     def preference(plane: _Plane) -> tuple[float, float]:
-        partner, _ = _partners(plane, trajectories, tolerance)
+        partner = _partners(plane, trajectories, tolerance)
         agreed = pairable(agreements(fields, partner, plane.normal), trajectories).max(axis=1)
         return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(
             abs(float(plane.normal @ up)), 3
@@ -212,19 +212,19 @@ def _moving_region(trajectories: Trajectories) -> tuple[Floats, Floats]:
     prevail, times how many controls move them, so that the face prevails over what only a few
     controls move.
     """
-    count = len(trajectories.base)
+    count = len(trajectories.surface.points)
     moved = np.zeros(count)
     for motion in trajectories.motions:
         moved[motion.points] += np.minimum(motion.arc_length / motion.arc_length.mean(), 1.0)
-    area = trajectories.areas
+    area = trajectories.surface.areas
     usual = float(np.median(area[(area > 0.0) & (moved > 0.0)])) if (area * moved).any() else 0.0
     # A few huge faces (cards, cloth) must not drag the middle to themselves.
     weights = np.minimum(area, _LARGE * usual) * moved
     chosen = np.flatnonzero(weights > 0.0)
     if not len(chosen):
-        chosen = np.flatnonzero((trajectories.places == np.arange(count)) & (moved > 0.0))
+        chosen = np.flatnonzero((trajectories.surface.places == np.arange(count)) & (moved > 0.0))
         weights = moved
-    return trajectories.base[chosen], weights[chosen]
+    return trajectories.surface.points[chosen], weights[chosen]
 
 
 def _thinned(points: Floats, weights: Floats) -> Floats:
@@ -326,7 +326,7 @@ def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -
     if len(region) < 4:
         return found
     tree, sample = (
-        cKDTree(trajectories.base[np.unique(trajectories.places)]),
+        cKDTree(trajectories.surface.points[np.unique(trajectories.surface.places)]),
         _thinned(region, weights),
     )
     fitted = _refined(plane, tree, sample, 60)
@@ -358,21 +358,17 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
 # --- points ---------------------------------------------------------------------------------------
 
 
-def _partners(
-    plane: _Plane, trajectories: Trajectories, tolerance: float
-) -> tuple[Indices, Floats]:
-    """For every point the place nearest to its mirror image, -1 beyond the tolerance, and its
-    distance."""
-    base, places = trajectories.base, trajectories.places
+def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> Indices:
+    """For every point the place nearest to its mirror image, -1 beyond the tolerance."""
+    base, places = trajectories.surface.points, trajectories.surface.places
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
-    unit = _TIE * trajectories.face_size / (float(np.abs(motion).max()) or 1.0)
+    unit = _TIE * trajectories.surface.face_size / (float(np.abs(motion).max()) or 1.0)
     turned = motion - 2.0 * (motion @ plane.normal)[:, None] * plane.normal
     tree = cKDTree(np.hstack([base[chosen], unit * motion[chosen]]))
     _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
-    partner, distance = np.full(len(base), -1, dtype=np.int64), np.full(len(base), np.inf)
+    partner = np.full(len(base), -1, dtype=np.int64)
     apart = np.linalg.norm(plane.reflect(base[chosen]) - base[chosen[nearest]], axis=1)
     near: Flags = apart <= tolerance
     partner[chosen[near]] = chosen[nearest[near]]
-    distance[chosen] = apart
-    return partner[places], np.where(partner[places] >= 0, distance[places], np.inf)
+    return partner[places]

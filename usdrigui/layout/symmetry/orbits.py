@@ -68,12 +68,14 @@ def orbit_points(
     motions of its n members.
     """
     centre, axis = _axis(trajectories, orbit, up)
-    places = trajectories.places
+    places = trajectories.surface.places
     chosen = np.flatnonzero(places == np.arange(len(places)))
-    tree = cKDTree(trajectories.base[chosen])
+    tree = cKDTree(trajectories.surface.points[chosen])
     images = [points]
     for step in range(1, len(orbit)):
-        turned = _turned(trajectories.base[points], centre, axis, 2.0 * np.pi * step / len(orbit))
+        turned = _turned(
+            trajectories.surface.points[points], centre, axis, 2.0 * np.pi * step / len(orbit)
+        )
         apart, nearest = tree.query(turned)
         images.append(np.where(apart <= tolerance, chosen[nearest], -1))
     return np.stack(images, axis=1)
@@ -95,8 +97,10 @@ def _axis(trajectories: Trajectories, orbit: Sequence[Motion], up: Floats) -> tu
 
 
 def _middle(trajectories: Trajectories, motion: Motion) -> Floats:
-    weights = motion.arc_length * np.maximum(trajectories.areas[motion.points], 1e-300)
-    return np.asarray(np.average(trajectories.base[motion.points], axis=0, weights=weights))
+    weights = motion.arc_length * np.maximum(trajectories.surface.areas[motion.points], 1e-300)
+    return np.asarray(
+        np.average(trajectories.surface.points[motion.points], axis=0, weights=weights)
+    )
 
 
 def _turned(points: Floats, centre: Floats, axis: Floats, angle: float) -> Floats:

@@ -74,7 +74,7 @@ def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
         if regions is not None
         else np.zeros(1, bool)
     )
-    points = trajectories.base[head[owner_of_points(rig)]] if facial else np.zeros((0, 3))
+    points = trajectories.surface.points[head[owner_of_points(rig)]] if facial else np.zeros((0, 3))
     if not len(points):
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))

@@ -39,7 +39,7 @@ def test_a_motion_of_which_nothing_or_everything_is_common_costs_nothing_more():
     lifted = chain.face_of(wing(1.0), settings)
     motion = lifted.trajectories.motion_of(index["one"])
     shares, points = motion.common, motion.points
-    assert shares[np.argmin(np.linalg.norm(lifted.trajectories.base[points, :2] - [0.35, 0.6], axis=1))] > 0.5
+    assert shares[np.argmin(np.linalg.norm(lifted.trajectories.surface.points[points, :2] - [0.35, 0.6], axis=1))] > 0.5
 
 
 def test_no_control_explains_another_by_going_far_beyond_its_own_range():

@@ -50,18 +50,18 @@ def test_the_base_pose_moves_the_start_of_the_path_and_not_its_length():
     shapes = {"a": makers.bump(POINTS, (0, 0), (0, 0, 1)), "b": makers.bump(POINTS, (0, 0), (1, 0, 0))}
     rig = makers.rig(POINTS, QUADS, shapes)
     rest, posed = trajectories(rig, DENSE), trajectories(rig, DENSE, np.array([0.25, 0.0]))
-    assert np.allclose(posed.base, POINTS + 0.25 * shapes["a"], atol=1e-6)
+    assert np.allclose(posed.surface.points, POINTS + 0.25 * shapes["a"], atol=1e-6)
     first = posed.motions[0]
     assert first.values.tolist() == [0.0, 0.25, 1.0]
     assert not first.offsets[1].any()
     assert np.allclose(first.arc_length, rest.motions[0].arc_length, rtol=1e-4)
-    assert np.allclose(posed.base[first.points] + first.offsets[0], POINTS[first.points], atol=1e-6)
+    assert np.allclose(posed.surface.points[first.points] + first.offsets[0], POINTS[first.points], atol=1e-6)
 
 
 def test_an_empty_control_is_left_off_with_the_reason():
     rig = makers.rig(POINTS, QUADS, {"empty": np.zeros_like(POINTS), "full": makers.bump(POINTS, (0, 0), (0, 0, 1))})
     found = trajectories(rig, DENSE)
-    assert [(each.control, each.stage) for each in found.left_off] == [("empty", "trajectories")]
+    assert [(each.control, each.stage) for each in found.findings.left_off] == [("empty", "trajectories")]
     assert [motion.control for motion in found.motions] == [1]
 
 
@@ -72,10 +72,10 @@ def test_tiny_and_duplicate_controls_stay_and_are_named():
     )
     found = trajectories(rig, DENSE)
     assert len(found.motions) == 5
-    named = {(each.code, each.path) for each in found.issues}
+    named = {(each.code, each.path) for each in found.findings.issues}
     assert {("CONTROL_DUPLICATE", "again"), ("CONTROL_DUPLICATE", "half"), ("CONTROL_TINY", "tiny")} <= named
     assert ("CONTROL_DUPLICATE", "other") not in named
-    told = {each.path: each.message for each in found.issues if each.code == "CONTROL_DUPLICATE"}
+    told = {each.path: each.message for each in found.findings.issues if each.code == "CONTROL_DUPLICATE"}
     assert told["again"] == "moves every point the same as big"
     assert told["half"] == "moves every point the same as big, 0.5 times as far"
 
@@ -116,10 +116,10 @@ def test_sizes_follow_the_local_controls_and_scale_with_the_character():
     found = trajectories(rig, DENSE)
     whole = makers.rig(rig.meshes[0].points, QUADS_FULL, {**makers.face_shapes(rig.meshes[0].points), "head": HEAD})
     with_head = trajectories(whole, DENSE)
-    assert with_head.face_size == pytest.approx(found.face_size, rel=1e-6)
+    assert with_head.surface.face_size == pytest.approx(found.surface.face_size, rel=1e-6)
     assert with_head.typical_length == pytest.approx(found.typical_length, rel=1e-6)
     large = trajectories(makers.moved(rig, 100.0 * np.eye(3)), DENSE)
-    assert large.face_size == pytest.approx(100.0 * found.face_size, rel=1e-5)
+    assert large.surface.face_size == pytest.approx(100.0 * found.surface.face_size, rel=1e-5)
     assert large.typical_length == pytest.approx(100.0 * found.typical_length, rel=1e-5)
 
 
@@ -172,6 +172,6 @@ def test_faces_wound_inward_are_noticed_and_turned():
     right = trajectories(makers.rig(points, faces, shapes), DENSE)
     wrong = trajectories(makers.rig(points, [face[::-1] for face in faces], shapes), DENSE)
     for found in (right, wrong):
-        assert (np.einsum("ni,ni->n", found.normals, points) > 0.0).all()
+        assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
     assert [each.code for each in wrong.issues] == ["NORMALS_INWARD"]
     assert not right.issues

@@ -145,8 +145,8 @@ def test_a_body_does_not_change_the_scale_of_its_face():
     alone = replace(BODY, controls=tuple(control for control in BODY.controls if control.name in facial))
     character = divided(BODY, Settings())
     face = part_problem(character, character.parts[0]).face
-    sizes = [trajectories(rig, Settings().trajectories).face_size for rig in (BODY, alone)]
-    assert face.trajectories.face_size == sizes[1]
+    sizes = [trajectories(rig, Settings().trajectories).surface.face_size for rig in (BODY, alone)]
+    assert face.trajectories.surface.face_size == sizes[1]
     assert sizes[0] > 5.0 * sizes[1]
 
 

@@ -29,7 +29,7 @@ def width(rig, **objective):
     """In face sizes; nothing goes on the board for what it repeats."""
     said = chain.settings(objective=objective, candidates={"board_composite": False})
     face = chain.face_of(rig, said)
-    return face.handle_width / face.trajectories.face_size
+    return face.handle_width / face.trajectories.surface.face_size
 
 
 def test_a_face_with_room_has_handles_of_the_size_asked_for():
@@ -60,7 +60,7 @@ def test_a_crowd_of_what_stands_beside_the_face_does_not_count():
     beside = {f"c{i}": {"place": "board"} for i in range(80)}
     said = chain.settings(controls=beside, objective={"handle_size": 0.04, "handle_size_min": 0.001})
     face = chain.face_of(rig, said)
-    assert face.handle_width == 0.04 * face.trajectories.face_size
+    assert face.handle_width == 0.04 * face.trajectories.surface.face_size
 
 
 def test_the_width_does_not_know_how_finely_the_mesh_is_divided():
@@ -82,8 +82,8 @@ def test_the_width_does_not_know_how_finely_the_mesh_is_divided():
 def test_the_width_turns_and_grows_with_the_character(matrix):
     rig, said = crowd(80), chain.settings(objective={"handle_size": 0.04, "handle_size_min": 0.001})
     plain, moved = chain.face_of(rig, said), chain.face_of(makers.moved(rig, matrix, (3.0, 1.0, 2.0)), said)
-    assert plain.handle_width < 0.035 * plain.trajectories.face_size
-    step = STEP * plain.trajectories.face_size
+    assert plain.handle_width < 0.035 * plain.trajectories.surface.face_size
+    step = STEP * plain.trajectories.surface.face_size
     assert moved.handle_width / np.linalg.norm(matrix[0]) == pytest.approx(plain.handle_width, abs=1.01 * step)
 
 
@@ -108,5 +108,5 @@ def test_the_papers_preset_keeps_the_size():
     from usdrigui.settings import load
 
     assert chain.face_of(crowd(80), load(preset="paper")).handle_width == pytest.approx(
-        0.02 * chain.face_of(crowd(80)).trajectories.face_size
+        0.02 * chain.face_of(crowd(80)).trajectories.surface.face_size
     )

@@ -32,7 +32,7 @@ def test_of_two_unlike_members_the_lesser_displacement_counts():
     assert (arcs[0] < arcs[1]).any()
     assert (arcs[1] < arcs[0]).any()
     unit = line.face.trajectories.typical_length
-    left = line.face.trajectories.base[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
+    left = line.face.trajectories.surface.points[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
     assert variable.cost[left] == pytest.approx(-0.85 * arcs.min(axis=0)[left] / unit, rel=1e-6)
     assert variable.displacement == pytest.approx(arcs.min(axis=0) / unit, rel=1e-6)
 
@@ -112,7 +112,7 @@ def test_a_group_counts_its_worst_member():
     motions = [m for m in line.face.trajectories.motions if line.face.rig.controls[m.control].name.startswith("jaw")]
     arcs = np.stack([m.arc_length[np.searchsorted(m.points, variable.points)] for m in motions])
     worst = -0.85 * arcs.min(axis=0) / line.face.trajectories.typical_length
-    left = line.face.trajectories.base[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
+    left = line.face.trajectories.surface.points[variable.points][:, 0] >= 0.0  # the other side pays to break the tie
     assert np.allclose(variable.cost[left], worst[left], rtol=1e-6)
     assert variable.samples.shape[2] == 10
 

@@ -24,7 +24,7 @@ def costs(rig, **candidates):
     settings = chain.settings(candidates=candidates)
     face = chain.face_of(rig, settings)
     motion = face.trajectories.motions[0]
-    own = occlusion(face.trajectories.normals, motion, motion.points, settings.candidates.occlusion_weight)
+    own = occlusion(face.trajectories.surface.normals, motion, motion.points, settings.candidates.occlusion_weight)
     return own, linear_cost(face, motion, motion.points, settings.candidates.occlusion_weight, settings.objective)
 
 

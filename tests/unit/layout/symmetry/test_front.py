@@ -49,5 +49,5 @@ def shape_of(rig, index):
 def test_the_face_looks_where_it_moves(matrix):
     rig = makers.moved(makers.face(), matrix)
     face = chain.face_of(rig)
-    assert front(rig.up, face.trajectories, face.symmetry.normal) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0)
+    assert front(rig.up, face.trajectories, face.symmetry.plane.normal) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0)
     assert front(rig.up, face.trajectories, np.zeros(3)) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0, abs=1e-3)

@@ -29,6 +29,12 @@ def symmetry_of(rig, settings=None):
     )
 
 
+def apart(rig, symmetry):
+    """Distance of each point's partner from its exact mirror image."""
+    points = rig.meshes[0].points
+    return np.linalg.norm(reflected(points, symmetry) - points[symmetry.partner], axis=1)
+
+
 def names(rig, symmetry):
     controls = [control.name for control in rig.controls]
     return {name: controls[twin] if twin >= 0 else "" for name, twin in zip(controls, symmetry.twins, strict=True)}
@@ -44,10 +50,10 @@ def test_the_plane_is_found_wherever_the_face_stands(matrix, offset):
     symmetry = symmetry_of(rig)
     scale = np.linalg.norm(matrix[0])
     left = matrix @ [1.0, 0.0, 0.0] / scale
-    assert symmetry.normal @ left == pytest.approx(1.0, abs=1e-9)
+    assert symmetry.plane.normal @ left == pytest.approx(1.0, abs=1e-9)
     assert abs(plane_distance(np.asarray(offset, dtype=float), symmetry)) < 1e-6 * scale
     assert (symmetry.partner >= 0).all()
-    assert symmetry.distance.max() < 1e-5 * scale
+    assert apart(rig, symmetry).max() < 1e-5 * scale
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -56,14 +62,14 @@ def test_the_controls_decide_where_the_face_is_as_symmetric_upside_down(seed):
     turn = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
     face = makers.moved(makers.face(17, 21), turn)
     for up in (turn[:, 1], turn[:, 0]):
-        assert abs(symmetry_of(replace(face, up=up)).normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
+        assert abs(symmetry_of(replace(face, up=up)).plane.normal @ turn[:, 0]) == pytest.approx(1.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("up", [0, 1])
 def test_the_up_axis_decides_where_the_controls_leave_it_open(up):
     points, quads = makers.mask(17, 21)
     alike = makers.rig(points, quads, {"pout": makers.bump(points, (0, 0), (0, 0, 1), 0.6)}, up=np.eye(3)[up])
-    assert abs(symmetry_of(alike).normal[1 - up]) == pytest.approx(1.0, abs=1e-9)
+    assert abs(symmetry_of(alike).plane.normal[1 - up]) == pytest.approx(1.0, abs=1e-9)
 
 
 def test_hair_on_one_side_does_not_tilt_the_plane():
@@ -72,9 +78,10 @@ def test_hair_on_one_side_does_not_tilt_the_plane():
     faces = quads + (len(points) + np.arange(150).reshape(-1, 3)).tolist()
     shapes = {name: np.vstack([each, np.zeros_like(hair)]) for name, each in makers.face_shapes(points).items()}
     shapes["hair"] = np.vstack([np.zeros_like(points), np.full_like(hair, 0.1)])
-    symmetry = symmetry_of(makers.rig(np.vstack([points, hair]), faces, shapes))
-    assert symmetry.normal @ [1.0, 0.0, 0.0] == pytest.approx(1.0, abs=1e-9)
-    assert (symmetry.distance[: len(points)] < 1e-6).all()
+    rig = makers.rig(np.vstack([points, hair]), faces, shapes)
+    symmetry = symmetry_of(rig)
+    assert symmetry.plane.normal @ [1.0, 0.0, 0.0] == pytest.approx(1.0, abs=1e-9)
+    assert (apart(rig, symmetry)[: len(points)] < 1e-6).all()
 
 
 def test_partners_are_images_and_come_in_twos():
@@ -107,7 +114,7 @@ def test_a_shapeless_lump_has_no_plane():
     points = random.normal(size=(300, 3)) * [1.0, 2.0, 3.0]
     rig = makers.rig(points, np.arange(300).reshape(-1, 3).tolist(), {"a": random.normal(size=(300, 3))})
     symmetry = symmetry_of(rig)
-    assert not symmetry.normal.any()
+    assert not symmetry.plane.normal.any()
     assert (symmetry.partner == -1).all()
     assert symmetry.twins.tolist() == [-1]
 
@@ -139,7 +146,7 @@ def test_controls_that_agree_just_as_much_as_asked_are_twins():
     }
     rig = makers.rig(points, quads, shapes)
     symmetry, measured = symmetry_of(rig), trajectories(rig, Settings().trajectories)
-    raw = agreements(displacement_fields(measured), symmetry.partner, symmetry.normal)
+    raw = agreements(displacement_fields(measured), symmetry.partner, symmetry.plane.normal)
     least = float(0.5 * (raw + raw.T)[0, 1])
     for floor, twin in ((least, "b"), (np.nextafter(least, 1), "")):
         assert names(rig, symmetry_of(rig, Settings(symmetry=SymmetrySettings(twin_similarity=floor))))["a"] == twin
@@ -243,7 +250,7 @@ def test_the_configuration_has_the_last_word():
 
 def test_symmetry_can_be_switched_off():
     symmetry = symmetry_of(makers.face(), chain.settings(symmetry={"enabled": False}))
-    assert not symmetry.normal.any()
+    assert not symmetry.plane.normal.any()
     assert (symmetry.twins == -1).all()
 
 
@@ -294,14 +301,22 @@ def test_a_huge_face_weighs_no_more_than_a_few_usual_ones_whatever_the_unit(size
     rig = makers.face()
     found = trajectories(rig, Settings().trajectories)
     card = int(found.motions[0].points[0])
-    areas = size**2 * np.where(np.arange(len(found.areas)) == card, 1e6, found.areas)
-    points, weights = mirror_plane._moving_region(replace(found, base=size * found.base, areas=areas))
-    (at,) = np.flatnonzero((points == size * found.base[card]).all(axis=1))
+    areas = size**2 * np.where(np.arange(len(found.surface.areas)) == card, 1e6, found.surface.areas)
+    points, weights = mirror_plane._moving_region(
+        replace(found, surface=replace(found.surface, points=size * found.surface.points, areas=areas))
+    )
+    (at,) = np.flatnonzero((points == size * found.surface.points[card]).all(axis=1))
     assert 0.0 < weights[at] < 0.05 * weights.sum()
-    usual = size**2 * np.median(np.delete(found.areas[np.unique(np.concatenate([m.points for m in found.motions]))], 0))
-    bounded = replace(found, base=size * found.base, areas=np.minimum(areas, 4.0 * usual))
+    usual = size**2 * np.median(
+        np.delete(found.surface.areas[np.unique(np.concatenate([m.points for m in found.motions]))], 0)
+    )
+    bounded = replace(
+        found, surface=replace(found.surface, points=size * found.surface.points, areas=np.minimum(areas, 4.0 * usual))
+    )
     assert mirror_plane._moving_region(bounded)[1][at] == pytest.approx(weights[at], rel=1e-3)
-    smaller = replace(found, base=size * found.base, areas=np.minimum(areas, 3.9 * usual))
+    smaller = replace(
+        found, surface=replace(found.surface, points=size * found.surface.points, areas=np.minimum(areas, 3.9 * usual))
+    )
     assert mirror_plane._moving_region(smaller)[1][at] < 0.99 * weights[at]
     assert len(points) == len(set().union(*(motion.points.tolist() for motion in found.motions)))
 

@@ -42,7 +42,7 @@ def twins(face):
 
 def test_a_robot_is_mirrored_between_the_joints_named_left_and_right():
     face = chain.face_of(robot())
-    assert face.symmetry.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
+    assert face.symmetry.plane.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
     assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
     assert twins(face)["arm0_L:rx"] == "arm0_R:rx"
 
@@ -51,7 +51,7 @@ def test_numbers_with_which_an_exporter_counts_the_joints_hide_no_sides():
     made = robot()
     counted = tuple(replace(joint, path=f"{joint.path}_{i:02d}") for i, joint in enumerate(made.joints))
     face = chain.face_of(limbs.with_default_controls(replace(made, joints=counted)))
-    assert face.symmetry.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
+    assert face.symmetry.plane.normal == pytest.approx([1.0, 0.0, 0.0], abs=0.05)
 
 
 def test_the_names_tell_which_side_is_left_where_nothing_else_does():
