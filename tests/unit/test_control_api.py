@@ -30,13 +30,13 @@ def rig_of(*animations, base=0.0):
 
 def test_a_control_is_plain_where_its_value_is_the_weight():
     plain, half = driven([[0.0], [1.0]]), driven([[0.0], [0.5]])
-    assert _is_plain(rig_of("/A"), plain)
-    assert not _is_plain(rig_of("/A"), half)
-    assert not _is_plain(rig_of("/A", base=0.25), plain), "the weight is a quarter more"
-    assert _is_plain(rig_of("/A", base=0.25), driven([[-0.25], [0.75]]))
-    assert not _is_plain(rig_of("/A", "/A"), driven([[0.0, 0.0], [1.0, 0.0]]))
+    assert _is_plain(rig_of("/A").base_weights, plain)
+    assert not _is_plain(rig_of("/A").base_weights, half)
+    assert not _is_plain(rig_of("/A", base=0.25).base_weights, plain), "the weight is a quarter more"
+    assert _is_plain(rig_of("/A", base=0.25).base_weights, driven([[-0.25], [0.75]]))
+    assert not _is_plain(rig_of("/A", "/A").base_weights, driven([[0.0, 0.0], [1.0, 0.0]]))
     turning = replace(plain.drive, joints=np.array([0]))
-    assert not _is_plain(rig_of("/A"), replace(plain, drive=turning))
+    assert not _is_plain(rig_of("/A").base_weights, replace(plain, drive=turning))
 
 
 def test_weights_below_the_noise_of_the_file_are_not_driven():

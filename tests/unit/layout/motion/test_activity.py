@@ -160,7 +160,7 @@ def jaw(*paths):
     turned = np.radians(10.0 * np.arange(1, len(paths) + 1))[None, :, None] * [0.0, 1.0, 0.0]
     clip = SimpleNamespace(joints=paths, rotations=rotations(np.concatenate([0.0 * turned, turned])) @ up)
     drive = SimpleNamespace(joints=np.array([1]), rotations=np.array([[[0.0, 0, 0]], [[0.0, -1, 0]]]))
-    return joints, SimpleNamespace(drive=drive), clip
+    return joints, drive, clip
 
 
 @pytest.mark.parametrize(
