@@ -23,7 +23,7 @@ from usdrigui.layout.motion.activity import (
 )
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
-from usdrigui.model import Candidates, Control, Performance, Rig, Symmetry
+from usdrigui.model import Candidates, Control, Indices, Performance, Rig
 from usdrigui.settings import ControlSettings, ReadSettings, Settings
 from usdrigui.usd.reader_process import read_performances_isolated
 
@@ -41,7 +41,7 @@ def performances(paths: Sequence[Path], settings: ReadSettings) -> tuple[Perform
 
 def weighted(
     rig: Rig,
-    symmetry: Symmetry,
+    twins: Indices,
     overrides: tuple[ControlSettings, ...],
     clips: tuple[Performance, ...],
     weight: float,
@@ -54,8 +54,8 @@ def weighted(
     """
     if not clips:
         return overrides
-    found = importances(activity(rig, clips), _twins(rig.controls, symmetry), weight)
-    return with_importances(rig, overrides, found)
+    found = importances(activity(rig, clips), _twins(rig.controls, twins), weight)
+    return with_importances(rig.controls, overrides, found)
 
 
 def animation_facts(
@@ -68,7 +68,7 @@ def animation_facts(
 ) -> tuple[AnimationFacts, tuple[Issue, ...]]:
     """What the animations say of a character, and what is odd about them; raises as `weighted`."""
     rig = face.rig
-    done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry)
+    done, twins = activity(rig, clips), _twins(rig.controls, face.symmetry.twins)
     worth = importances(done, twins, settings.animation.weight)
     active = (done.amounts >= _ACTIVE).mean(axis=0)
     uses = [
@@ -97,9 +97,9 @@ def animation_facts(
     return AnimationFacts(done.clips, len(done.values), tuple(uses), tuple(sets), text), done.issues
 
 
-def _twins(controls: tuple[Control, ...], symmetry: Symmetry) -> dict[str, str]:
+def _twins(controls: tuple[Control, ...], twins: Indices) -> dict[str, str]:
     names = [control.name for control in controls]
-    return {names[i]: names[twin] for i, twin in enumerate(symmetry.twins.tolist()) if twin >= 0}
+    return {names[i]: names[twin] for i, twin in enumerate(twins.tolist()) if twin >= 0}
 
 
 def _sides(controls: Sequence[str], twins: Mapping[str, str]) -> list[tuple[str, ...]]:

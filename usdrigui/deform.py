@@ -8,6 +8,7 @@ geomBindTransform, then linear or dual-quaternion skinning in skeleton space.  n
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,7 +48,9 @@ def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
     defaults."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves[None])[0])
+    skinning = skinning_matrices(
+        rig.joints, _moved_joints(_base_locals(rig.joints), moves[None])[0]
+    )
     points = [skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
     return np.concatenate(points) if points else np.zeros((0, 3))
 
@@ -56,7 +59,9 @@ def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves[None])[0])
+    skinning = skinning_matrices(
+        rig.joints, _moved_joints(_base_locals(rig.joints), moves[None])[0]
+    )
     blended = [_blended(mesh, weights) for mesh in rig.meshes]
     maps = tuple(point_maps(rig, mesh, skinning) for mesh in rig.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
@@ -101,7 +106,9 @@ def knots(rig: Rig, control: int) -> Floats:
     found = [subject.minimum, subject.default, subject.maximum, *drive.values[1:-1]]
     for column, channel in enumerate(drive.channels):
         absolute = rig.base_weights[channel] + drive.weights[:, column]
-        found.extend(_crossings(drive.values, absolute, _bends(rig, int(channel))))
+        found.extend(
+            _crossings(drive.values, absolute, _bends(rig.shapes_by_channel, int(channel)))
+        )
     inside = np.unique(np.asarray(found, dtype=np.float64))
     return inside[(inside >= subject.minimum) & (inside <= subject.maximum)]
 
@@ -162,9 +169,11 @@ def _moved_joints(base: Floats, moves: Floats) -> Floats:
     return local
 
 
-def _bends(rig: Rig, channel: int) -> list[float]:
+def _bends(
+    shapes_by_channel: Mapping[int, tuple[tuple[int, Shape], ...]], channel: int
+) -> list[float]:
     """Weights, ascending, at which some shape's offset bends: all its nodes but the outermost."""
-    shapes = rig.shapes_by_channel.get(channel, ())
+    shapes = shapes_by_channel.get(channel, ())
     nodes = {
         node
         for _, shape in shapes
@@ -299,7 +308,7 @@ def _sweep_joints(
     for row, table in enumerate((drive.rotations, drive.translations, drive.scales)):
         moves[:, row, drive.joints] += _interpolated(drive.values, table, at)
     moves = np.concatenate([base.moves[None], moves])
-    skinning = skinning_matrices(rig, _moved_joints(_base_locals(rig.joints), moves))
+    skinning = skinning_matrices(rig.joints, _moved_joints(_base_locals(rig.joints), moves))
     turning = (skinning[1:] != skinning[0]).any(axis=(0, 2, 3))
     weights = np.repeat(base.weights[None], len(at), axis=0)
     weights[:, drive.channels] += added
@@ -335,7 +344,9 @@ def _mesh_sweep(
     if skin is not None and skin.method == "classicLinear" and not driven:
         # Only the turning joints contribute to the offset, linearly.
         bound = bound_points(_blended(mesh, base.weights)[moved], skin)
-        change = (skinning[1:] - skinning[0])[..., :3] @ skeleton_to_root(rig, skin)[:3, :3]
+        change = (skinning[1:] - skinning[0])[..., :3] @ skeleton_to_root(
+            rig.skeletons, rig.joints, skin
+        )[:3, :3]
         total = np.zeros((len(moved), 3 * len(change)))
         flat = np.ascontiguousarray(change.transpose(1, 2, 0, 3)).reshape(len(rig.joints), 4, -1)
         row = np.zeros(len(mesh.points), dtype=np.int64)

@@ -114,7 +114,7 @@ def as_sibling(references: ReferenceLayouts, rig: Rig, first: Layout) -> Referen
     or the two have no control in common.
     """
     given = bool(references.like) or rig.root in references.fixed or rig.root in references.previous
-    if given or not _shares_controls(first, rig):
+    if given or not _shares_controls(first.controls, rig):
         return references
     return replace(references, previous={**references.previous, rig.root: first})
 
@@ -168,7 +168,7 @@ def rigs_over(
 def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
     """Why none of the earlier layouts can be this character's: it stands elsewhere, or has other
     controls."""
-    alike = [root for root, layout in previous.items() if _shares_controls(layout, rig)]
+    alike = [root for root, layout in previous.items() if _shares_controls(layout.controls, rig)]
     if alike:
         return (
             "stands at another path than the character of the layer with its controls,"
@@ -180,13 +180,13 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
 def _can_be_of(layout: Layout | None, rig: Rig, sampling: TrajectorySettings) -> bool:
     """Whether a layout can be an earlier one of this character, all of whose controls may have
     other names now."""
-    if layout is None or _shares_controls(layout, rig):
+    if layout is None or _shares_controls(layout.controls, rig):
         return layout is not None
     return bool(match_layout(layout, rig, find_trajectories(rig, sampling)).names)
 
 
-def _shares_controls(layout: Layout, rig: Rig) -> bool:
-    return not {control.name for control in rig.controls}.isdisjoint(layout.controls)
+def _shares_controls(controls: frozenset[str], rig: Rig) -> bool:
+    return not {control.name for control in rig.controls}.isdisjoint(controls)
 
 
 @dataclass(frozen=True, eq=False)
@@ -234,7 +234,7 @@ def own_references(
         for which, each in earlier.items()
         if each is not None
     }
-    like = _to_imitate(references, rig, settings.names, sampling)
+    like = _to_imitate(references.like, rig, settings.names, sampling)
     if like is not None:
         found["like"] = match_rigs(like[:2], (rig, trajectories), settings.names)
     return OwnReferenceLayouts(here.get("fixed"), here.get("previous"), like, found)
@@ -277,28 +277,31 @@ def prior_layout_of(
         names = {**references.matchings["like"].names, **settings.names}
         prior = of_another(layout, (other, found), (rig, trajectories), names, settings.penalty)
     if references.previous is not None:
-        prior = prior_of_previous(references.previous, rig, keep_penalty)
+        prior = prior_of_previous(references.previous.elements, rig, keep_penalty)
     if references.fixed is not None:
-        prior = joined(PriorLayout(kept_groups(references.fixed, rig)), prior)
+        prior = joined(PriorLayout(kept_groups(references.fixed.elements, rig)), prior)
     return prior
 
 
 def _to_imitate(
-    references: ReferenceLayouts, rig: Rig, names: Mapping[str, str], sampling: TrajectorySettings
+    like: tuple[tuple[Rig, Layout], ...],
+    rig: Rig,
+    names: Mapping[str, str],
+    sampling: TrajectorySettings,
 ) -> tuple[Rig, Trajectories, Layout] | None:
-    if not references.like:
+    if not like:
         return None
-    check_like(references, rig, names)
-    other, layout = _imitated(references.like, rig)
+    check_like(like, rig, names)
+    other, layout = _imitated(like, rig.root)
     return other, find_trajectories(other, sampling), layout
 
 
-def check_like(references: ReferenceLayouts, rig: Rig, names: Mapping[str, str]) -> None:
+def check_like(like: tuple[tuple[Rig, Layout], ...], rig: Rig, names: Mapping[str, str]) -> None:
     """Raise CONFIG_UNKNOWN_CONTROL for all names of `names` (``[like.names]``) that nobody bears,
     CONFIG_VALUE when none of several characters to imitate has the path of this one."""
-    if not references.like:
+    if not like:
         return
-    other, _ = _imitated(references.like, rig)
+    other, _ = _imitated(like, rig.root)
     faults = Faults()
     for theirs, ours in names.items():
         for whose, name in ((other, theirs), (rig, ours)):
@@ -309,14 +312,14 @@ def check_like(references: ReferenceLayouts, rig: Rig, names: Mapping[str, str])
     faults.raise_all()
 
 
-def _imitated(like: Sequence[tuple[Rig, Layout]], rig: Rig) -> tuple[Rig, Layout]:
+def _imitated(like: Sequence[tuple[Rig, Layout]], root: str) -> tuple[Rig, Layout]:
     """The character to imitate: of several the one with the path of this one."""
     by_root = {other.root: (other, layout) for other, layout in like}
-    if rig.root not in by_root and len(by_root) > 1:
+    if root not in by_root and len(by_root) > 1:
         raise refuse(
-            "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {rig.root}"
+            "CONFIG_VALUE", "--like", f"has layouts of {', '.join(by_root)}; none is of {root}"
         )
-    return by_root.get(rig.root) or like[0]
+    return by_root.get(root) or like[0]
 
 
 def _characters(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from usdrigui.model import Floats, Indices, Rig, RigMesh, Skin
+from usdrigui.model import Floats, Indices, Joint, Rig, RigMesh, Skeleton, Skin
 from usdrigui.rotation import quaternion_matrices, quaternion_product, quaternions, rotation_part
 
 SAME = 1e-8
@@ -19,14 +19,14 @@ _FACE_SHARE = 0.9
 """Share of the points' influence that lies on the joint that carries a face, and below it."""
 
 
-def skinning_matrices(rig: Rig, local: Floats) -> Floats:
+def skinning_matrices(joints: tuple[Joint, ...], local: Floats) -> Floats:
     """(..., joints, 4, 4) inverse bind times pose, in skeleton space, for local transforms of that
     shape."""
     pose = local.copy()
-    for i, joint in enumerate(rig.joints):
+    for i, joint in enumerate(joints):
         if joint.parent >= 0:
             pose[..., i, :, :] = local[..., i, :, :] @ pose[..., joint.parent, :, :]
-    bind = np.array([joint.bind for joint in rig.joints], dtype=np.float64).reshape(-1, 4, 4)
+    bind = np.array([joint.bind for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
     return np.asarray(np.linalg.inv(bind) @ pose, dtype=np.float64)
 
 
@@ -45,7 +45,8 @@ def point_maps(rig: Rig, mesh: RigMesh, skinning: Floats, local: Indices | None 
         skin, joints, weights, skinning, float(np.abs(mesh.points).max(initial=1e-30))
     )
     return _composed(
-        _composed(skin.geom_bind[None, :, :3], skinned), skeleton_to_root(rig, skin)[None, :, :3]
+        _composed(skin.geom_bind[None, :, :3], skinned),
+        skeleton_to_root(rig.skeletons, rig.joints, skin)[None, :, :3],
     )
 
 
@@ -55,7 +56,7 @@ def skinned(rig: Rig, mesh: RigMesh, points: Floats, skinning: Floats) -> Floats
     skin = mesh.skin
     if skin is None or skin.rigid or skin.method == "dualQuaternion":
         return applied(points, point_maps(rig, mesh, skinning))
-    to_root = skeleton_to_root(rig, skin)
+    to_root = skeleton_to_root(rig.skeletons, rig.joints, skin)
     total = np.repeat(to_root[None, 3, :3], len(points), axis=0)
     add_influences(skin, bound_points(points, skin), skinning[:, :, :3] @ to_root[:3, :3], total)
     return total
@@ -116,9 +117,11 @@ def carrying_joint(rig: Rig, rows: Indices) -> int:
     return int(carrying[np.lexsort((carrying, -share[carrying], -depth[carrying]))[0]])
 
 
-def skeleton_to_root(rig: Rig, skin: Skin) -> Floats:
+def skeleton_to_root(
+    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], skin: Skin
+) -> Floats:
     """(4, 4) from the space of the skin's Skeleton to root space."""
-    return rig.skeletons[rig.joints[int(skin.joints[0, 0])].skeleton].to_root
+    return skeletons[joints[int(skin.joints[0, 0])].skeleton].to_root
 
 
 def applied(points: Floats, maps: Floats) -> Floats:

@@ -203,7 +203,7 @@ def test_letters_that_the_typeface_lacks_are_drawn_without_accents():
 
 def test_what_the_face_hides_is_drawn_faintly(rig, layout):
     camera = shading.Camera(np.eye(3), np.zeros(3), 100.0, 300, 300)
-    subject = shading.body(rig, np.concatenate([mesh.points for mesh in rig.meshes]))
+    subject = shading.body(rig.meshes, np.concatenate([mesh.points for mesh in rig.meshes]))
     depth = shading.shade(subject, camera).depth
     element, at = layout.elements[0], elements_at(prepare(rig, layout), layout.base_values)[0]
     behind = replace(
@@ -386,7 +386,7 @@ def test_a_body_with_collapsed_and_missing_points_is_still_drawn(rig):
     points[5] = np.nan
     points[100:140] = 0.0
     camera = shading.Camera(np.eye(3), np.zeros(3), 60.0, 120, 120)
-    shaded = shading.shade(shading.body(rig, points), camera)
+    shaded = shading.shade(shading.body(rig.meshes, points), camera)
     assert np.isfinite(shaded.colour).all()
     assert shaded.cover.max() == 1.0
 

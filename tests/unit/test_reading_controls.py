@@ -702,6 +702,6 @@ def test_a_range_of_one_side_holds_for_the_other_unless_said_otherwise(said, max
 def test_a_joint_is_configured_by_its_path_or_by_a_last_name_that_no_other_joint_has():
     joints = tuple(SimpleNamespace(path=path) for path in ("A", "A/Jaw", "A/Eye", "A/Head/Eye"))
     said = {name: JointSettings(label=name) for name in ("A/Jaw", "Jaw", "Eye", "A")}
-    found = [joint_settings(joint, joints, said) for joint in joints]
+    found = [joint_settings(joint.path, joints, said) for joint in joints]
     assert [each and each.label for each in found] == ["A", "A/Jaw", None, None]
-    assert joint_settings(joints[1], joints, {"Jaw": said["Jaw"]}) is said["Jaw"]
+    assert joint_settings(joints[1].path, joints, {"Jaw": said["Jaw"]}) is said["Jaw"]

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
 from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
+from usdrigui.settings.parts import ReadSettings
 
 if TYPE_CHECKING:
     from usdrigui.settings import Settings, UnsoundSettingsError
@@ -157,12 +158,12 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     except settings.UnsoundSettingsError as error:
         # What is wrong with the files is told with what is wrong with the command line.
         try:
-            load(*map(settings.read_toml, _configuration(arguments, error.sound)))
+            load(*map(settings.read_toml, _configuration(arguments, error.sound.read)))
         except RigUIError as all_of_it:
             if isinstance(all_of_it, settings.UnsoundSettingsError):
                 raise
         raise
-    arguments.configuration = files = _configuration(arguments, loaded)
+    arguments.configuration = files = _configuration(arguments, loaded.read)
     return load(*map(settings.read_toml, files)) if files else loaded
 
 
@@ -266,7 +267,7 @@ keys of TOML."""
 _ASSIGNED = re.compile(rf"({_WORD}(?:\.{_WORD})*)=(.*)", re.DOTALL)
 
 
-def _configuration(arguments: argparse.Namespace, limits: Settings) -> Sequence[Path]:
+def _configuration(arguments: argparse.Namespace, limits: ReadSettings) -> Sequence[Path]:
     """The configurations of a command: those given, or that of its asset or layer; none if there
     is no such file."""
     given: list[Path] = getattr(arguments, "config", [])
@@ -279,7 +280,9 @@ def _configuration(arguments: argparse.Namespace, limits: Settings) -> Sequence[
     return list(itertools.islice(_of_layer(layer, limits), 1)) if layer is not None else []
 
 
-def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()) -> Iterator[Path]:
+def _of_layer(
+    layer: Path, limits: ReadSettings, above: frozenset[str] = frozenset()
+) -> Iterator[Path]:
     """The configurations of what a command takes as a layout, the first of which counts; `above`
     are layers over it.
 
@@ -290,7 +293,7 @@ def _of_layer(layer: Path, limits: Settings, above: frozenset[str] = frozenset()
     from usdrigui.usd.reader_process import read_layouts_isolated
 
     try:
-        found = read_layouts_isolated(layer, limits.read)
+        found = read_layouts_isolated(layer, limits)
     except RigUIError as error:
         # Perhaps its configuration raises the limit that it ran into, or the variant selected has
         # no layout; only its name can tell which that is.

@@ -295,13 +295,13 @@ def _panel(
     """What is seen of a part, one handle width being `_HANDLE`."""
     rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
-    subject = shading.body(rig, posed.points, colours)
+    subject = shading.body(rig.meshes, posed.points, colours)
     corners = subject.corners
     skin = posed.points[np.unique(corners)]
-    low, high = _region(_spots(layout, posed, plane), skin @ plane)
+    low, high = _region(_spots(layout.elements, posed, plane), skin @ plane)
     smaller = min(1.0, _LARGEST * _HANDLE / max(float((high - low).max()), 1e-9))
     plane, scale, low, high = smaller * plane, smaller * scale, smaller * low, smaller * high
-    spots, flat = _spots(layout, posed, plane), posed.points @ plane
+    spots, flat = _spots(layout.elements, posed, plane), posed.points @ plane
     image = _picture(subject, rows, scale, low, high)
     backdrop = Backdrop(low, high, silhouette(flat, corners, low, high), image, title)
     spots = _apart(spots)
@@ -309,10 +309,10 @@ def _panel(
     return backdrop, _with_board(spots, backdrop)
 
 
-def _spots(layout: Layout, posed: PosedLayout, plane: Floats) -> list[Spot]:
+def _spots(elements: tuple[Element, ...], posed: PosedLayout, plane: Floats) -> list[Spot]:
     return [
         Spot(element, at.handle @ plane, tuple(track @ plane for track in at.tracks))
-        for element, at in zip(layout.elements, posed.elements, strict=True)
+        for element, at in zip(elements, posed.elements, strict=True)
     ]
 
 

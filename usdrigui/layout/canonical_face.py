@@ -18,7 +18,16 @@ import numpy as np
 from usdrigui.conventions import Meaning
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Flags, Floats, MirrorPlane, Motion, Record, Symmetry, Trajectories
+from usdrigui.model import (
+    BaseSurface,
+    Flags,
+    Floats,
+    MirrorPlane,
+    Motion,
+    Record,
+    Symmetry,
+    Trajectories,
+)
 
 _LEAST = 4
 """Different places that it takes to lay the canonical face over a character."""
@@ -93,9 +102,9 @@ def expectations(
     ]
     if not symmetry.plane.normal.any():
         clear = [each for each, tells in zip(placed, informative, strict=True) if tells]
-        symmetry = _middle_of_names(trajectories, symmetry, views.anywhere, clear)
+        symmetry = _middle_of_names(trajectories.surface, symmetry, views.anywhere, clear)
     middles = np.array(
-        [_middle(trajectories, symmetry, views, motion) for motion, *_ in known]
+        [_middle(trajectories.surface, symmetry.plane, views, motion) for motion, *_ in known]
     ).reshape(-1, 2)
     places = np.array([place for _, _, place, _ in known]).reshape(-1, 2)
     kept = np.array([tells for *_, tells in known], dtype=np.bool_)
@@ -162,7 +171,7 @@ def _line_through(x: Floats, y: Floats) -> tuple[float, float]:
 
 
 def _middle_of_names(
-    trajectories: Trajectories,
+    surface: BaseSurface,
     symmetry: Symmetry,
     visible: Flags,
     placed: Sequence[Named],
@@ -172,8 +181,8 @@ def _middle_of_names(
     sides: dict[tuple[str, str], Floats] = {}
     for motion, each in placed:
         if each is not None and each.side:
-            weight = _weights(trajectories.surface.areas, visible, motion)
-            sides[each.action.name, each.side] = weight @ trajectories.surface.points[motion.points]
+            weight = _weights(surface.areas, visible, motion)
+            sides[each.action.name, each.side] = weight @ surface.points[motion.points]
     pairs = [
         (left, sides[action, "right"])
         for (action, side), left in sorted(sides.items())
@@ -190,12 +199,12 @@ def _middle_of_names(
     return replace(symmetry, plane=MirrorPlane(origin, mean / np.linalg.norm(mean)))
 
 
-def _middle(trajectories: Trajectories, symmetry: Symmetry, views: Views, motion: Motion) -> Floats:
+def _middle(surface: BaseSurface, plane: MirrorPlane, views: Views, motion: Motion) -> Floats:
     """(2,) middle of a motion, by area and squared length: distance from the mirror plane (of the
     two lobes of a symmetric motion that of one) and height, scene units."""
-    weight = _weights(trajectories.surface.areas, views.anywhere, motion)
-    points = trajectories.surface.points[motion.points]
-    apart = plane_distance(points, symmetry)
+    weight = _weights(surface.areas, views.anywhere, motion)
+    points = surface.points[motion.points]
+    apart = plane_distance(points, plane)
     middle, spread = float(weight @ apart), float(weight @ np.abs(apart))
     one_sided = abs(middle) > 0.5 * spread
     return np.array([middle if one_sided else 0.0, float(weight @ (points @ views.up))])

@@ -8,7 +8,15 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.layout.symmetry.front import front_of, three_quarter
-from usdrigui.model import Flags, Floats, Record, Rig, Symmetry, Trajectories
+from usdrigui.model import (
+    BaseSurface,
+    Flags,
+    Floats,
+    MirrorPlane,
+    Record,
+    Rig,
+    Trajectories,
+)
 from usdrigui.rays import Caster, blocked, hidden_share, make_caster, visible_from
 from usdrigui.settings import view_angles
 from usdrigui.surface import mesh_triangles
@@ -81,7 +89,7 @@ class Views(Record):
 def find_views(
     rig: Rig,
     trajectories: Trajectories,
-    symmetry: Symmetry,
+    plane: MirrorPlane,
     view: str = "",
     occlusion: bool = True,
     camera: Floats | None = None,
@@ -93,10 +101,10 @@ def find_views(
     point of a visible mesh counts as seen.  Raises CONFIG_VALUE for a view that cannot be
     understood.
     """
-    ahead = front_of(rig.up, trajectories, symmetry.plane.normal)
+    ahead = front_of(rig.up, trajectories, plane.normal)
     directions = _directions(view, ahead, rig.up, camera)
     drawn = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
-    frame = _frame(trajectories, symmetry, ahead, rig.up)
+    frame = _frame(trajectories.surface, plane, ahead, rig.up)
     if not occlusion:
         return Views(ahead, rig.up, directions, np.tile(drawn, (len(directions), 1)), None, frame)
     points, normals = (
@@ -110,19 +118,12 @@ def find_views(
     return Views(ahead, rig.up, directions, np.stack(seen) & drawn, caster, frame)
 
 
-def _frame(trajectories: Trajectories, symmetry: Symmetry, ahead: Floats, up: Floats) -> Frame:
+def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> Frame:
     """The face's frame at the middle of the character."""
-    middle = (
-        trajectories.surface.points.mean(axis=0)
-        if len(trajectories.surface.points)
-        else np.zeros(3)
-    )
-    if symmetry.plane.normal.any():
-        middle = (
-            middle
-            - ((middle - symmetry.plane.origin) @ symmetry.plane.normal) * symmetry.plane.normal
-        )
-    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), trajectories.surface.face_size)
+    middle = surface.points.mean(axis=0) if len(surface.points) else np.zeros(3)
+    if plane.normal.any():
+        middle = middle - ((middle - plane.origin) @ plane.normal) * plane.normal
+    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), surface.face_size)
 
 
 def mostly_hidden(

@@ -15,10 +15,11 @@ from usdrigui.layout.place.locality import check_near
 from usdrigui.layout.reuse.partial_layout import anchored_point
 from usdrigui.layout.symmetry.orbits import check_orbits
 from usdrigui.layout.symmetry.twins import configured_twins
-from usdrigui.model import Floats, Rig
+from usdrigui.model import Control, Floats, Layout, Rig
 from usdrigui.references import ReferenceLayouts, check_like
-from usdrigui.settings import ReadSettings, Settings
+from usdrigui.settings import Settings
 from usdrigui.settings.loading import UnsoundSettingsError
+from usdrigui.settings.parts import ControlSettings, PartSettings
 from usdrigui.usd.reader_process import read_rigs_isolated
 from usdrigui.usd.reader_records import ReadResult
 
@@ -38,7 +39,7 @@ def refuse_unsound(
     faults = Faults()
     faults.add(source.config_faults)
     if settings is not None:
-        _check(source, settings, references, faults)
+        _check(source, settings, references.like, faults)
     faults.raise_all()
 
 
@@ -56,70 +57,72 @@ def with_faults_of_asset(error: UnsoundSettingsError, asset: Path) -> RigUIError
     return error
 
 
-def base_values_of(rig: Rig, settings: ReadSettings) -> Floats:
+def base_values_of(root: str, controls: tuple[Control, ...], pose: Mapping[str, float]) -> Floats:
     """(controls,) the base pose (paper: P).  Raises CONFIG_UNKNOWN_CONTROL for what ``read.pose``
     names and the rig lacks."""
-    index = {control.name: i for i, control in enumerate(rig.controls)}
-    values = np.array([control.default for control in rig.controls], dtype=np.float64)
+    index = {control.name: i for i, control in enumerate(controls)}
+    values = np.array([control.default for control in controls], dtype=np.float64)
     faults = Faults()
-    for name, value in settings.pose.items():
+    for name, value in pose.items():
         with faults.collected():
             if name not in index:
-                what = f"{rig.root} has no control of this name{meant(name, index)}"
+                what = f"{root} has no control of this name{meant(name, index)}"
                 raise refuse("CONFIG_UNKNOWN_CONTROL", f'read.pose."{name}"', what)
             values[index[name]] = value
     faults.raise_all()
     return values
 
 
-def camera_of(rig: Rig, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
+def camera_of(root: str, view: str, cameras: Mapping[str, Floats]) -> Floats | None:
     """(3,) direction to the viewer of the camera that the view names, if it names one; raises
     CONFIG_VALUE where there is no such camera."""
-    camera = cameras.get(rig.root)
+    camera = cameras.get(root)
     if view.startswith("/") and camera is None:
         raise refuse("CONFIG_VALUE", "candidates.view", f"there is no camera {view}")
     return camera
 
 
 def _check(
-    source: ReadResult, settings: Settings, references: ReferenceLayouts, faults: Faults
+    source: ReadResult, settings: Settings, like: tuple[tuple[Rig, Layout], ...], faults: Faults
 ) -> None:
     with faults.collected():
         check_terms(settings.objective.terms)
     for rig in source.rigs:
-        _check_rig(rig, settings, source.cameras, references, faults)
-    _check_parts(source, settings, faults)
+        _check_rig(rig, settings, source.cameras, like, faults)
+    _check_parts(source, settings.parts, faults)
 
 
 def _check_rig(
     rig: Rig,
     settings: Settings,
     cameras: Mapping[str, Floats],
-    references: ReferenceLayouts,
+    like: tuple[tuple[Rig, Layout], ...],
     faults: Faults,
 ) -> None:
     controls = settings.controls
     index = control_index(rig, controls)
     with faults.collected():
-        camera_of(rig, settings.candidates.view, cameras)
+        camera_of(rig.root, settings.candidates.view, cameras)
     with faults.collected():
-        base_values_of(rig, settings.read)
+        base_values_of(rig.root, rig.controls, settings.read.pose)
     for name in (each for each in controls if each in index):
-        _check_places(rig, settings, name, faults)
+        _check_places(rig, settings.controls, name, faults)
     with faults.collected():
         configured_twins(rig, controls)
     with faults.collected():
-        check_orbits(rig, control_overrides(rig, controls), index)
+        check_orbits(rig.controls, control_overrides(rig, controls), index)
     with faults.collected():
         # What is wrong with a pose is told of the pose.
         check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
     with faults.collected():
-        check_like(references, rig, settings.like.names)
+        check_like(like, rig, settings.like.names)
 
 
-def _check_places(rig: Rig, settings: Settings, name: str, faults: Faults) -> None:
+def _check_places(
+    rig: Rig, settings: Mapping[str, ControlSettings], name: str, faults: Faults
+) -> None:
     """Collect what is wrong with the places that the configuration gives one control."""
-    override, where = settings.controls[name], f'controls."{name}"'
+    override, where = settings[name], f'controls."{name}"'
     for key, anchor in (("anchor", override.anchor), ("inner_anchor", override.inner_anchor)):
         with faults.collected():
             anchored_point(rig, f"{where}.{key}", anchor)
@@ -128,11 +131,11 @@ def _check_places(rig: Rig, settings: Settings, name: str, faults: Faults) -> No
             check_near(rig, f"{where}.near", override.near)
 
 
-def _check_parts(source: ReadResult, settings: Settings, faults: Faults) -> None:
+def _check_parts(source: ReadResult, settings: PartSettings, faults: Faults) -> None:
     """Collect CONFIG_UNKNOWN_CONTROL for names of ``[parts.controls]`` that no rig knows."""
     known = {name for rig in source.rigs for name in rig.control_names}
     known |= {left.control for rig in source.rigs for left in rig.left_off}
-    for name in settings.parts.controls:
+    for name in settings.controls:
         with faults.collected():
             if name not in known:
                 what = f"no rig of the asset has this control{meant(name, known)}"

@@ -19,7 +19,7 @@ from usdrigui.layout.reuse import existing_layout
 from usdrigui.layout.review.difference import Difference, difference
 from usdrigui.layout.review.improvement import improvements
 from usdrigui.layout.review.shortfalls import shortfalls
-from usdrigui.model import Floats, Layout, Rig
+from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
 from usdrigui.pipeline.configuration import refuse_unsound
 from usdrigui.pipeline.progress import Clock, ProgressCallback
@@ -45,6 +45,7 @@ from usdrigui.references import (
 from usdrigui.report import CharacterReport, Outcome, PartRow, Report, SourceRow, rows_of
 from usdrigui.settings import Settings
 from usdrigui.settings import document as settings_document
+from usdrigui.settings.parts import OutputSettings
 from usdrigui.usd.reader_process import read_rigs_isolated, read_variants_isolated
 from usdrigui.usd.reader_records import ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
@@ -84,20 +85,22 @@ def process(
         readings, plain = _readings(asset, settings, layers)
         for each in readings:
             _check_character(
-                asset, target, each.source, each.settings, over_base=layers.base is not None
+                asset, target, each.source, each.settings.output, over_base=layers.base is not None
             )
             _check_base(each, target)
         check_replaceable(target, settings.read, asset if output is None else None)
     laid = _laid_out(readings, clock, stop)
     reports = [report for _, report in laid]
     outcome: Outcome = "dry run"
-    with Transaction(_never_replaced(target, settings, readings, layers, read)) as files:
+    with Transaction(_never_replaced(target, settings.output, readings, layers, read)) as files:
         if not dry_run:
             # The best layout is found: a request to stop finds nothing to cut short, and must not
             # break into USD.
             with clock.stage("write", can_stop=True):
                 pairs = [(reading.references.base, report) for reading, report in laid]
-                outcome = stage_layer(files, asset, target, settings, readings[0].source, pairs)
+                outcome = stage_layer(
+                    files, asset, target, settings.output, readings[0].source, pairs
+                )
         sources = _sources(readings)
         report = _report(
             asset, "" if dry_run else str(target), outcome, reports, clock, settings, sources, plain
@@ -306,7 +309,7 @@ def _report(
 
 def _never_replaced(
     target: Path,
-    settings: Settings,
+    settings: OutputSettings,
     readings: Sequence[Reading],
     layers: ReferenceLayers,
     more: Sequence[Path],
@@ -316,7 +319,7 @@ def _never_replaced(
     parts = [Path(each.path) for each in _sources(readings)]
     earlier = [each for each in (layers.fixed, layers.previous) if each is not None]
     succeeded = {
-        os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.output.bare else ()))
+        os.path.realpath(each) for each in (*earlier, *(parts[1:] if settings.bare else ()))
     }
     others = [Path(each.path) for found in readings for each in found.references.sources]
     read = (*parts, *others, *layers.animations, *more)
@@ -328,7 +331,7 @@ def _never_replaced(
 
 
 def _check_character(
-    asset: Path, target: Path, source: ReadResult, settings: Settings, *, over_base: bool
+    asset: Path, target: Path, source: ReadResult, settings: OutputSettings, *, over_base: bool
 ) -> None:
     """Refuse what was laid out already, unless the new layer adds to that layout or stands by
     itself (decision 105).
@@ -341,7 +344,7 @@ def _check_character(
         raise refuse(
             "SOURCE_IS_LAYOUT", str(asset), f"has the layout {source.layouts[0]} and {below}"
         )
-    if settings.output.bare:
+    if settings.bare:
         return
     if any(os.path.realpath(target) == each.path for each in source.sources):
         raise refuse("ATTACH_CYCLE", str(target), f"is a part of {asset}")
@@ -423,13 +426,16 @@ def _account(
         control: others for inputs in parts for control, others in inputs.explained_by.items()
     }
     rows = rows_of(rig, layout, peaks, twins, explained_by)
-    added = _added(existing, layout)
-    nothing = () if existing is None or added else (_nothing_added(layout),)
+    added = _added(existing, layout.elements)
+    nothing = () if existing is None or added else (_nothing_added(layout.root, layout.elements),)
     short = (
         found
         for each in laid
         for found in shortfalls(
-            each.inputs.face, each.layout, each.inputs.asked or each.inputs.settings
+            each.inputs.face,
+            each.layout.elements,
+            each.layout.handle_width,
+            each.inputs.asked or each.inputs.settings,
         )
     )
     return CharacterReport(
@@ -471,15 +477,15 @@ def _part_row(laid: LaidPart) -> PartRow:
     )
 
 
-def _added(existing: Layout | None, layout: Layout) -> frozenset[str]:
+def _added(existing: Layout | None, elements: tuple[Element, ...]) -> frozenset[str]:
     """Names of the elements that do not stand in another layer."""
     return frozenset(
-        e.name for e in layout.elements[len(existing.elements) if existing is not None else 0 :]
+        e.name for e in elements[len(existing.elements) if existing is not None else 0 :]
     )
 
 
-def _nothing_added(layout: Layout) -> Issue:
-    return issue("BASE_COMPLETE", layout.root, f"{len(layout.elements)} elements stand")
+def _nothing_added(root: str, elements: tuple[Element, ...]) -> Issue:
+    return issue("BASE_COMPLETE", root, f"{len(elements)} elements stand")
 
 
 def _source_row(source: SourceFile, asset: Path) -> SourceRow:

@@ -22,6 +22,7 @@ from usdrigui.pipeline.progress import Clock, ProgressCallback
 from usdrigui.pipeline.stages import Divided, divided, part_problem
 from usdrigui.pipeline.targets import default_output
 from usdrigui.settings import Settings
+from usdrigui.settings.parts import ReadSettings
 from usdrigui.usd.reader_process import (
     read_composed_isolated,
     read_faults_isolated,
@@ -288,7 +289,7 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
 
     The layout's view and the left of the character tell that direction up to the tilt of the view.
     """
-    left = _left(layout)
+    left = _left(layout.elements, layout.plane_normal)
     up = np.cross(layout.view, left / max(float(np.linalg.norm(left)), 1e-300))
     length = float(np.linalg.norm(up))
     ahead = np.sum([each.anchor.normal for each in layout.elements], axis=0)
@@ -301,13 +302,13 @@ def _upright(rig: Rig, layout: Layout) -> Rig:
     return replace(rig, up=straight if abs(up[axis]) > _LYING * length else up / length)
 
 
-def _left(layout: Layout) -> Floats:
+def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
     """(3,) to the left of the character: the plane's normal, else from the elements of the right
     to those of the left; 0 where nothing tells."""
-    if layout.plane_normal.any():
-        return layout.plane_normal
+    if plane_normal.any():
+        return plane_normal
     left, right = (
-        [each.anchor.position for each in layout.elements if each.side == side]
+        [each.anchor.position for each in elements if each.side == side]
         for side in ("left", "right")
     )
     return np.mean(left, axis=0) - np.mean(right, axis=0) if left and right else np.zeros(3)
@@ -360,20 +361,20 @@ def diff(before: Path, after: Path, settings: Settings) -> LayerDifference:
     in it.  Raises RigUIError where a layer cannot be read.
     """
     if not settings.read.each_variant:
-        return _difference(before, after, settings)
+        return _difference(before, after, settings.read)
     each, _ = variants.in_each_variant(
         settings,
         read_variants_isolated(after, settings.read),
-        lambda chosen: _difference(before, after, chosen),
+        lambda chosen: _difference(before, after, chosen.read),
     )
     characters = {one.root: one for found in each for one in found.characters}
     only = {root for found in each for root in found.only_in_one}
     return LayerDifference(str(before), str(after), tuple(characters.values()), tuple(sorted(only)))
 
 
-def _difference(before: Path, after: Path, settings: Settings) -> LayerDifference:
+def _difference(before: Path, after: Path, settings: ReadSettings) -> LayerDifference:
     old, new = (
-        {each.root: each for each in read_layouts_isolated(layer, settings.read).layouts}
+        {each.root: each for each in read_layouts_isolated(layer, settings).layouts}
         for layer in (before, after)
     )
     shared = [(old[root], new[root]) for root in new if root in old]

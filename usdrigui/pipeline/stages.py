@@ -50,6 +50,7 @@ from usdrigui.model import (
     Layout,
     LayoutPart,
     LeftOff,
+    Motion,
     Performance,
     Rig,
     Symmetry,
@@ -190,11 +191,11 @@ def divided(
     """A character with its trajectories and its parts: what the problems of all parts are built
     from."""
     clock, references = clock or Clock(), references or ReferenceLayouts()
-    camera = camera_of(rig, settings.candidates.view, cameras or {})
-    base_values = base_values_of(rig, settings.read)
+    camera = camera_of(rig.root, settings.candidates.view, cameras or {})
+    base_values = base_values_of(rig.root, rig.controls, settings.read.pose)
     with clock.stage("trajectories"):
         found = trajectories(rig, settings.trajectories, base_values)
-    _refuse_motionless(rig, found)
+    _refuse_motionless(rig.root, found.motions)
     own = own_references(references, rig, found, settings.like, settings.trajectories)
     asked = settings
     settings = replace(asked, controls=with_fixed(own, rig, asked.controls))
@@ -241,7 +242,7 @@ def part_problem(
         found = of_controls(rig, found, part.controls, part.excluded, settings.trajectories)
         settings = of_part(settings, rig, part)
     if character.existing is not None:
-        settings = with_drawn_handles(character.existing, part.name, found, settings)
+        settings = with_drawn_handles(character.existing, part.name, found.surface, settings)
     prior = prior_layout_of(
         character.references, rig, found, settings.like, settings.objective.keep_penalty
     )
@@ -354,21 +355,30 @@ def measure(
     whole: Symmetry | None = None,
 ) -> Measured:
     """The stages before placing; parameters as of `problem_at`."""
-    _refuse_motionless(rig, found)
+    _refuse_motionless(rig.root, found.motions)
     with clock.stage("symmetry"):
         fields, twins = displacement_fields(found), configured_twins(rig, settings.controls)
         if whole is not None and whole.plane.normal.any() and part != FACE:
             # A hand by itself is nearly symmetric about its middle finger.
-            symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
+            symmetry = about_plane_of(
+                rig, found.motions, fields, whole, settings.symmetry.twin_similarity, twins
+            )
         else:
             symmetry = symmetry_at_pose(
                 rig, found, fields, settings.symmetry, twins, settings.trajectories, base_values
             )
             if whole is not None and not symmetry.plane.normal.any():
-                symmetry = about_plane_of(rig, found, fields, whole, settings.symmetry, twins)
+                symmetry = about_plane_of(
+                    rig, found.motions, fields, whole, settings.symmetry.twin_similarity, twins
+                )
     with clock.stage("candidates"):
         views = find_views(
-            rig, found, symmetry, settings.candidates.view, settings.candidates.occlusion, camera
+            rig,
+            found,
+            symmetry.plane,
+            settings.candidates.view,
+            settings.candidates.occlusion,
+            camera,
         )
         requests = _requests(rig, found, symmetry, settings, references)
         expected = expectations(found, symmetry, views, requests.names.meanings)
@@ -376,7 +386,7 @@ def measure(
         alike = similarity(fields)
         classification = classify(rig, found, symmetry, views, alike, requests, settings.candidates)
         toward = views.flat_direction(settings.candidates.space)
-        placed = on_face(found, classification, requests.overrides)
+        placed = on_face(found.motions, classification, requests.overrides)
         width = handle_width(found, views, placed, toward, settings.objective)
         if settings.objective.distinctive_weight > 0.0:
             found = with_common_motion(found, alike, placed, views.anywhere)
@@ -468,7 +478,7 @@ def _requests(
         rig, found, symmetry, control_overrides(rig, settings.controls, settings.groups.groups)
     )
     overrides = animation.weighted(
-        rig, symmetry, overrides, references.clips, settings.animation.weight
+        rig, symmetry.twins, overrides, references.clips, settings.animation.weight
     )
     names = [control.name for control in rig.controls]
     meant = meanings(names) if settings.candidates.conventions else (None,) * len(names)
@@ -481,6 +491,6 @@ def _requests(
     )
 
 
-def _refuse_motionless(rig: Rig, found: Trajectories) -> None:
-    if not found.motions:
-        raise refuse("CONTROLS_MISSING", rig.root, "none of its controls moves a point")
+def _refuse_motionless(root: str, motions: tuple[Motion, ...]) -> None:
+    if not motions:
+        raise refuse("CONTROLS_MISSING", root, "none of its controls moves a point")

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from usdrigui.errors import NO_LAYOUT, Issue, RigUIError, issue
 from usdrigui.settings import Settings
+from usdrigui.settings.parts import ReadSettings
 from usdrigui.usd.variant_paths import unknown_set
 
 T = TypeVar("T")
@@ -32,7 +33,7 @@ def in_each_variant(
         try:
             found.append(act(chosen))
         except RigUIError as error:
-            plain.append(left_off(error, chosen))
+            plain.append(left_off(error, chosen.read))
             refusals.append(error)
     if not found:
         raise refusals[0]
@@ -65,16 +66,16 @@ def selecting(settings: Settings, variants: Mapping[str, str]) -> Settings:
     return replace(settings, read=replace(settings.read, variants=variants))
 
 
-def left_off(error: RigUIError, settings: Settings) -> Issue:
+def left_off(error: RigUIError, settings: ReadSettings) -> Issue:
     """That the variant selected is left off, as it has no character; raises the error again where
     it is another."""
-    if not settings.read.each_variant or error.issue.code not in _PLAIN:
+    if not settings.each_variant or error.issue.code not in _PLAIN:
         raise error
     return issue(
         "VARIANT_LEFT_OFF", selection(settings), f"{error.issue.code}: {error.issue.message}"
     )
 
 
-def selection(settings: Settings) -> str:
+def selection(settings: ReadSettings) -> str:
     """The variants that are selected, as USD writes them: ``{LOD=low}``."""
-    return "".join(f"{{{name}={variant}}}" for name, variant in settings.read.variants.items())
+    return "".join(f"{{{name}={variant}}}" for name, variant in settings.variants.items())

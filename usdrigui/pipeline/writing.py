@@ -10,7 +10,7 @@ from usdrigui.layout.reuse.existing_layout import root_in_base
 from usdrigui.model import Rig
 from usdrigui.pipeline.targets import make_folder
 from usdrigui.report import CharacterReport, Outcome
-from usdrigui.settings import Settings
+from usdrigui.settings.parts import OutputSettings
 from usdrigui.usd.reader_records import LayoutsResult, ReadResult
 from usdrigui.usd.safe_write import Transaction, same_file
 
@@ -19,7 +19,7 @@ def stage_layer(
     files: Transaction,
     asset: Path,
     target: Path,
-    settings: Settings,
+    settings: OutputSettings,
     source: ReadResult,
     laid: Sequence[tuple[LayoutsResult | None, CharacterReport]],
 ) -> Outcome:
@@ -35,9 +35,7 @@ def stage_layer(
     if over:
         return _staged_over(files, over, asset, target, settings, source)
     pairs = [(character.rig, character.layout) for _, character in laid]
-    return layer.write_layout(
-        pairs, asset, target, settings.output, source.metadata, write=files.stage
-    )
+    return layer.write_layout(pairs, asset, target, settings, source.metadata, write=files.stage)
 
 
 def _staged_over(
@@ -45,7 +43,7 @@ def _staged_over(
     laid: Sequence[tuple[LayoutsResult, CharacterReport]],
     shot: Path,
     target: Path,
-    settings: Settings,
+    settings: OutputSettings,
     source: ReadResult,
 ) -> Outcome:
     """Stage what a shot adds to an existing layout."""
@@ -65,7 +63,7 @@ def _staged_over(
         target,
         source.metadata,
         composed=composed,
-        bare=settings.output.bare,
+        bare=settings.bare,
         write=files.stage,
     )
 

@@ -79,7 +79,10 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
     Raises RigUIError LAYOUT_STALE when the layout was made for another version of the character: a
     mesh or a control is missing, or the topology has changed.
     """
-    points = np.array([_anchor_point(rig, element) for element in layout.elements], dtype=np.int64)
+    points = np.array(
+        [_anchor_point(rig.meshes, rig.starts, element) for element in layout.elements],
+        dtype=np.int64,
+    )
     anchors, rows = subset(rig, points)
     names = {control.name: index for index, control in enumerate(rig.controls)}
     owned = tuple(_controls(names, element) for element in layout.elements)
@@ -270,10 +273,10 @@ def _map(anchors: Rig, at: Posed, row: int) -> Floats:
 # --- matching -------------------------------------------------------------------------------------
 
 
-def _anchor_point(rig: Rig, element: Element) -> int:
+def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, element: Element) -> int:
     """The point that an element is anchored at."""
     anchor = element.anchor
-    for start, mesh in zip(rig.starts.tolist(), rig.meshes, strict=False):
+    for start, mesh in zip(starts.tolist(), meshes, strict=False):
         if mesh.path == anchor.mesh:
             if not anchor.fits(mesh.topology_hash) or not 0 <= anchor.point < len(mesh.points):
                 raise refuse(

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Control, Floats, Rig
+from usdrigui.model import Control, Floats, Rig, Skeleton
 from usdrigui.usd import author, schema
 from usdrigui.usd.variants import within
 
@@ -43,7 +43,7 @@ def author_control_api(
 
 def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     drive = control.drive
-    plain = _is_plain(rig, control)
+    plain = _is_plain(rig.base_weights, control)
     still = np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0)
     driven = np.flatnonzero(plain | ~still)
     channels = [rig.channels[channel] for channel in drive.channels[driven]]
@@ -53,7 +53,7 @@ def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     ]
     found: dict[str, Any] = {
         "blendShapes": [channel.token for channel in channels],
-        "animation": animations if animations != _only_animation(rig) else [],
+        "animation": animations if animations != _only_animation(rig.skeletons) else [],
         "blendShapeAnimations": which if any(which) else [],
     }
     if not plain:
@@ -61,19 +61,19 @@ def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
     return found
 
 
-def _only_animation(rig: Rig) -> list[str]:
+def _only_animation(skeletons: tuple[Skeleton, ...]) -> list[str]:
     """The SkelAnimation of the character, which goes without saying; none where there are
     several."""
-    found = list({skeleton.animation for skeleton in rig.skeletons})
+    found = list({skeleton.animation for skeleton in skeletons})
     return found if len(found) == 1 else []
 
 
-def _is_plain(rig: Rig, control: Control) -> bool:
+def _is_plain(base_weights: Floats, control: Control) -> bool:
     """Whether the value of the control is the weight of one blend shape, neither more nor less."""
     drive = control.drive
     if len(drive.joints) or len(drive.channels) != 1:
         return False
-    absolute = rig.base_weights[drive.channels[0]] + drive.weights[:, 0]
+    absolute = base_weights[drive.channels[0]] + drive.weights[:, 0]
     return bool(abs(absolute - drive.values).max() < 1e-12)
 
 
@@ -142,6 +142,6 @@ def _weight_ranges(rig: Rig, animation: str) -> Floats:
     }
     ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
     for control in rig.controls:
-        if _is_plain(rig, control) and int(control.drive.channels[0]) in own:
+        if _is_plain(rig.base_weights, control) and int(control.drive.channels[0]) in own:
             ranges[own[int(control.drive.channels[0])]] = control.minimum, control.maximum
     return ranges

@@ -109,7 +109,7 @@ def joint_drafts(
     spans = _animated_spans(joints, clip) if clip is not None else np.zeros((len(joints), 3, 2))
     drafts = []
     for index, joint in enumerate(joints):
-        override = joint_settings(joint, joints, configured)
+        override = joint_settings(joint.path, joints, configured)
         for axis in range(3):
             span = _joint_range(override, axis, spans[index, axis], named_poses, settings)
             if span is not None:
@@ -209,7 +209,7 @@ def settled(
         if override.exclude:
             left_off.append(LeftOff(draft.name, "config", "excluded by the configuration"))
             if draft.range.maximum > draft.range.minimum:
-                excluded.append(_control(draft, draft.name, override, draft.range))
+                excluded.append(_control(draft, draft.name, override.label, draft.range))
             continue
         span = _ANY_RANGE
         with faults.collected():
@@ -224,7 +224,7 @@ def settled(
             where = f'controls."{draft.name}".rename'
             faults.add([issue("CONFIG_VALUE", where, f"two controls would be called {name!r}")])
         names.add(name)
-        controls.append(_control(draft, name, override, span))
+        controls.append(_control(draft, name, override.label, span))
     return tuple(controls), tuple(excluded), left_off
 
 
@@ -251,10 +251,10 @@ def _with_ranges_of_twins(
     return found
 
 
-def _control(draft: Draft, name: str, override: ControlSettings, span: Range) -> Control:
+def _control(draft: Draft, name: str, label: str, span: Range) -> Control:
     return Control(
         name,
-        override.label or draft.label or name,
+        label or draft.label or name,
         draft.kind,
         draft.source,
         span.minimum,
@@ -266,13 +266,13 @@ def _control(draft: Draft, name: str, override: ControlSettings, span: Range) ->
 
 
 def joint_settings(
-    joint: Joint, joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
+    path: str, joints: tuple[Joint, ...], configured: Mapping[str, JointSettings]
 ) -> JointSettings | None:
     """The configuration of a joint by its full path or, where no other joint has it, its last
     name."""
-    if joint.path in configured:
-        return configured[joint.path]
-    leaf = joint.path.rsplit("/", 1)[-1]
+    if path in configured:
+        return configured[path]
+    leaf = path.rsplit("/", 1)[-1]
     if leaf in configured and sum(each.path.rsplit("/", 1)[-1] == leaf for each in joints) == 1:
         return configured[leaf]
     return None
@@ -469,7 +469,7 @@ def unknown_joints(joints: tuple[Joint, ...], configured: Mapping[str, JointSett
     return {
         name
         for name, override in configured.items()
-        if not any(joint_settings(joint, joints, {name: override}) for joint in joints)
+        if not any(joint_settings(joint.path, joints, {name: override}) for joint in joints)
     }
 
 

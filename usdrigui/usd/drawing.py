@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, UsdGeom, Vt
 
-from usdrigui.model import Element, Floats, Indices, Record, Rig
+from usdrigui.model import Channel, Element, Floats, Indices, Joint, Record, Rig, Skeleton
 from usdrigui.palette import linear
 from usdrigui.usd import author, schema
 from usdrigui.usd.drawn import Drawn, in_steps
@@ -113,9 +113,9 @@ def author_drawing(
     points = np.concatenate([part.points for _, part in drawing.parts])
     author.put(mesh, "points", "point3f[]", in_steps(points, _GRID * size))
     _author_faces(mesh, drawing, elements)
-    _author_binding(mesh, rig, drawing)
+    _author_binding(mesh, rig.skeletons, rig.joints, drawing)
     subsets = _author_subsets(mesh, drawing, names)
-    author_shapes(mesh, rig, _spans(rig, drawing), set(names))
+    author_shapes(mesh, rig.channels, _spans(rig.skeletons, rig.channels, drawing), set(names))
     return subsets
 
 
@@ -193,24 +193,26 @@ def _starts(counts: Iterable[int]) -> Indices:
 # --- UsdSkel --------------------------------------------------------------------------------------
 
 
-def _author_binding(mesh: Sdf.PrimSpec, rig: Rig, drawing: Drawing) -> None:
+def _author_binding(
+    mesh: Sdf.PrimSpec, skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], drawing: Drawing
+) -> None:
     """Skeleton and influences, complete: nothing is left to be inherited."""
     bound = drawing.joint_binding
     if bound.skeleton >= 0:
-        author.link(mesh, "skel:skeleton", [rig.skeletons[bound.skeleton].path])
+        author.link(mesh, "skel:skeleton", [skeletons[bound.skeleton].path])
     if not len(bound.joints):
         return
     parts = [part for _, part in drawing.parts]
     # All of the skeleton in its own order: any other has to be mapped at every frame.
-    listed = np.flatnonzero([joint.skeleton == bound.skeleton for joint in rig.joints])
+    listed = np.flatnonzero([joint.skeleton == bound.skeleton for joint in joints])
     author.put(
-        mesh, "skel:joints", "token[]", [rig.joints[joint].path for joint in listed], uniform=True
+        mesh, "skel:joints", "token[]", [joints[joint].path for joint in listed], uniform=True
     )
     author.put(
         mesh,
         "primvars:skel:geomBindTransform",
         "matrix4d",
-        np.linalg.inv(rig.skeletons[bound.skeleton].to_root),
+        np.linalg.inv(skeletons[bound.skeleton].to_root),
     )
     author.put(mesh, "primvars:skel:skinningMethod", "token", bound.method, uniform=True)
     width = max(len(part.joint_binding.joints) for part in parts)
@@ -256,20 +258,22 @@ Spans = Sequence[tuple[Indices, Sequence[PointShape]]]
 """Points of a mesh, and the shapes that move them, with one offset for each."""
 
 
-def _spans(rig: Rig, drawing: Drawing) -> Spans:
+def _spans(
+    skeletons: tuple[Skeleton, ...], channels: tuple[Channel, ...], drawing: Drawing
+) -> Spans:
     """Every part's points with those of its shapes that the mesh's own animation drives."""
     starts = _starts(len(part.points) for _, part in drawing.parts)
     ranges = [np.arange(first, last) for first, last in itertools.pairwise(starts)]
     skeleton = drawing.joint_binding.skeleton
     driven = (
-        {"", rig.skeletons[skeleton].animation}
+        {"", skeletons[skeleton].animation}
         if skeleton >= 0
-        else {each.animation for each in rig.channels}
+        else {each.animation for each in channels}
     )
     return [
         (
             points,
-            [shape for shape in part.shapes if rig.channels[shape.channel].animation in driven],
+            [shape for shape in part.shapes if channels[shape.channel].animation in driven],
         )
         for points, (_, part) in zip(ranges, drawing.parts, strict=True)
     ]
@@ -277,7 +281,7 @@ def _spans(rig: Rig, drawing: Drawing) -> Spans:
 
 def author_shapes(
     mesh: Sdf.PrimSpec,
-    rig: Rig,
+    channels: tuple[Channel, ...],
     spans: Spans,
     taken: set[str],
     existing: Sequence[tuple[str, Sdf.Path]] = (),
@@ -290,7 +294,7 @@ def author_shapes(
     merged = _by_channel(spans)
     targets = list(existing)
     for channel in sorted(merged):
-        token = rig.channels[channel].token
+        token = channels[channel].token
         if token in {known for known, _ in targets}:
             continue
         name = author.identifier(f"shape_{token}", taken)

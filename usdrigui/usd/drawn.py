@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdrigui.model import Control, Element, Floats, Indices, Member, Record
+from usdrigui.model import Drive, Element, Floats, Indices, Member, Record
 from usdrigui.ties import axis_across
 from usdrigui.usd.polyline import fewest_points
 from usdrigui.usd.skin_binding import AnchorBinding, JointBinding, PointShape, SkinBinding
@@ -138,9 +138,11 @@ def _tracks(skin: SkinBinding, binding: AnchorBinding, element: Element, width: 
         ),
     )
     rows = [_values_along(base, i, member) for i, member in enumerate(members)]
-    values = np.concatenate([*rows, *(_values_at(base, element, ends) for ends, _ in areas)])
+    values = np.concatenate(
+        [*rows, *(_values_at(base, element.members, ends) for ends, _ in areas)]
+    )
     positions = np.concatenate([points for points, _ in pieces])
-    return _still(skin, binding, element, values, positions, faces, len(areas), width)
+    return _still(skin, binding, element.members, values, positions, faces, len(areas), width)
 
 
 def _bent(member: Member, normal: Floats, width: float) -> Member:
@@ -188,19 +190,19 @@ def _values_along(base: Floats, position: int, member: Member) -> Floats:
     return rows
 
 
-def _values_at(base: Floats, element: Element, ends: list[int]) -> Floats:
+def _values_at(base: Floats, members: tuple[Member, ...], ends: list[int]) -> Floats:
     """(q, members) the same at the corners of an area; -1 is the handle itself."""
-    rows, count = np.tile(base, (len(ends), 1)), len(element.members)
+    rows, count = np.tile(base, (len(ends), 1)), len(members)
     for row, end in zip(rows, ends, strict=True):
         if end >= 0:
-            row[end % count] = element.members[end % count].values[-1 if end < count else 0]
+            row[end % count] = members[end % count].values[-1 if end < count else 0]
     return rows
 
 
 def _still(
     skin: SkinBinding,
     binding: AnchorBinding,
-    element: Element,
+    members: tuple[Member, ...],
     values: Floats,
     positions: Floats,
     faces: Faces,
@@ -215,7 +217,7 @@ def _still(
     bound = binding.track
     others = [shape for shape in binding.shapes if shape.channel not in binding.own_channels]
     if binding.turning and others:
-        controls = [member.control for member in element.members]
+        controls = [member.control for member in members]
         settings = [dict(zip(controls, row, strict=True)) for row in values.tolist()]
         turns = skin.maps_at(binding.handle, settings)[:, :3] @ bound.inverse
         spread = [np.einsum("ki,qij->kqj", shape.offsets, turns) for shape in others]
@@ -389,7 +391,9 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
     channel = int(drive.channels[0])
     base = skin.value(member.control)
     weights = (
-        skin.weights[channel] + _driven(control, member.values) - _driven(control, np.array([base]))
+        skin.weights[channel]
+        + _driven(control.drive, member.values)
+        - _driven(control.drive, np.array([base]))
     )
     rests = binding.track.unposed(member.track)
     if weights[0] > weights[-1]:
@@ -404,9 +408,9 @@ def _along_track(skin: SkinBinding, binding: AnchorBinding, member: Member) -> P
     )
 
 
-def _driven(control: Control, values: Floats) -> Floats:
+def _driven(drive: Drive, values: Floats) -> Floats:
     """Weight of a control's only channel at its values."""
-    return _extended(control.drive.values, control.drive.weights, values)[:, 0]
+    return _extended(drive.values, drive.weights, values)[:, 0]
 
 
 def _extended(keys: Floats, rows: Floats, at: Floats) -> Floats:

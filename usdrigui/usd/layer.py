@@ -19,7 +19,7 @@ from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
-from usdrigui.model import Control, Element, Layout, Member, Rig
+from usdrigui.model import Control, Element, Floats, Layout, Member, Rig, Skeleton
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
@@ -226,7 +226,11 @@ def _author_layout(layer: Sdf.Layer, rig: Rig, layout: Layout) -> None:
     scope = author.prim(root, schema.SCOPE, "Scope", (schema.LAYOUT,))
     scope.SetInfo("documentation", _ABOUT)
     author.put(scope, "purpose", "token", "guide", uniform=True)
-    author.declare(scope, schema.LAYOUT, _frame(rig, layout) | account(rig, layout))
+    author.declare(
+        scope,
+        schema.LAYOUT,
+        _frame(rig.skeletons, layout) | account(rig.controls, layout.base_values),
+    )
     author.note(scope, books(layout))
     subsets = author_elements(scope, rig, layout, layout.elements)
     children = [child for mesh in scope.nameChildren for child in mesh.nameChildren]
@@ -238,10 +242,10 @@ def _plain(path: Sdf.Path) -> Sdf.Path:
     return path.StripAllVariantSelections()
 
 
-def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
+def _frame(skeletons: tuple[Skeleton, ...], layout: Layout) -> dict[str, Any]:
     """RigUILayoutAPI: where and how large the elements are."""
     return {
-        "skeleton": [skeleton.path for skeleton in rig.skeletons],
+        "skeleton": [skeleton.path for skeleton in skeletons],
         "space": layout.space,
         "viewDirection": layout.view,
         "planeOrigin": layout.plane_origin,
@@ -255,11 +259,11 @@ def _frame(rig: Rig, layout: Layout) -> dict[str, Any]:
     }
 
 
-def account(rig: Rig, layout: Layout) -> dict[str, Any]:
+def account(controls: tuple[Control, ...], base_values: Floats) -> dict[str, Any]:
     """RigUILayoutAPI: every control of the character, and the base pose."""
     return {
-        "baseControls": [control.name for control in rig.controls],
-        "baseValues": layout.base_values if np.any(layout.base_values) else (),
+        "baseControls": [control.name for control in controls],
+        "baseValues": base_values if np.any(base_values) else (),
     }
 
 
@@ -331,7 +335,7 @@ def _author_element(
     paths: Mapping[str, Sdf.Path],
 ) -> None:
     """What one element says about itself."""
-    instances = instances_of(element)
+    instances = instances_of(element.members)
     applied = [f"{schema.CONTROL}:{instance}" for instance in instances.values()]
     author.apply(subset, (schema.ELEMENT, *applied))
     if element.label != subset.name:
@@ -369,11 +373,11 @@ def _track(member: Member, control: Control) -> dict[str, Any]:
     }
 
 
-def instances_of(element: Element) -> dict[str, str]:
+def instances_of(members: tuple[Member, ...]) -> dict[str, str]:
     """RigUIControlAPI instance of each control; none may be called like a property of the
     schema."""
     taken = set(author.properties(schema.CONTROL))
-    return {member.control: author.identifier(member.control, taken) for member in element.members}
+    return {member.control: author.identifier(member.control, taken) for member in members}
 
 
 def _author_element_api(

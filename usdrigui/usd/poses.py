@@ -137,7 +137,7 @@ class _Source:
         for armature in armatures:
             part = slice(armature.first, armature.first + len(armature.joint_names))
             rest = np.array([joint.rest for joint in self.joints[part]]).reshape(-1, 4, 4)
-            local[part] = locals_at(armature, time, rest)
+            local[part] = locals_at(armature.query, time, rest)
         return State(weights, local)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from pxr import Sdf, Usd, UsdSkel
 
 from usdrigui.errors import Issue, RigUIError, issue, refuse
-from usdrigui.model import Floats, Indices, LeftOff, Shape, Singles
+from usdrigui.model import Floats, Indices, LeftOff, Shape, Singles, Skeleton
 from usdrigui.usd.arrays import check_range, integers, tokens, vectors
 from usdrigui.usd.binding import why_unbound
 from usdrigui.usd.skeleton import Armature, repeated
@@ -94,7 +94,7 @@ def read_shapes(
     shapes = []
     for token, target in dict(zip(names, targets, strict=True)).items():
         with found.leaving_off(str(target), (token,)):
-            shape = _shape(prim.GetStage(), token, target, binding.armature, count, found)
+            shape = _shape(prim.GetStage(), token, target, binding.armature.record, count, found)
             if shape is not None:
                 shapes.append(shape)
     return tuple(shapes)
@@ -128,7 +128,7 @@ def _names_and_targets(prim: Usd.Prim) -> tuple[tuple[str, ...], Sequence[Sdf.Pa
 
 
 def _shape(
-    stage: Usd.Stage, token: str, target: Sdf.Path, armature: Armature, count: int, found: Found
+    stage: Usd.Stage, token: str, target: Sdf.Path, record: Skeleton, count: int, found: Found
 ) -> Shape | None:
     prim, path = stage.GetPrimAtPath(target), str(target)
     if not prim or not prim.IsActive() or not prim.IsA(UsdSkel.BlendShape):
@@ -147,7 +147,7 @@ def _shape(
         found.shapeless[token] = f"its shape {path} has no offsets"
         return None
     weights, points, table = _assembled(path, indices, offsets, between, size, count)
-    return Shape(_channel(token, armature, found), path, weights, points, table)
+    return Shape(_channel(token, record, found), path, weights, points, table)
 
 
 def _assembled(
@@ -209,10 +209,10 @@ def _offsets(values: Any, path: str, name: str) -> Singles:
     return vectors(values, path, name).astype(np.float32, copy=False)
 
 
-def _channel(token: str, armature: Armature, found: Found) -> int:
+def _channel(token: str, record: Skeleton, found: Found) -> int:
     """Index of the weight that drives a token under a Skeleton; a new one if no animation lists
     it."""
-    key = (token, armature.record.animation)
+    key = (token, record.animation)
     if key in found.tokens:
         return found.tokens[key]
     return found.tokens.setdefault((token, ""), len(found.tokens))

@@ -100,7 +100,7 @@ def _author(layer: Sdf.Layer, shot: ShotLayout) -> None:
     )
     scope = Sdf.PrimSpec(root, schema.SCOPE, Sdf.SpecifierOver)
     author.apply(scope, [schema.LAYOUT])
-    author.declare(scope, schema.LAYOUT, account(rig, layout), fallbacks=True)
+    author.declare(scope, schema.LAYOUT, account(rig.controls, layout.base_values), fallbacks=True)
     author.note(scope, books(layout))
     taken = {name for prim in shot.prims for name in (*prim.names, prim.path.rpartition("/")[2])}
     added = [element for element in layout.elements if element.name in shot.added]
@@ -143,7 +143,7 @@ def _author_new_shapes(scope: Sdf.PrimSpec, shot: ShotLayout, elements: Sequence
             existing = list(zip(prim.shapes, targets, strict=True))
             spec = Sdf.CreatePrimInLayer(scope.layer, path)
             taken = {target.name for target in targets} | set(prim.names)
-            author_shapes(spec, shot.rig, new, taken, existing)
+            author_shapes(spec, shot.rig.channels, new, taken, existing)
 
 
 def _moved(

@@ -126,7 +126,7 @@ def read_joints(
         inner = np.flatnonzero(parents >= 0)
         rest[inner] = bind[inner] @ np.linalg.inv(bind[parents[inner]])
         issues = (issue("REST_MISSING", path, f"{len(names)} joints"),)
-    base = rest if time is None else locals_at(armature, time, rest)
+    base = rest if time is None else locals_at(armature.query, time, rest)
     if not (np.isfinite(rest).all() and np.isfinite(base).all()):
         raise refuse("NOT_FINITE", path, "a joint transform holds NaN or infinity")
     joints = tuple(
@@ -217,7 +217,7 @@ def _sampled(
         part = slice(armature.first, armature.first + len(armature.joint_names))
         if armature.animation is not None:
             for frame, time in enumerate(times):
-                local[frame, part] = locals_at(armature, time, rest[part])
+                local[frame, part] = locals_at(armature.query, time, rest[part])
     weights = np.array([weights_at(armatures, channels, time) for time in times]).reshape(
         len(times), -1
     )
@@ -343,8 +343,8 @@ def _matrices(values: object, count: int) -> Floats | None:
     return matrices if len(matrices) == count else None
 
 
-def locals_at(armature: Armature, time: float, rest: Floats) -> Floats:
+def locals_at(query: UsdSkel.SkeletonQuery, time: float, rest: Floats) -> Floats:
     """(joints, 4, 4) local transforms of the animation, rest transforms where it has none."""
-    values = armature.query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
+    values = query.ComputeJointLocalTransforms(Usd.TimeCode(time), False)
     matrices = _matrices(values, len(rest))
     return rest if matrices is None else matrices

@@ -111,7 +111,7 @@ class SkinBinding:
 
     def __init__(self, rig: Rig, layout: Layout) -> None:
         self.rig = rig
-        self.values = _base_values(rig, layout)
+        self.values = _base_values(rig.root, rig.controls, layout.base_values)
         self.weights = channel_state(rig, self.values)[0]
         self._controls = {control.name: control for control in rig.controls}
         self._meshes = {mesh.path: mesh for mesh in rig.meshes}
@@ -150,7 +150,7 @@ class SkinBinding:
         controls = [self.control(member.control) for member in element.members]
         deforms = not element.anchor.on_board and element.adapt == "deform"
         skeleton = _skeleton_of(self.rig, mesh)
-        influences = _influences(mesh, point)
+        influences = _influences(mesh.skin, point)
         if element.adapt == "static" and self._rigid >= 0:
             influences = np.array([self._rigid]), np.ones(1)
         # The board stays in one piece: what one of its elements turns moves none of them.
@@ -235,15 +235,15 @@ class SkinBinding:
 _NONE: Indices = np.zeros(0, dtype=np.int64)
 
 
-def _base_values(rig: Rig, layout: Layout) -> Floats:
-    if len(layout.base_values) != len(rig.controls):
-        count = len(layout.base_values)
+def _base_values(root: str, controls: tuple[Control, ...], base_values: Floats) -> Floats:
+    if len(base_values) != len(controls):
+        count = len(base_values)
         raise refuse(
             "BUG",
-            rig.root,
-            f"the layout's base pose has {count} values for {len(rig.controls)} controls",
+            root,
+            f"the layout's base pose has {count} values for {len(controls)} controls",
         )
-    return np.array(layout.base_values, dtype=np.float64)
+    return np.array(base_values, dtype=np.float64)
 
 
 def _size(rig: Rig) -> float:
@@ -278,10 +278,10 @@ def _skeleton_of(rig: Rig, mesh: RigMesh) -> int:
     return 0 if rig.skeletons else -1
 
 
-def _influences(mesh: RigMesh, point: int) -> tuple[Indices, Floats]:
-    if mesh.skin is None:
+def _influences(skin: Skin | None, point: int) -> tuple[Indices, Floats]:
+    if skin is None:
         return _NONE, np.zeros(0)
-    joints, weights = mesh.skin.joints[point], mesh.skin.weights[point]
+    joints, weights = skin.joints[point], skin.weights[point]
     return joints[weights != 0.0], weights[weights != 0.0]
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.errors import refuse
-from usdrigui.model import Clip, Control, Floats, Rig
+from usdrigui.model import Clip, Control, Floats, Joint, Rig
 from usdrigui.rotation import rotation_part, rotation_vectors
 
 
@@ -27,11 +27,11 @@ def clip_values(rig: Rig, count: int = 0) -> Floats:
         if count <= 0
         else np.unique(np.linspace(0, last, count).round().astype(int))
     )
-    values = np.stack([_values(rig, clip, control) for control in rig.controls], axis=1)
+    values = np.stack([_values(rig.joints, clip, control) for control in rig.controls], axis=1)
     return np.asarray(values[steps], dtype=np.float64)
 
 
-def _values(rig: Rig, clip: Clip, control: Control) -> Floats:
+def _values(joints: tuple[Joint, ...], clip: Clip, control: Control) -> Floats:
     """(f,) values of one control over the clip."""
     drive = control.drive
     per_unit = 1.0 / float(drive.values[-1] - drive.values[0])
@@ -43,7 +43,7 @@ def _values(rig: Rig, clip: Clip, control: Control) -> Floats:
         turn = (drive.rotations[-1, 0] - drive.rotations[0, 0]) * per_unit
         if turn.any():
             joint = int(drive.joints[0])
-            frame = rotation_part(rig.joints[joint].base)
+            frame = rotation_part(joints[joint].base)
             turned = rotation_vectors(rotation_part(clip.locals[:, joint]) @ frame.T)
             return np.asarray(control.default + turned @ turn / (turn @ turn))
     return np.full(len(clip.times), control.default)

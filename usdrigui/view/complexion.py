@@ -80,7 +80,7 @@ class _Eye:
 
 def complexion(rig: Rig, layout: Layout) -> Complexion:
     """Colours of a character in the base pose of its layout."""
-    colours = _of_meshes(rig)
+    colours = _of_meshes(rig.meshes)
     gaze, clear = np.full((len(colours), 2), 9.0), np.zeros(len(colours), dtype=bool)
     seen = _seen(rig, layout)
     if seen is None:
@@ -103,24 +103,24 @@ def complexion(rig: Rig, layout: Layout) -> Complexion:
     return Complexion(colours, gaze, clear)
 
 
-def _of_meshes(rig: Rig) -> Floats:
+def _of_meshes(meshes: tuple[RigMesh, ...]) -> Floats:
     """(n, 3) the colours that meshes have, or the usual ones of what their names say."""
     parts = [np.zeros((0, 3))]
-    for mesh in rig.meshes:
-        usual = np.tile(np.array(_said(mesh) or SKIN), (len(mesh.points), 1))
+    for mesh in meshes:
+        usual = np.tile(np.array(_said(mesh.path) or SKIN), (len(mesh.points), 1))
         parts.append(usual if mesh.colours is None else np.asarray(mesh.colours))
     return np.concatenate(parts)
 
 
-def _said(mesh: RigMesh) -> tuple[float, float, float] | None:
+def _said(path: str) -> tuple[float, float, float] | None:
     """The colour that a mesh's name tells."""
-    name = mesh.path.rsplit("/", 1)[-1]
+    name = path.rsplit("/", 1)[-1]
     return next((colour for word, colour in _NAMED if word.search(name)), None)
 
 
 def _seen(rig: Rig, layout: Layout) -> _Seen | None:
     """None where no point is left to be coloured."""
-    coloured = [mesh.colours is not None or _said(mesh) is not None for mesh in rig.meshes]
+    coloured = [mesh.colours is not None or _said(mesh.path) is not None for mesh in rig.meshes]
     spans = [
         np.full(len(mesh.points), mesh.visible and not has)
         for mesh, has in zip(rig.meshes, coloured, strict=True)

@@ -11,7 +11,7 @@ import numpy as np
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.symmetry.front import front_of
-from usdrigui.model import Floats, Layout, Rig
+from usdrigui.model import Floats, Rig
 from usdrigui.settings import TrajectorySettings
 
 TURN = 35.0
@@ -32,14 +32,12 @@ _APART, _BEYOND = 20.0, 90.0
 """A companion shows something else than the layout's own view, and still what that one sees."""
 
 
-def ahead_of(rig: Rig, layout: Layout) -> Floats:
+def ahead_of(rig: Rig, plane_normal: Floats, base_values: Floats) -> Floats:
     """Where the face looks: level, and found as it was when the layout was made.
 
     `Layout.view` does not tell: a layout made for the side has the profile there.
     """
-    return front_of(
-        rig.up, trajectories(rig, TrajectorySettings(), layout.base_values), layout.plane_normal
-    )
+    return front_of(rig.up, trajectories(rig, TrajectorySettings(), base_values), plane_normal)
 
 
 def turned(direction: Floats, up: Floats, degrees: float) -> Floats:

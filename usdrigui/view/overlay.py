@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 from PIL import Image, ImageDraw
 
-from usdrigui.model import Element, Flags, Floats, Record
+from usdrigui.model import Element, Flags, Floats, Glyph, Record
 from usdrigui.palette import BOARD, SIDES, Colour
 from usdrigui.pose.evaluate import PosedElement
 from usdrigui.ties import axis_across
@@ -90,7 +90,7 @@ def mark(
         handle,
         bool(_seen(handle[None], depth, slack)[0]),
         fields,
-        _outlines(element, posed, camera, handle_width),
+        _outlines(element.glyph, posed, camera, handle_width),
         element.glyph is not None and element.glyph.form == "mesh",
         bool(element.inner),
         _radius(camera, handle_width),
@@ -103,16 +103,16 @@ def _radius(camera: Camera, handle_width: float) -> float:
 
 
 def _outlines(
-    element: Element, posed: PosedElement, camera: Camera, handle_width: float
+    glyph: Glyph | None, posed: PosedElement, camera: Camera, handle_width: float
 ) -> tuple[Floats, ...]:
     """Lines, or faces from far to near, of a custom handle; as much enlarged as the usual one
     is."""
-    if element.glyph is None:
+    if glyph is None:
         return ()
     points, centre = camera.project(posed.glyph), camera.project(posed.handle)
     enlarged = _radius(camera, handle_width) / max(0.5 * handle_width * camera.scale, 1e-12)
     points[:, :2] = centre[:2] + enlarged * (points[:, :2] - centre[:2])
-    parts = np.split(points[element.glyph.indices], np.cumsum(element.glyph.counts)[:-1])
+    parts = np.split(points[glyph.indices], np.cumsum(glyph.counts)[:-1])
     return tuple(sorted(parts, key=lambda part: float(part[:, 2].mean())))
 
 

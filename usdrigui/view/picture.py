@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw
 
 from usdrigui import palette
 from usdrigui.errors import refuse
-from usdrigui.model import Element, Floats, Layout, Rig
+from usdrigui.model import Element, Floats, Layout, Rig, RigMesh
 from usdrigui.pose.evaluate import PosedLayout, evaluate, prepare
 from usdrigui.view import directions, lettering, overlay, shading
 from usdrigui.view.complexion import complexion
@@ -147,7 +147,10 @@ def _set_up(
     ``colours`` are by default those that the layout's own main part shows.
     """
     colours = colours or complexion(rig, main_layout(layout))
-    skin, ahead = _skin(rig, posed, colours), directions.ahead_of(rig, layout)
+    skin, ahead = (
+        _skin(rig.meshes, posed, colours),
+        directions.ahead_of(rig, layout.plane_normal, layout.base_values),
+    )
     if views is None:
         shown = [
             (layout.view, True),
@@ -179,7 +182,7 @@ def _set_up(
             )
         )
         if own and any(element.anchor.on_board for element in layout.elements):
-            boards.append(_framed_board(layout, posed, rows))
+            boards.append(_framed_board(layout.elements, layout.handle_width, posed, rows))
     panels += boards
     cameras, corners = _arranged(panels, size)
     return _Scene(
@@ -200,7 +203,7 @@ def _page(
     controls: int | None = None,
 ) -> Image.Image:
     """One page; ``controls`` is how many the title tells of, by default those of the rig."""
-    subject = shading.body(rig, posed.points, scene.complexion)
+    subject = shading.body(rig.meshes, posed.points, scene.complexion)
     below = sum(
         camera.height + _CAPTION
         for panel, camera in zip(scene.panels, scene.cameras, strict=True)
@@ -218,7 +221,7 @@ def _page(
         title or rig.root.strip("/") or "character",
         _numbers(controls or len(rig.controls), layout, size[0] - 2 * _EDGE),
     )
-    _legend(page, layout)
+    _legend(page, layout.elements)
     return page
 
 
@@ -297,9 +300,9 @@ def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
         )
 
 
-def _skin(rig: Rig, posed: PosedLayout, colours: Complexion) -> Floats:
+def _skin(meshes: tuple[RigMesh, ...], posed: PosedLayout, colours: Complexion) -> Floats:
     """(m, 3) finite points of the visible meshes, or of all if none is, that are drawn."""
-    seen = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in rig.meshes])
+    seen = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in meshes])
     seen = (seen if seen.any() else ~seen) & ~colours.clear
     return np.asarray(posed.points[seen & np.isfinite(posed.points).all(axis=1)])
 
@@ -318,7 +321,7 @@ def _framed(
 
     ``rows`` are those of the camera; the layout's ``own`` view is broader.
     """
-    low, high = bare = _extent(layout, posed, rows, skin)
+    low, high = bare = _extent(layout.elements, posed, rows, skin)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
@@ -328,13 +331,15 @@ def _framed(
     return _Framed(caption, rows, low, high, (wide, wide), labels)
 
 
-def _framed_board(layout: Layout, posed: PosedLayout, rows: Floats) -> _Framed:
+def _framed_board(
+    elements: tuple[Element, ...], handle_width: float, posed: PosedLayout, rows: Floats
+) -> _Framed:
     """The rectangle around the board, with room for the names to its right."""
-    low, high = _extent(layout, posed, rows)
-    pad = 1.5 * layout.handle_width
-    names = lettering.widest([each.label for each in layout.elements if each.anchor.on_board]) + 6.0
+    low, high = _extent(elements, posed, rows)
+    pad = 1.5 * handle_width
+    names = lettering.widest([each.label for each in elements if each.anchor.on_board]) + 6.0
     return _Framed(
-        "board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / layout.handle_width
+        "board", rows, low - pad, high + pad, (0.0, names), False, _ON_BOARD / handle_width
     )
 
 
@@ -364,14 +369,14 @@ def _around_head(
 
 
 def _extent(
-    layout: Layout, posed: PosedLayout, rows: Floats, skin: Floats | None = None
+    elements: tuple[Element, ...], posed: PosedLayout, rows: Floats, skin: Floats | None = None
 ) -> tuple[Floats, Floats]:
     """Corners (2,) of the box in the view's plane around the tracks on the character, without any
     around its `skin` (m, 3); around those of the board where no skin is given."""
     board = skin is None
     lines = [
         track
-        for element, at in zip(layout.elements, posed.elements, strict=True)
+        for element, at in zip(elements, posed.elements, strict=True)
         if element.anchor.on_board == board
         for track in (*at.tracks, *([at.glyph] if board and len(at.glyph) else []))
     ]
@@ -490,11 +495,11 @@ def _title(page: Image.Image, title: str, numbers: str) -> None:
     pen.text((_EDGE, 43), numbers, fill=_QUIET, font=lettering.font(14))
 
 
-def _legend(page: Image.Image, layout: Layout) -> None:
+def _legend(page: Image.Image, elements: tuple[Element, ...]) -> None:
     """Colours by side and forms by kind, of what the layout holds."""
     pen, font = ImageDraw.Draw(page), lettering.font(13)
     x, y = float(_EDGE + 8), page.height - _LEGEND / 2
-    for form, colour, text, coarse in _legend_entries(layout.elements):
+    for form, colour, text, coarse in _legend_entries(elements):
         if x + 15 + font.getlength(text) > page.width - _EDGE:
             break  # a narrow page explains the colours first
         overlay.paste_knob(page, form, colour, 5.5 if coarse else 7.5, (x, y), coarse)

@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from usdrigui.errors import refuse
+from usdrigui.errors import Issue, refuse
 from usdrigui.model import (
+    Clip,
     Control,
     Drive,
     Element,
@@ -130,7 +131,7 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         ],
         "baseWeights": _list(rig.base_weights),
         "controls": [_control(each) for each in rig.controls],
-        "clip": _clip(body, rig),
+        "clip": _clip(body, rig.clip, rig.issues),
         "layout": _layout(rig, layout),
     }
 
@@ -243,15 +244,15 @@ def _drive(drive: Drive) -> Json:
     }
 
 
-def _clip(body: _Body, rig: Rig) -> Json | None:
-    if rig.clip is None or not len(rig.clip.times):
+def _clip(body: _Body, clip: Clip | None, issues: tuple[Issue, ...]) -> Json | None:
+    if clip is None or not len(clip.times):
         return None
     return {
-        "times": _list(rig.clip.times),
-        "framesPerSecond": rig.clip.frames_per_second,
-        "thinned": any(each.code == "CLIP_THINNED" for each in rig.issues),
-        "weights": body.reals(rig.clip.weights),
-        "locals": body.reals(rig.clip.locals),
+        "times": _list(clip.times),
+        "framesPerSecond": clip.frames_per_second,
+        "thinned": any(each.code == "CLIP_THINNED" for each in issues),
+        "weights": body.reals(clip.weights),
+        "locals": body.reals(clip.locals),
     }
 
 
@@ -306,7 +307,7 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "name": element.name,
         "label": element.label,
         "kind": element.kind,
-        "members": [_member(element, controls, each) for each in element.members],
+        "members": [_member(element.name, controls, each) for each in element.members],
         "axes": [list(axis) for axis in element.axes],
         "mesh": meshes[anchor.mesh],
         "point": anchor.point,
@@ -337,12 +338,12 @@ def _glyph(glyph: Glyph | None) -> Json | None:
     }
 
 
-def _member(element: Element, controls: dict[str, int], member: Member) -> Json:
+def _member(name: str, controls: dict[str, int], member: Member) -> Json:
     if member.control not in controls:
         raise refuse(
             "VIEW_MISMATCH",
             member.control,
-            f"element {element.name} has a control that the rig lacks",
+            f"element {name} has a control that the rig lacks",
         )
     return {
         "control": controls[member.control],

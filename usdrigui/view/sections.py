@@ -43,7 +43,7 @@ def sections(layout: Layout, posed: PosedLayout, up: Floats) -> tuple[Section, .
     found: list[Section] = []
     for part in layout.parts:
         own = [i for i, element in enumerate(layout.elements) if element.part == part.name]
-        sides = _sides(layout, own)
+        sides = _sides(layout.elements, own)
         if not sides:
             title = _TITLES.get(part.name, part.name)
             found.append(_section(layout, posed, part, own, title, ()))
@@ -106,15 +106,15 @@ def _section(
     )
 
 
-def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
+def _sides(elements: tuple[Element, ...], own: list[int]) -> list[tuple[Side, list[int]]]:
     """The elements of either side of a part that has nothing between them; the board goes with the
     left."""
-    placed = [i for i in own if not layout.elements[i].anchor.on_board]
+    placed = [i for i in own if not elements[i].anchor.on_board]
     sides: list[tuple[Side, list[int]]] = []
     boxes = []
     for side in ("left", "right"):
-        chosen = [i for i in placed if layout.elements[i].side == side]
-        places = np.array([layout.elements[i].anchor.position for i in chosen])
+        chosen = [i for i in placed if elements[i].side == side]
+        places = np.array([elements[i].anchor.position for i in chosen])
         if len(places) < _SHOWN:
             return []
         boxes.append((places.min(axis=0), places.max(axis=0)))
@@ -123,7 +123,7 @@ def _sides(layout: Layout, own: list[int]) -> list[tuple[Side, list[int]]]:
     gap = max(float(np.maximum(boxes[0][0] - boxes[1][1], boxes[1][0] - boxes[0][1]).max()), 0.0)
     if len(placed) != len(sides[0][1]) + len(sides[1][1]) or gap < _APART * extent:
         return []
-    board = [i for i in own if layout.elements[i].anchor.on_board]
+    board = [i for i in own if elements[i].anchor.on_board]
     return [("left", sorted(sides[0][1] + board)), sides[1]]
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy.ndimage import gaussian_filter, maximum_filter, minimum_filter
 
-from usdrigui.model import Flags, Floats, Indices, Record, Rig
+from usdrigui.model import Flags, Floats, Indices, Record, RigMesh
 from usdrigui.rays import Caster, make_caster
 from usdrigui.surface import mesh_triangles, vertex_normals, weld
 
@@ -116,13 +116,13 @@ def empty(camera: Camera) -> Shaded:
     return Shaded(np.zeros((*size, 3)), np.zeros(size), np.full(size, -np.inf))
 
 
-def body(rig: Rig, points: Floats, complexion: Complexion | None = None) -> Body:
+def body(meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | None = None) -> Body:
     """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space;
     without a complexion all is skin."""
     look = complexion or _plain(len(points))
-    corners = mesh_triangles(rig.meshes, visible_only=True)
+    corners = mesh_triangles(meshes, visible_only=True)
     if not len(corners):
-        corners = mesh_triangles(rig.meshes)
+        corners = mesh_triangles(meshes)
     finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
     corners = corners[finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)]
     points = np.where(finite[:, None], points, 0.0)

@@ -20,7 +20,7 @@ def test_views_are_named_or_angles_or_a_camera():
     face = chain.face_of(makers.face())
 
     def directions(view, camera=None):
-        return find_views(face.rig, face.trajectories, face.symmetry, view, True, camera).directions
+        return find_views(face.rig, face.trajectories, face.symmetry.plane, view, True, camera).directions
 
     assert len(directions("")) == 3
     assert np.allclose(directions("front"), [[0, 0, 1]])
@@ -37,7 +37,7 @@ def test_views_are_named_or_angles_or_a_camera():
 def test_the_screen_is_upright_even_from_above():
     face = chain.face_of(makers.face())
     for view, right, up in (("front", [1, 0, 0], [0, 1, 0]), ("0,90", [1, 0, 0], [0, 0, -1])):
-        views = find_views(face.rig, face.trajectories, face.symmetry, view)
+        views = find_views(face.rig, face.trajectories, face.symmetry.plane, view)
         assert np.allclose(screen(views), [right, up], atol=1e-6)
 
 

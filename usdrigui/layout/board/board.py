@@ -61,7 +61,7 @@ def board_elements(
         return []
     rows = _rows(face.rig.controls, board)
     width, height = face.handle_width, _TALL * face.trajectories.surface.face_size
-    middle = face_middle(face.trajectories, face.symmetry)
+    middle = face_middle(face.trajectories, face.symmetry.plane)
     frame = screen(face.views)
     columns = _columns(rows, max(1, int(height / (_ROW * width))))
     left = silhouette(face, middle, frame, 0.5 * height) + _MARGIN * width

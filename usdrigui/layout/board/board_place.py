@@ -6,19 +6,16 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.face import Face
-from usdrigui.model import Floats, Indices, Rig, RigMesh, Symmetry, Trajectories
+from usdrigui.model import Floats, Indices, MirrorPlane, Rig, RigMesh, Trajectories
 from usdrigui.ties import first_largest
 
 
-def face_middle(trajectories: Trajectories, symmetry: Symmetry) -> Floats:
+def face_middle(trajectories: Trajectories, plane: MirrorPlane) -> Floats:
     """(3,) middle of the moving region, on the mirror plane where there is one."""
     points = trajectories.surface.points[_face_points(trajectories)]
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    if symmetry.plane.normal.any():
-        middle = (
-            middle
-            - ((middle - symmetry.plane.origin) @ symmetry.plane.normal) * symmetry.plane.normal
-        )
+    if plane.normal.any():
+        middle = middle - ((middle - plane.origin) @ plane.normal) * plane.normal
     return np.asarray(middle, dtype=np.float64)
 
 

@@ -16,7 +16,17 @@ from usdrigui.layout.motion.coverage import coverage_of_smaller, shares_of_face
 from usdrigui.layout.motion.similarity import Similarity
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Category, Control, Flags, Floats, Motion, Rig, Symmetry, Trajectories
+from usdrigui.model import (
+    BaseSurface,
+    Category,
+    Control,
+    Flags,
+    Floats,
+    Motion,
+    Rig,
+    Symmetry,
+    Trajectories,
+)
 from usdrigui.settings import CandidateSettings
 
 _UNMOVED_SHARE = 0.1
@@ -83,13 +93,13 @@ def classify(
     meanings = [requests.names.meanings[motion.control] for motion in trajectories.motions]
     controls = [rig.controls[motion.control] for motion in trajectories.motions]
     covered = _of_sets(covered[: len(meanings)], controls, meanings)
-    vanish = visibility_shapes(rig, trajectories, views)
+    vanish = visibility_shapes(rig.meshes, trajectories, views)
     shares_of_own = shares[: len(trajectories.motions)]
     repeated = composites(
         rig, trajectories, symmetry, similarity, shares_of_own, requests.names.meanings
     )
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
-    kept = _kept(trajectories, symmetry, views.anywhere)
+    kept = _kept(trajectories.motions, symmetry, views.anywhere)
     # The joints of a chain explain each other; what repeats a blend shape or a pose is told by
     # those.
     joints_alone = all(
@@ -99,13 +109,17 @@ def classify(
     for index, motion in enumerate(trajectories.motions):
         evidence = _Evidence(
             coverage_of_smaller=float(covered[index]),
-            moves_everything=_moves_everything(trajectories, motion.on_own_skin()),
+            moves_everything=_moves_everything(trajectories.surface, motion.on_own_skin()),
             named_local=_named_local(requests.names.meanings[motion.control]),
             vanishes=bool(vanish[index]),
-            visible_share=_visible_share(trajectories, views.anywhere, motion.on_own_skin()),
+            visible_share=_visible_share(
+                trajectories.surface, views.anywhere, motion.on_own_skin()
+            ),
             kept=float(kept[index]),
             essential=_essential(
-                requests.names.meanings[motion.control], kept[index] * motion.peak, trajectories
+                requests.names.meanings[motion.control],
+                kept[index] * motion.peak,
+                trajectories.typical_length,
             ),
             composite=(
                 repeated.get(index) if not (joints_alone and motion.owned is not None) else None
@@ -173,29 +187,26 @@ def _of_sets(
     return found
 
 
-def _kept(trajectories: Trajectories, symmetry: Symmetry, visible: Flags) -> Floats:
+def _kept(motions: tuple[Motion, ...], symmetry: Symmetry, visible: Flags) -> Floats:
     """(motions,) largest share of its peak that each keeps at a visible place, the same for twins;
     1 for the control of a joint, whose skin is its place."""
-    found = np.ones(len(trajectories.motions))
-    for index, motion in enumerate(trajectories.motions):
+    found = np.ones(len(motions))
+    for index, motion in enumerate(motions):
         if motion.owned is None:
             found[index] = motion.arc_length[visible[motion.points]].max(initial=0.0) / max(
                 motion.peak, 1e-300
             )
-    by_control = {motion.control: i for i, motion in enumerate(trajectories.motions)}
-    twins = [
-        by_control.get(int(symmetry.twins[m.control]), i)
-        for i, m in enumerate(trajectories.motions)
-    ]
+    by_control = {motion.control: i for i, motion in enumerate(motions)}
+    twins = [by_control.get(int(symmetry.twins[m.control]), i) for i, m in enumerate(motions)]
     return np.maximum(found, found[twins])
 
 
-def _essential(meaning: Meaning | None, seen: float, trajectories: Trajectories) -> bool:
+def _essential(meaning: Meaning | None, seen: float, typical_length: float) -> bool:
     """Whether the name is that of an atom without which no face is animated, of one whose visible
     displacement, of length `seen`, can be felt, or of a family, which stands together."""
     if meaning is None or meaning.action.category not in ("atom", "viseme", "emotion"):
         return False
-    return meaning.action.is_needed or seen >= _FELT * trajectories.typical_length
+    return meaning.action.is_needed or seen >= _FELT * typical_length
 
 
 def _named_local(meaning: Meaning | None) -> bool:
@@ -205,16 +216,16 @@ def _named_local(meaning: Meaning | None) -> bool:
     return meaning.action.category == "atom" and meaning.action.region not in ("head", "neck")
 
 
-def _visible_share(trajectories: Trajectories, visible: Flags, motion: Motion) -> float:
+def _visible_share(surface: BaseSurface, visible: Flags, motion: Motion) -> float:
     """Share of the control's motion, area times distance, that some view sees."""
-    weight = trajectories.surface.areas[motion.points] * motion.arc_length
+    weight = surface.areas[motion.points] * motion.arc_length
     total = float(weight.sum())
     seen = visible[motion.points]
     return float(weight[seen].sum()) / total if total > 0.0 else float(seen.mean())
 
 
-def _moves_everything(trajectories: Trajectories, motion: Motion) -> bool:
+def _moves_everything(surface: BaseSurface, motion: Motion) -> bool:
     """The paper's own criterion for a global control."""
-    count = len(trajectories.surface.points)
+    count = len(surface.points)
     still = motion.arc_length < 0.999 * motion.arc_length.mean()
     return bool(count - len(motion.points) + still.sum() < _UNMOVED_SHARE * count)

@@ -30,7 +30,17 @@ from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
 from usdrigui.layout.names import is_step_of
-from usdrigui.model import Category, Flags, Floats, Indices, Rig, Symmetry, Trajectories
+from usdrigui.model import (
+    BaseSurface,
+    Category,
+    Flags,
+    Floats,
+    Indices,
+    Motion,
+    Rig,
+    Symmetry,
+    Trajectories,
+)
 
 _NAMED = 3
 """Parts of a mixture that its explanation names."""
@@ -94,7 +104,7 @@ def composites(
     """
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     meaning = [meanings[motion.control] for motion in trajectories.motions]
-    twins = _twins(trajectories, symmetry)
+    twins = _twins(trajectories.motions, symmetry.twins)
     families = find_families(names, meaning, similarity.cosine, coverage)
     basis = choose_basis(
         similarity.cosine,
@@ -160,10 +170,10 @@ def _steps(names: Sequence[str], cosine: Floats) -> list[tuple[int, int]]:
     ]
 
 
-def _twins(trajectories: Trajectories, symmetry: Symmetry) -> Indices:
+def _twins(motions: tuple[Motion, ...], twins: Indices) -> Indices:
     """(m,) the mirror motion of each, itself, or -1."""
-    index = {motion.control: i for i, motion in enumerate(trajectories.motions)}
-    found = [index.get(int(symmetry.twins[motion.control]), -1) for motion in trajectories.motions]
+    index = {motion.control: i for i, motion in enumerate(motions)}
+    found = [index.get(int(twins[motion.control]), -1) for motion in motions]
     return np.array(found, dtype=np.int64)
 
 
@@ -202,7 +212,7 @@ class _Spreads:
         self.size = regions @ trajectories.surface.areas
         self.cosine = similarity.cosine
         self.contains = _contained(similarity.fields, regions[:, similarity.fields.places])
-        self.far = _distant(trajectories, similarity, rig.up)
+        self.far = _distant(trajectories.surface, similarity, rig.up)
 
     def distant_pair(self, index: int, atoms: Flags) -> tuple[int, ...]:
         """Two distant atoms as which the motion moves the face at once; empty where it does not."""
@@ -230,14 +240,14 @@ def _contained(fields: DisplacementFields, regions: Flags) -> Flags:
     return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0))
 
 
-def _distant(trajectories: Trajectories, similarity: Similarity, up: Floats) -> Flags:
+def _distant(surface: BaseSurface, similarity: Similarity, up: Floats) -> Flags:
     """(motions, motions) whether two controls act on distant parts of the face and share no
     place."""
     fields = similarity.fields
     weight = np.linalg.norm(fields.vectors, axis=2) * fields.weights
-    heights = trajectories.surface.points[fields.places] @ up
+    heights = surface.points[fields.places] @ up
     middle = weight @ heights / np.maximum(weight.sum(axis=1), 1e-300)
-    apart = np.abs(middle[:, None] - middle[None, :]) > _APART * trajectories.surface.face_size
+    apart = np.abs(middle[:, None] - middle[None, :]) > _APART * surface.face_size
     return np.asarray(apart & (similarity.shared < 0.05))
 
 

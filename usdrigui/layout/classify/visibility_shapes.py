@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.visibility import Views
-from usdrigui.model import Flags, Floats, Indices, Motion, Rig, Trajectories
+from usdrigui.model import BaseSurface, Flags, Floats, Indices, Motion, RigMesh, Trajectories
 from usdrigui.rays import make_caster, visible_from
 from usdrigui.surface import components, mesh_triangles, vertex_normals
 
@@ -24,9 +24,11 @@ _STILL_SEEN = 0.05
 """Share of the points of a part that may still be seen once it has moved inside."""
 
 
-def visibility_shapes(rig: Rig, trajectories: Trajectories, views: Views) -> Flags:
+def visibility_shapes(
+    meshes: tuple[RigMesh, ...], trajectories: Trajectories, views: Views
+) -> Flags:
     """(motions,) which controls mostly make whole parts of the surface disappear."""
-    parts = components(mesh_triangles(rig.meshes), trajectories.surface.places)
+    parts = components(mesh_triangles(meshes), trajectories.surface.places)
     sizes = np.bincount(parts)
     flags = np.zeros(len(trajectories.motions), dtype=bool)
     for index, motion in enumerate(trajectories.motions):
@@ -36,7 +38,7 @@ def visibility_shapes(rig: Rig, trajectories: Trajectories, views: Views) -> Fla
         if moved[whole].sum() >= _MOST * moved.sum():
             collapsed = whole & _shrunk(trajectories.surface.points, motion, own, len(sizes))
             flags[index] = moved[collapsed].sum() >= _MOST * moved.sum() or _moves_inside(
-                rig, trajectories, views, motion, whole[own]
+                meshes, trajectories.surface, views, motion, whole[own]
             )
     return flags
 
@@ -62,23 +64,21 @@ def _extents(parts: Indices, positions: Floats, count: int) -> Floats:
 
 
 def _moves_inside(
-    rig: Rig, trajectories: Trajectories, views: Views, motion: Motion, inside: Flags
+    meshes: tuple[RigMesh, ...], surface: BaseSurface, views: Views, motion: Motion, inside: Flags
 ) -> bool:
     """Whether the points `inside` (p,) of the motion, whole parts that can be seen, move far and
     out of sight."""
     points = motion.points[inside]
     seen = views.anywhere[points]
-    size = float(
-        _extents(np.zeros(len(points), dtype=np.int64), trajectories.surface.points[points], 1)[0]
-    )
+    size = float(_extents(np.zeros(len(points), dtype=np.int64), surface.points[points], 1)[0])
     if views.caster is None or not seen.any() or float(np.median(motion.arc_length[inside])) < size:
         return False
-    end = trajectories.surface.points.copy()
+    end = surface.points.copy()
     end[motion.points] += motion.offsets[-1]
-    corners = mesh_triangles(rig.meshes, visible_only=True)
+    corners = mesh_triangles(meshes, visible_only=True)
     caster, normals = (
         make_caster(end[corners]),
-        vertex_normals(end, corners, trajectories.surface.places),
+        vertex_normals(end, corners, surface.places),
     )
     still = [
         visible_from(caster, end[points[seen]], normals[points[seen]], toward)

@@ -60,7 +60,7 @@ def layout(
         BoardEntry(group, controls, group.category, group.reason_of(controls))
         for group in placement.groups
         if group.category
-        for controls in _once(group)
+        for controls in _once(group.copies)
     ]
     for choice, label in zip(placement.choices, assignment.labels, strict=True):
         group = placement.groups[choice.group]
@@ -70,7 +70,7 @@ def layout(
                 if len(choice.anchors)
                 else f"no place on the {part}"
             )
-            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group))
+            board.extend(BoardEntry(group, copy, "crowded", reason) for copy in _once(group.copies))
         else:
             elements.extend(_on_face(face, group, choice, int(label), requests, settings.output))
     elements.extend(board_elements(face, board, requests, settings.output.adapt))
@@ -78,7 +78,8 @@ def layout(
         root=face.rig.root,
         variant_path=face.rig.variant_path,
         elements=tuple(
-            replace(each, part=part) for each in with_inner(elements, placement.groups, face.rig)
+            replace(each, part=part)
+            for each in with_inner(elements, placement.groups, face.rig.controls)
         ),
         left_off=left_off,
         handle_width=face.handle_width,
@@ -99,13 +100,11 @@ def layout(
     )
 
 
-def _once(group: Group) -> Iterator[tuple[int, ...]]:
+def _once(copies: tuple[tuple[int, ...], ...]) -> Iterator[tuple[int, ...]]:
     """The copies of a group that hold other controls: of a double element one is enough on the
     board."""
     return (
-        copy
-        for i, copy in enumerate(group.copies)
-        if set(copy) not in [set(each) for each in group.copies[:i]]
+        copy for i, copy in enumerate(copies) if set(copy) not in [set(each) for each in copies[:i]]
     )
 
 
@@ -228,7 +227,7 @@ def _side(face: Face, point: int) -> Side:
     """The side of the character on which a point lies."""
     if not face.symmetry.plane.normal.any():
         return "none"
-    apart = float(plane_distance(face.trajectories.surface.points[point], face.symmetry))
+    apart = float(plane_distance(face.trajectories.surface.points[point], face.symmetry.plane))
     if abs(apart) <= _ON_PLANE * face.trajectories.surface.face_size:
         return "middle"
     return "left" if apart > 0.0 else "right"

@@ -13,7 +13,7 @@ from itertools import chain
 
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.names import element_name
-from usdrigui.model import Element, Group, Rig
+from usdrigui.model import Control, Element, Group, Rig
 from usdrigui.settings import LevelSettings
 
 
@@ -52,11 +52,11 @@ def with_levels(
 
 
 def with_inner(
-    elements: Iterable[Element], groups: tuple[Group, ...], rig: Rig
+    elements: Iterable[Element], groups: tuple[Group, ...], controls: tuple[Control, ...]
 ) -> tuple[Element, ...]:
     """The elements of all groups, the coarse ones with the names of their members on their own
     side."""
-    names = [control.name for control in rig.controls]
+    names = [control.name for control in controls]
     made = tuple(elements)
     by_controls: dict[frozenset[str], list[str]] = {}
     for element in made:
@@ -65,21 +65,23 @@ def with_inner(
     by_name = {group.name: group for group in groups}
     for group in groups:
         members = [by_name[name] for name in group.inner]
-        copies = _elements_of(group, names, by_controls)
+        copies = _elements_of(group.copies, names, by_controls)
         for copy, name in enumerate(copies):
             for member in members:
-                theirs = _elements_of(member, names, by_controls)
+                theirs = _elements_of(member.copies, names, by_controls)
                 own = theirs[copy : copy + 1] if len(theirs) == len(copies) else theirs
                 inner.setdefault(name, []).extend(own)
     return tuple(replace(each, inner=tuple(sorted(inner.get(each.name, ())))) for each in made)
 
 
 def _elements_of(
-    group: Group, names: list[str], by_controls: dict[frozenset[str], list[str]]
+    copies: tuple[tuple[int, ...], ...],
+    names: list[str],
+    by_controls: dict[frozenset[str], list[str]],
 ) -> list[str]:
     """Names of the elements of a group, one per copy."""
     found: list[str] = []
-    for controls in group.copies:
+    for controls in copies:
         same = by_controls.get(frozenset(names[control] for control in controls), [])
         found += [name for name in same if name not in found][: 1 if len(same) > 1 else None]
     return found
@@ -114,9 +116,9 @@ def _parts(rig: Rig, group: Group) -> Iterator[Group]:
 def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     """Members of every pose: the groups of the other controls that set what it sets."""
     found: dict[str, set[str]] = {}
-    driven = {group.name: _driven(rig, group, poses=False) for group in groups}
+    driven = {group.name: _driven(rig, group.all_controls, poses=False) for group in groups}
     for group in groups:
-        posed = _driven(rig, replace(group, images=()), poses=True)
+        posed = _driven(rig, replace(group, images=()).all_controls, poses=True)
         members = {
             other.name for other in groups if other is not group and posed & driven[other.name]
         }
@@ -125,9 +127,9 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     return found
 
 
-def _driven(rig: Rig, group: Group, *, poses: bool) -> frozenset[tuple[str, int]]:
+def _driven(rig: Rig, all_controls: frozenset[int], *, poses: bool) -> frozenset[tuple[str, int]]:
     """Channels and joints that the group's poses set, or that its other controls set."""
-    controls = [rig.controls[i] for i in sorted(group.all_controls)]
+    controls = [rig.controls[i] for i in sorted(all_controls)]
     drives = [control.drive for control in controls if (control.kind == "pose") == poses]
     channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
     return frozenset(

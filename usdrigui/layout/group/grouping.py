@@ -77,7 +77,7 @@ def find_groups(
     grouping = _Grouping(face, candidates, similarity, requests, settings, mirror)
     merged = grouping.of_the_user()
     names = control_index(face.rig, controls)
-    orbits = configured_orbits(face.rig, face.trajectories, requests.overrides, names)
+    orbits = configured_orbits(face.rig.controls, face.trajectories, requests.overrides, names)
     turning = set().union(*orbits)
     merged += [_Merged((i,), ((0,),), "") for i in sorted(turning)]
     merged += grouping.of_the_prior_layout(_free(merged, grouping))
@@ -171,7 +171,7 @@ class _Grouping:
         self.settings, self.requests = settings, requests
         self.double_middle = mirror.double_middle
         self.evidence = Evidence(face, similarity, requests.names.meanings)
-        self.two_sided = frozenset(bidirectional(face.trajectories))
+        self.two_sided = frozenset(bidirectional(face.trajectories.motions))
         self.sets: dict[int, CandidateSet] = {each.motion: each for each in candidates.sets}
         self.names = [face.control_name(motion.control) for motion in motions]
         twins = face.symmetry.twins
@@ -555,7 +555,9 @@ class _Grouping:
         """How far on the character's left the candidates lie; names with a side decide in the
         middle."""
         points = np.concatenate([self.sets[i].points for i in sorted(motions)])
-        apart = plane_distance(self.face.trajectories.surface.points[points], self.face.symmetry)
+        apart = plane_distance(
+            self.face.trajectories.surface.points[points], self.face.symmetry.plane
+        )
         names = sorted(
             (self.names[i] for i in motions), key=lambda name: (not has_side(name), name)
         )
@@ -606,12 +608,16 @@ class _Grouping:
         )
         override = self.requests.overrides[motion.control]
         placed = bool(override.anchor or override.near) or motion.owned is not None
-        if not placed and all_aside(face.trajectories, face.symmetry, self.sets[index].points):
+        if not placed and all_aside(
+            face.trajectories.surface, face.symmetry.plane, self.sets[index].points
+        ):
             return True
         # A name that tells the region alone says nothing of its middle.
         is_expected = expected is not None and meaning is not None and not meaning.action.vague
         both_sides = expected.both_sides if expected is not None and is_expected else None
-        return two_lobed(face.trajectories, face.symmetry, face.views.anywhere, motion, both_sides)
+        return two_lobed(
+            face.trajectories.surface, face.symmetry.plane, face.views.anywhere, motion, both_sides
+        )
 
     def _orbit_group(self, orbit: tuple[int, ...]) -> Group:
         motions = self.face.trajectories.motions

@@ -50,7 +50,7 @@ def activity(rig: Rig, performances: Iterable[Performance]) -> Activity:
     """
     clips = tuple(performances)
     rest = np.array([control.default for control in rig.controls])
-    values = np.concatenate([_values(rig, clip, rest) for clip in clips])
+    values = np.concatenate([_values(rig.joints, rig.controls, clip, rest) for clip in clips])
     extent = np.array([max(c.maximum - c.default, c.default - c.minimum) for c in rig.controls])
     amounts = np.nan_to_num(np.clip(np.abs(values - rest) / extent, 0.0, 1.0))
     names = tuple(f"{clip.source}{clip.path}" for clip in clips)
@@ -137,7 +137,7 @@ def importances(done: Activity, twins: Mapping[str, str], weight: float) -> dict
 
 
 def with_importances(
-    rig: Rig, overrides: Sequence[ControlSettings], found: Mapping[str, float]
+    controls: tuple[Control, ...], overrides: Sequence[ControlSettings], found: Mapping[str, float]
 ) -> tuple[ControlSettings, ...]:
     """(controls,) `overrides` with the importance `found` for every control to which the
     configuration gives none."""
@@ -147,7 +147,7 @@ def with_importances(
             if override.importance is None
             else override
         )
-        for control, override in zip(rig.controls, overrides, strict=True)
+        for control, override in zip(controls, overrides, strict=True)
     )
 
 
@@ -168,17 +168,19 @@ def _units(done: Activity, twins: Mapping[str, str]) -> list[tuple[int, ...]]:
 # --- control values -------------------------------------------------------------------------------
 
 
-def _values(rig: Rig, clip: Performance, rest: Floats) -> Floats:
+def _values(
+    joints: tuple[Joint, ...], controls: tuple[Control, ...], clip: Performance, rest: Floats
+) -> Floats:
     """(frames, controls) values; the default of controls that the animation does not have."""
     values = np.repeat(rest[None], len(clip.times), axis=0)
     tokens = {token: column for column, token in enumerate(clip.tokens)}
-    for i, control in enumerate(rig.controls):
+    for i, control in enumerate(controls):
         if control.kind == "blendShape" and control.source in tokens:
             values[:, i] = clip.weights[:, tokens[control.source]]
         elif control.kind == "pose":
             values[:, i] = np.nan
         elif control.kind == "joint":
-            turned = _turned(rig.joints, control, clip)
+            turned = _turned(joints, control, clip)
             values[:, i] = rest[i] if turned is None else turned
     return values
 

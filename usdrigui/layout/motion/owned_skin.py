@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdrigui.joint_tree import Hanging
-from usdrigui.model import Control, Flags, Floats, Rig
+from usdrigui.model import Control, Flags, Floats, Joint, Rig, Skeleton
 
 _SPAN = (0.2, 0.7)
 """Share of the way from a joint to the next one between which its control stands."""
@@ -43,7 +43,7 @@ def owned_skin(rig: Rig, hanging: Hanging, control: Control, points: Floats) -> 
     joints = {i for i in driven if rig.joints[i].path == control.source} or driven
     if control.kind != "joint" or not joints or len(control.drive.channels):
         return None
-    below, bones = _below(rig, joints), _bones(rig, hanging)
+    below, bones = _below(rig, joints), _bones(rig.skeletons, rig.joints, hanging)
     has_bone = any(b.joint in joints and b.next in below for b in bones)
     for holders in (joints, *((joints | below,) if has_bone else _levels(rig, joints))):
         weights = _weights(rig, holders)
@@ -111,9 +111,11 @@ class _Bone:
     chain."""
 
 
-def _bones(rig: Rig, hanging: Hanging) -> list[_Bone]:
+def _bones(
+    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...], hanging: Hanging
+) -> list[_Bone]:
     """The bones between joints apart from each other, and those of joints at the end of a chain."""
-    places, parents = joint_places(rig), hanging.parents
+    places, parents = joint_places(skeletons, joints), hanging.parents
     joined = [k for k, i in enumerate(parents) if i >= 0 and k not in hanging.aside]
     found = [
         _Bone(parents[k], k, places[parents[k]], places[k] - places[parents[k]])
@@ -151,10 +153,10 @@ def _nearest(points: Floats, bones: list[_Bone]) -> tuple[Floats, Floats]:
     return least, share
 
 
-def joint_places(rig: Rig) -> Floats:
+def joint_places(skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]) -> Floats:
     """(joints, 3) positions in root space at the base pose."""
     world: list[Floats] = []
-    for joint in rig.joints:
+    for joint in joints:
         world.append(joint.base @ world[joint.parent] if joint.parent >= 0 else joint.base)
-    to_root = [rig.skeletons[joint.skeleton].to_root for joint in rig.joints]
+    to_root = [skeletons[joint.skeleton].to_root for joint in joints]
     return np.array([(m @ t)[3, :3] for m, t in zip(world, to_root, strict=True)]).reshape(-1, 3)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from scipy.sparse import csr_array
 
-from usdrigui.model import Floats, Indices, Record, Singles, Trajectories
+from usdrigui.model import Floats, Indices, Motion, Record, Singles, Trajectories
 from usdrigui.ties import rounded
 
 _ENTRIES = 12_000_000
@@ -102,11 +102,11 @@ def similarity(fields: DisplacementFields) -> Similarity:
     return Similarity(fields, norm, product / scale, both / scale)
 
 
-def bidirectional(trajectories: Trajectories) -> tuple[int, ...]:
+def bidirectional(motions: tuple[Motion, ...]) -> tuple[int, ...]:
     """Indices of the motions whose control goes to both sides of its base value."""
     return tuple(
         i
-        for i, motion in enumerate(trajectories.motions)
+        for i, motion in enumerate(motions)
         if motion.offsets[0].any() and motion.offsets[-1].any()
     )
 

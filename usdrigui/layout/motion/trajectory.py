@@ -72,18 +72,24 @@ def trajectories(
         else:
             left_off.append(LeftOff(control.name, STAGE, "moves no point of any mesh"))
     excluded = _excluded(rig, chains, size, settings)
-    moving = _without_drift(rig, motions) if settings.noise > 0.0 else tuple(motions)
+    moving = (
+        _without_drift(rig.meshes, rig.controls, motions)
+        if settings.noise > 0.0
+        else tuple(motions)
+    )
     return _assembled(rig, base.points, moving, excluded, tuple(left_off), settings)
 
 
-def _without_drift(rig: Rig, motions: Sequence[Motion]) -> tuple[Motion, ...]:
+def _without_drift(
+    meshes: tuple[RigMesh, ...], controls: tuple[Control, ...], motions: Sequence[Motion]
+) -> tuple[Motion, ...]:
     """The motions; shapes that move nearly every point, as solvers and scans leave them that were
     not held to the head, without the points that move no more than the rest."""
-    counts = np.array([len(mesh.points) for mesh in rig.meshes])
+    counts = np.array([len(mesh.points) for mesh in meshes])
     mesh_of = np.repeat(np.arange(len(counts)), counts)
     return tuple(
         motion
-        if len(rig.controls[motion.control].drive.joints)
+        if len(controls[motion.control].drive.joints)
         else _beyond_drift(motion, int(counts[np.unique(mesh_of[motion.points])].sum()))
         for motion in motions
     )

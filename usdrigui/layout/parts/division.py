@@ -69,7 +69,7 @@ def divide(rig: Rig, found: Trajectories, settings: Settings) -> tuple[Part, ...
     tell = _Names(rig, found, regions, whole).of if regions is not None else _face
     names = {each.control: tell(rig.controls[each.control], each) for each in found.motions}
     if settings.candidates.conventions:
-        names |= dict.fromkeys(_inside_mouth(rig, names), INTERIOR)
+        names |= dict.fromkeys(_inside_mouth(rig.controls, names), INTERIOR)
     if not settings.parts.divide:
         names = dict.fromkeys(names, main_part(names.values()))
     index = {control.name: i for i, control in enumerate(rig.controls)}
@@ -92,10 +92,10 @@ def _face(control: Control, motion: Motion) -> str:
     return FACE
 
 
-def _inside_mouth(rig: Rig, names: Mapping[int, str]) -> list[int]:
+def _inside_mouth(controls: tuple[Control, ...], names: Mapping[int, str]) -> list[int]:
     """The controls of the face that bear the name of a tongue or of teeth, where there are
     several."""
-    meant = meanings([control.name for control in rig.controls])
+    meant = meanings([control.name for control in controls])
     found = [
         control
         for control, part in names.items()
@@ -175,7 +175,7 @@ class _Names:
     def __init__(self, rig: Rig, found: Trajectories, regions: JointRegions, whole: float) -> None:
         self.rig, self.found, self.regions, self.whole = rig, found, regions, whole
         self.known = sorted(set(regions.of_skin) | set(regions.of_joint), key=_rank)
-        self.skin = self._skin(owner_of_points(rig))
+        self.skin = self._skin(owner_of_points(rig.meshes))
         self.near_face = (
             self._near(self.skin == self.known.index(FACE)) if FACE in self.known else None
         )

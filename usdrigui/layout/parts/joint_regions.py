@@ -15,7 +15,7 @@ import numpy as np
 from usdrigui.conventions import words
 from usdrigui.joint_tree import Fan, Tree, fans, unit
 from usdrigui.layout.parts.own_pieces import eyes, pieces_of, props
-from usdrigui.model import Flags, Indices, Rig, Trajectories
+from usdrigui.model import Control, Flags, Floats, Indices, Rig, RigMesh, Trajectories
 from usdrigui.ties import first_largest
 
 FACE, EYES, HANDS, FEET, PROPS, BODY = "face", "eyes", "hands", "feet", "props", "body"
@@ -58,7 +58,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     ]
     for fan in ends:
         name, fingers = (
-            _end(rig, tree, fan, spine),
+            _end(rig.up, tree, fan, spine),
             tree.below([chain[0] for chain in fan.chains]),
         )
         for joint in fingers:
@@ -67,7 +67,7 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     for joint in tree.below(heads):
         of_joint[joint] = BODY if joint in heads else FACE
         of_skin[joint] = FACE
-    own = pieces_of(rig, tree, found.surface.places, owner_of_points(rig))
+    own = pieces_of(rig, tree, found.surface.places, owner_of_points(rig.meshes))
     eyeballs = eyes(own, tree.below(heads) - heads)
     for name, roots in ((EYES, eyeballs), (PROPS, props(own, heads, eyeballs))):
         for joint in tree.below(roots):
@@ -79,11 +79,11 @@ def joint_regions(rig: Rig, found: Trajectories) -> JointRegions | None:
     return JointRegions(tuple(of_joint), tuple(of_skin))
 
 
-def owner_of_points(rig: Rig) -> Indices:
+def owner_of_points(meshes: tuple[RigMesh, ...]) -> Indices:
     """(n,) the joint that holds each point most firmly, -1 for points of meshes that are not
     skinned."""
     parts = []
-    for mesh in rig.meshes:
+    for mesh in meshes:
         if mesh.skin is None or not mesh.skin.joints.shape[1]:
             parts.append(np.full(len(mesh.points), -1, dtype=np.int64))
             continue
@@ -107,7 +107,7 @@ def _heads(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
     facial = [0 if i in roots else count for i, count in enumerate(leaves)]
     if max(facial) >= _FACIAL:
         return frozenset({int(np.argmax(facial))})
-    return _by_shapes(rig, tree, found)
+    return _by_shapes(rig.meshes, rig.controls, tree, found)
 
 
 def _is_head(path: str) -> bool:
@@ -119,12 +119,14 @@ def _skinned_below(tree: Tree, joint: int) -> bool:
     return tree.depth[joint] > 0
 
 
-def _by_shapes(rig: Rig, tree: Tree, found: Trajectories) -> frozenset[int]:
+def _by_shapes(
+    meshes: tuple[RigMesh, ...], controls: tuple[Control, ...], tree: Tree, found: Trajectories
+) -> frozenset[int]:
     """The joint furthest down below which nearly all blend shapes move skin; none where that is the
     root."""
-    owners, votes = owner_of_points(rig), Counter[int]()
+    owners, votes = owner_of_points(meshes), Counter[int]()
     for motion in found.motions:
-        if rig.controls[motion.control].kind == "blendShape":
+        if controls[motion.control].kind == "blendShape":
             mass = np.bincount(
                 owners[motion.points] + 1, found.surface.areas[motion.points] * motion.arc_length
             )
@@ -152,13 +154,13 @@ def _carries_on(tree: Tree, fan: Fan) -> bool:
     )
 
 
-def _end(rig: Rig, tree: Tree, fan: Fan, spine: list[int]) -> str:
+def _end(up: Floats, tree: Tree, fan: Fan, spine: list[int]) -> str:
     """Hands leave the spine nearer to the head than to its root; without a head, toes lie at the
     bottom."""
     leaves = [spine.index(joint) for joint in tree.above(fan.joint) if joint in spine]
     if leaves:
         return HANDS if leaves[0] > 0.5 * (len(spine) - 1) else FEET
-    heights = tree.places @ rig.up
+    heights = tree.places @ up
     span = float(np.ptp(heights)) or 1.0
     own = {fan.joint, *tree.below([chain[0] for chain in fan.chains])}
     alone = len(tree.owners - own) < _LIMB

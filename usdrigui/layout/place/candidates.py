@@ -129,10 +129,10 @@ def _places(
     there."""
     override, name = requests.overrides[motion.control], face.control_name(motion.control)
     peak = motion.points[[first_largest(np.where(motion.stands_on(), motion.arc_length, 0.0))]]
-    fixed = fixed_anchor(face.rig, name, override)
+    fixed = fixed_anchor(face.rig, name, override.anchor)
     if fixed is not None:
         point = np.array([fixed], dtype=np.int64)
-        return point, point if moves(motion, name, override, fixed) else peak
+        return point, point if moves(motion.points, name, override, fixed) else peak
     if found.category:
         return peak, peak
     if override.place == "proxy":
@@ -187,16 +187,18 @@ def _allowed(
     each place, near what the configuration names, on the skin that its joint owns."""
     first = among & (face.trajectories.surface.places[motion.points] == motion.points)
     near = kept_near(face, motion.control, requests, motion.points, first, settings.near_radius)
-    return motion.stands_on(near) | _in_the_middle(face, motion, near, settings)
+    return motion.stands_on(near) | _in_the_middle(face, motion, near, settings.least_kept)
 
 
-def _in_the_middle(face: Face, motion: Motion, near: Flags, settings: CandidateSettings) -> Flags:
+def _in_the_middle(face: Face, motion: Motion, near: Flags, least_kept: float) -> Flags:
     """(p,) those `near` in the middle where the handle of a joint that is its own mirror image
     stands: on skin that the joint owns, with enough of the displacement."""
-    middle = near & in_the_middle(face.trajectories, face.symmetry, motion, face.handle_width)
+    middle = near & in_the_middle(
+        face.trajectories.surface, face.symmetry, motion, face.handle_width
+    )
     if not middle.any():
         return middle
-    enough = motion.arc_length >= _kept(motion, near, settings.least_kept)
+    enough = motion.arc_length >= _kept(motion, near, least_kept)
     return middle & motion.stands_on(near, _OWN_IN_THE_MIDDLE) & enough
 
 
@@ -254,7 +256,7 @@ def _pruned(
     arc = motion.arc_length
     peak = float(arc[seen].max())
     large = arc >= max(settings.peak_share * peak, _kept(motion, seen, settings.least_kept))
-    middle = _in_the_middle(face, motion, seen, settings)
+    middle = _in_the_middle(face, motion, seen, settings.least_kept)
     moving = (large & (arc >= min(settings.prune_at * float(arc[some].mean()), peak))) | middle
     large |= middle
     for kept in (seen & moving, seen & large):

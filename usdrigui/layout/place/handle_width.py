@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from usdrigui.layout.classify.classification import Classification
 from usdrigui.layout.motion.tracks import flattened
 from usdrigui.layout.visibility import Views, screen
-from usdrigui.model import Flags, Floats, Trajectories
+from usdrigui.model import Flags, Floats, Motion, Trajectories
 from usdrigui.settings import ControlSettings, ObjectiveSettings
 
 KEPT = 0.85
@@ -99,12 +99,12 @@ def _gathered(points: Floats, weights: Floats, frame: Floats, size: float) -> tu
 
 
 def on_face(
-    trajectories: Trajectories,
+    motions: tuple[Motion, ...],
     classification: Sequence[Classification],
     overrides: Sequence[ControlSettings],
 ) -> Flags:
     """(motions,) those of the controls that are to stand on the face."""
-    kept = [not overrides[motion.control].exclude for motion in trajectories.motions]
+    kept = [not overrides[motion.control].exclude for motion in motions]
     return np.array(
         [here and not each.category for here, each in zip(kept, classification, strict=True)],
         dtype=bool,

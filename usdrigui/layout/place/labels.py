@@ -62,10 +62,10 @@ def labels_of(
     cost, displacement = np.zeros(len(choice.anchors)), np.zeros(len(choice.anchors))
     for copy, controls in enumerate(choice.controls):
         worst, least = np.full(len(cost), -np.inf), np.full(len(cost), np.inf)
-        worth = weight * max(_importance(overrides[control]) for control in controls)
+        worth = weight * max(_importance(overrides[control].importance) for control in controls)
         for control in controls:
             motion = face.trajectories.motions[sets[control].motion]
-            unit = displacement_unit(motion, face.trajectories.typical_length, objective)
+            unit = displacement_unit(motion.peak, face.trajectories.typical_length, objective)
             moved = _displacements(motion, choice.sources[:, copy], toward) / unit
             linear = _looked_up(sets[control], choice.anchors[:, copy])
             worst = np.maximum(worst, np.where(moved > 0.0, linear - worth * moved, np.inf))
@@ -120,8 +120,8 @@ def _drawn_track(
     )
 
 
-def _importance(override: ControlSettings) -> float:
-    return 1.0 if override.importance is None else override.importance
+def _importance(importance: float | None) -> float:
+    return 1.0 if importance is None else importance
 
 
 def _displacements(motion: Motion, sources: Indices, toward: Floats | None) -> Floats:
@@ -165,7 +165,8 @@ def _with_copies(
     if group.doubled:
         # The mirror image of a label of a doubled element is the same layout.
         kept &= (
-            plane_distance(face.trajectories.surface.points[anchors[:, 0]], face.symmetry) >= 0.0
+            plane_distance(face.trajectories.surface.points[anchors[:, 0]], face.symmetry.plane)
+            >= 0.0
         )
     return Choice(index, group.copies, anchors[kept], sources[kept])
 
@@ -178,7 +179,7 @@ def _images(face: Face, group: Group, points: Indices, tolerance: float) -> Indi
         return np.stack([points, face.symmetry.partner[points]], axis=1)
     orbit = [face.trajectories.motion_of(controls[0]) for controls in group.copies]
     return orbit_points(
-        face.trajectories,
+        face.trajectories.surface,
         orbit,
         face.rig.up,
         tolerance * face.trajectories.surface.face_size,

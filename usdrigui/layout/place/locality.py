@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.reuse.partial_layout import MIRROR, point_index
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import reflected
-from usdrigui.model import Flags, Floats, Indices, Rig
+from usdrigui.model import Flags, Floats, Indices, Joint, Rig
 from usdrigui.surface import mesh_triangles, surface_distances
 from usdrigui.ties import first_smallest
 
@@ -76,7 +76,7 @@ def _distances(face: Face, where: str, near: str) -> Floats:
     else:
         centres = np.array(base[_named_points(face.rig, where, name)])
     if near.startswith(MIRROR):
-        centres = reflected(centres, face.symmetry)
+        centres = reflected(centres, face.symmetry.plane)
     straight, _ = cKDTree(centres).query(base)
     if joint:
         return np.asarray(straight)
@@ -98,7 +98,7 @@ def _named_points(rig: Rig, where: str, near: str) -> Indices:
                 return np.asarray(start + subset.points)
     meshes = [mesh.path for mesh in rig.meshes]
     subsets = [subset.path for mesh in rig.meshes for subset in mesh.subsets]
-    joints = [f"joint:{name}" for name in _joint_names(rig)]
+    joints = [f"joint:{name}" for name in _joint_names(rig.joints)]
     like = meant(near, (*meshes, *subsets, *joints)) or f"; its meshes are {listed(meshes)}"
     raise refuse(
         "CONFIG_VALUE",
@@ -119,11 +119,11 @@ def _joint_position(rig: Rig, where: str, name: str) -> Floats:
             return np.asarray(
                 (matrix @ rig.skeletons[joint.skeleton].to_root)[3, :3], dtype=np.float64
             )
-    names = _joint_names(rig)
+    names = _joint_names(rig.joints)
     like = meant(name, names) or (f"; its joints are {listed(names)}" if names else "")
     raise refuse("CONFIG_VALUE", where, f"{rig.root} has no joint {name!r}{like}")
 
 
-def _joint_names(rig: Rig) -> list[str]:
+def _joint_names(joints: tuple[Joint, ...]) -> list[str]:
     """The last parts of the paths of all joints."""
-    return [joint.path.rpartition("/")[2] for joint in rig.joints]
+    return [joint.path.rpartition("/")[2] for joint in joints]

@@ -77,7 +77,7 @@ def placement_problem(
         asked, own = (requests, sets)
         if group.part:
             asked, own = _of_axis(
-                face, sets, group, requests, settings.candidates, settings.objective
+                face, sets, group.all_controls, requests, settings.candidates, settings.objective
             )
         variable, choice = _variable(costs, own, groups, index, asked)
         variables.append(variable)
@@ -126,7 +126,7 @@ def _constants(face: Face, settings: ObjectiveSettings) -> tuple[Overlap, float]
 def _of_axis(
     face: Face,
     sets: Mapping[int, CandidateSet],
-    group: Group,
+    all_controls: frozenset[int],
     requests: Requests,
     settings: CandidateSettings,
     objective: ObjectiveSettings,
@@ -136,7 +136,7 @@ def _of_axis(
     asked = requests.of_axes()
     return asked, {
         c: candidates_of_axis(face, sets[c], asked, settings, objective)
-        for c in sorted(group.all_controls)
+        for c in sorted(all_controls)
     }
 
 
@@ -189,7 +189,7 @@ def _variable(
         )
         kept = np.isfinite(cost)
         spot = np.ptp(handles[kept][:, 0], axis=0).max() if kept.any() else 0.0
-        if kept.any() and (not _needed(group, requests) or spot >= costs.separation):
+        if kept.any() and (not _needed(group.controls, requests) or spot >= costs.separation):
             break
     choice = Choice(index, choice.controls, choice.anchors[kept], choice.sources[kept])
     stay, leave = penalties_of_leaving(face, requests, choice)
@@ -218,13 +218,13 @@ def _off_face_cost(group: Group, requests: Requests, settings: ObjectiveSettings
         return float(np.inf)
     # Where the earlier layout had it on the board, nothing leaves the face.
     leaves = len(group.controls) * (not requests.prior.stood_on_board(group.controls))
-    needed = _needed(group, requests)
+    needed = _needed(group.controls, requests)
     return (settings.off_face_penalty * leaves + _NEEDED * needed) * len(group.copies)
 
 
-def _needed(group: Group, requests: Requests) -> int:
+def _needed(controls: tuple[int, ...], requests: Requests) -> int:
     """How many controls of the element are missed where they leave the face."""
-    meanings = [requests.meaning(control) for control in group.controls]
+    meanings = [requests.meaning(control) for control in controls]
     return sum(meaning is not None and meaning.action.is_needed for meaning in meanings)
 
 

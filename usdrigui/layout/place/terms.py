@@ -13,7 +13,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.extensions import user_linear_cost
 from usdrigui.layout.symmetry.lobes import ON_PLANE
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
-from usdrigui.model import Floats, Indices, Motion
+from usdrigui.model import Floats, Indices, Motion, Singles
 from usdrigui.settings import ObjectiveSettings
 
 _MIDDLE = 1e-3
@@ -53,7 +53,7 @@ def occlusion(normals: Floats, motion: Motion, points: Indices, weight: float) -
     lies inside the range.
     """
     rows = np.searchsorted(motion.points, points)
-    start = _base_knot(motion)
+    start = _base_knot(motion.offsets)
     cosines = []
     for neighbour in (start - 1, start + 1):
         if 0 <= neighbour < len(motion.values):
@@ -69,18 +69,18 @@ def common(face: Face, motion: Motion, points: Indices, settings: ObjectiveSetti
     if motion.common is None:
         return np.zeros(len(points))
     rows = np.searchsorted(motion.points, points)
-    unit = displacement_unit(motion, face.trajectories.typical_length, settings)
+    unit = displacement_unit(motion.peak, face.trajectories.typical_length, settings)
     return np.asarray(
         settings.distinctive_weight * motion.common[rows] * motion.arc_length[rows] / unit
     )
 
 
-def displacement_unit(motion: Motion, typical: float, settings: ObjectiveSettings) -> float:
+def displacement_unit(peak: float, typical: float, settings: ObjectiveSettings) -> float:
     """Length that counts as a displacement of one: between the rig's typical peak and the control's
     own."""
     if settings.scene_units:
         return 1.0
-    own, share = motion.peak, settings.relative_displacement
+    own, share = peak, settings.relative_displacement
     return float(typical ** (1.0 - share) * own**share)
 
 
@@ -91,7 +91,8 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     two mirror images it then takes the one on the character's left.  An element of a joint, which
     moves its own skin much alike, is more firmly held to the plane."""
     apart = (
-        plane_distance(face.trajectories.surface.points[points], face.symmetry) / face.handle_width
+        plane_distance(face.trajectories.surface.points[points], face.symmetry.plane)
+        / face.handle_width
     )
     cost = weight * np.abs(apart) + np.where(apart < -_MIDDLE, _TIE, 0.0)
     if of_joint and weight:
@@ -99,6 +100,6 @@ def off_plane(face: Face, points: Indices, weight: float, *, of_joint: bool = Fa
     return np.asarray(cost - cost.min(initial=np.inf) if len(cost) else cost)
 
 
-def _base_knot(motion: Motion) -> int:
+def _base_knot(offsets: Singles) -> int:
     """Index of the knot at which the control stands at the base pose."""
-    return int(np.argmin(np.abs(motion.offsets).sum(axis=(1, 2))))
+    return int(np.argmin(np.abs(offsets).sum(axis=(1, 2))))

@@ -14,13 +14,17 @@ import numpy as np
 
 from usdrigui.layout.motion.tracks import flattened, resampled
 from usdrigui.model import (
+    Anchor,
+    BaseSurface,
     Candidates,
     Element,
     Floats,
+    Indices,
     Layout,
     LayoutProblem,
     Overlap,
     Rig,
+    RigMesh,
     Trajectories,
     Variable,
 )
@@ -59,7 +63,7 @@ def new_controls(layout: Layout, rig: Rig) -> frozenset[int]:
 
 
 def with_drawn_handles(
-    layout: Layout, part: str, trajectories: Trajectories, settings: Settings
+    layout: Layout, part: str, surface: BaseSurface, settings: Settings
 ) -> Settings:
     """The settings with which the handles of a part are as wide as in `layout`, and groups only of
     what it lacks."""
@@ -71,10 +75,9 @@ def with_drawn_handles(
     }
     widths = {each.name: each.handle_width for each in layout.parts}
     width = (
-        widths.get(part, layout.handle_width)
-        or settings.objective.handle_size * trajectories.surface.face_size
+        widths.get(part, layout.handle_width) or settings.objective.handle_size * surface.face_size
     )
-    size = width * (1.0 - _ROUNDING) / trajectories.surface.face_size
+    size = width * (1.0 - _ROUNDING) / surface.face_size
     return replace(
         settings,
         objective=replace(settings.objective, handle_size=size, max_neighbours=0.0),
@@ -202,7 +205,7 @@ def _moved_path(path: str, before: str, after: str) -> str:
 def _variable(
     element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None
 ) -> Variable:
-    point = np.array([_anchor_point(rig, element)])
+    point = np.array([_anchor_point(rig.meshes, rig.starts, element.anchor)])
     samples = np.concatenate(
         [resampled(member.track[None], count)[0] for member in element.members]
     )
@@ -210,7 +213,7 @@ def _variable(
     return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))
 
 
-def _anchor_point(rig: Rig, element: Element) -> int:
+def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, anchor: Anchor) -> int:
     """The anchor of an element as an index into all points of the rig."""
-    paths = [mesh.path for mesh in rig.meshes]
-    return int(rig.starts[paths.index(element.anchor.mesh)]) + element.anchor.point
+    paths = [mesh.path for mesh in meshes]
+    return int(starts[paths.index(anchor.mesh)]) + anchor.point

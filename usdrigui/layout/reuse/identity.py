@@ -24,7 +24,7 @@ from usdrigui.errors import Issue, issue
 from usdrigui.layout.reuse.motion_evidence import at_anchors, between_anchors, over_faces
 from usdrigui.layout.reuse.name_evidence import name_evidence, same_meaning
 from usdrigui.levels import outer_first
-from usdrigui.model import Floats, Indices, Layout, Rig, Trajectories
+from usdrigui.model import Element, Floats, Indices, Layout, Rig, Trajectories
 from usdrigui.ties import rounded
 
 SURE = 0.9
@@ -127,12 +127,12 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
 
     A control that keeps its name is the same control, unless the name is a mere number.
     """
-    before, after = _names_of(layout), [control.name for control in rig.controls]
+    before, after = _names_of(layout.elements), [control.name for control in rig.controls]
     kept, left, new = _kept(before, after)
     if not left:
         return Matching(kept, (), tuple(new))
     evidence = name_evidence(left, new, geometry=True) + at_anchors(
-        layout, left, rig, trajectories, new
+        layout.elements, left, rig, trajectories, new
     )
     return _joined(before, kept, _matched(left, new, evidence))
 
@@ -140,7 +140,7 @@ def match_layout(layout: Layout, rig: Rig, trajectories: Trajectories) -> Matchi
 def match_layouts(before: Layout, after: Layout) -> Matching:
     """The controls of two layouts of one character, by what the layouts themselves tell; names as
     of `match_layout`."""
-    names = _names_of(before), _names_of(after)
+    names = _names_of(before.elements), _names_of(after.elements)
     kept, left, new = _kept(*names)
     if not left:
         return Matching(kept, (), tuple(new))
@@ -186,12 +186,10 @@ def _quoted(name: str) -> str:
     return json.dumps(name, ensure_ascii=True)
 
 
-def _names_of(layout: Layout) -> list[str]:
+def _names_of(elements: tuple[Element, ...]) -> list[str]:
     """Every control of a layout once, in the order of its elements."""
     return list(
-        dict.fromkeys(
-            member.control for each in outer_first(layout.elements) for member in each.members
-        )
+        dict.fromkeys(member.control for each in outer_first(elements) for member in each.members)
     )
 
 

@@ -18,7 +18,18 @@ from scipy.spatial import cKDTree
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.reuse.retargeting import face_map
 from usdrigui.levels import outer_first
-from usdrigui.model import Element, Flags, Floats, Indices, Layout, Member, Rig, Trajectories
+from usdrigui.model import (
+    BaseSurface,
+    Element,
+    Flags,
+    Floats,
+    Indices,
+    Layout,
+    Member,
+    Motion,
+    Rig,
+    Trajectories,
+)
 
 _SAMPLES = 1.0 / 30.0
 """Distance of the sample points, as a share of the face."""
@@ -120,18 +131,22 @@ def _agreement(one: Floats, other: Floats) -> Agreement:
 
 
 def at_anchors(
-    layout: Layout, left: Sequence[str], rig: Rig, trajectories: Trajectories, new: Sequence[str]
+    elements: tuple[Element, ...],
+    left: Sequence[str],
+    rig: Rig,
+    trajectories: Trajectories,
+    new: Sequence[str],
 ) -> Floats:
     """(left, new) evidence for controls of an earlier layout and of the rig, at the anchors of the
     layout."""
-    held = _held(layout)
+    held = _held(elements)
     points = _anchor_points(held, rig, trajectories)
     index = {control.name: number for number, control in enumerate(rig.controls)}
     columns = np.array([index[name] for name in new], dtype=np.int64)
     found = np.zeros((len(left), len(new)))
     for row, name in enumerate(left):
         if name in held:
-            here = _at_point(trajectories, len(rig.controls), points[name])[columns]
+            here = _at_point(trajectories.motions, len(rig.controls), points[name])[columns]
             found[row] = _at_one_point(held[name].vector, here)
     return found
 
@@ -140,7 +155,7 @@ def between_anchors(
     before: Layout, left: Sequence[str], after: Layout, new: Sequence[str]
 ) -> Floats:
     """(left, new) evidence for controls of two layouts of one character."""
-    one, other = _held(before), _held(after)
+    one, other = _held(before.elements), _held(after.elements)
     width = max(before.handle_width, after.handle_width, 1e-300)
     found = np.zeros((len(left), len(new)))
     for row, name in enumerate(left):
@@ -210,7 +225,7 @@ def _cells(trajectories: Trajectories) -> csr_array:
     """(cells, n) mean over the surface in each cell of a fine grid; cells in the order of
     `_cell_numbers`."""
     places, number, count = _cell_numbers(trajectories)
-    areas = _areas(trajectories, places)
+    areas = _areas(trajectories.surface, places)
     share = areas / np.bincount(number, areas, count)[number]
     return csr_array((share, (number, places)), shape=(count, len(trajectories.surface.points)))
 
@@ -218,7 +233,7 @@ def _cells(trajectories: Trajectories) -> csr_array:
 def _around(trajectories: Trajectories, points: Floats) -> csr_array:
     """(m, cells) weights of the cells around each point."""
     places, number, count = _cell_numbers(trajectories)
-    areas = _areas(trajectories, places)
+    areas = _areas(trajectories.surface, places)
     area = np.bincount(number, areas, count)
     centres = np.stack(
         [
@@ -245,9 +260,9 @@ def _cell_numbers(trajectories: Trajectories) -> tuple[Indices, Indices, int]:
     return places, number.reshape(-1), int(number.max(initial=-1)) + 1
 
 
-def _areas(trajectories: Trajectories, places: Indices) -> Floats:
+def _areas(surface: BaseSurface, places: Indices) -> Floats:
     """(places,) areas, all above zero."""
-    areas = trajectories.surface.areas[places]
+    areas = surface.areas[places]
     return np.maximum(areas, 1e-6 * float(areas.max(initial=0.0)) or 1.0)
 
 
@@ -265,10 +280,10 @@ class _Held:
     """(k, 3) as drawn."""
 
 
-def _held(layout: Layout) -> dict[str, _Held]:
+def _held(elements: tuple[Element, ...]) -> dict[str, _Held]:
     """By control, the first level first; tracks on the board are drawn and say nothing."""
     found: dict[str, _Held] = {}
-    for element in outer_first(layout.elements):
+    for element in outer_first(elements):
         for member in element.members if not element.anchor.on_board else ():
             found.setdefault(member.control, _Held(element, _displacement(member), member.track))
     return found
@@ -278,10 +293,10 @@ def _displacement(member: Member) -> Floats:
     return np.asarray((member.track[-1] - member.track[0]) / (member.magnification or 1.0))
 
 
-def _at_point(trajectories: Trajectories, count: int, point: int) -> Floats:
+def _at_point(motions: tuple[Motion, ...], count: int, point: int) -> Floats:
     """(count, 3) what every control does at a point."""
     found = np.zeros((count, 3))
-    for motion in trajectories.motions:
+    for motion in motions:
         at = int(np.searchsorted(motion.points, point))
         if at < len(motion.points) and motion.points[at] == point:
             found[motion.control] = motion.offsets[-1, at] - motion.offsets[0, at]
@@ -296,7 +311,7 @@ def _anchor_points(
     That is the anchor, or the nearest point that moves where the mesh has other points; but a hand
     that corrects an anchor seldom draws its track again.
     """
-    meshes, places = points_of_meshes(rig), _moved_places(trajectories)
+    meshes, places = points_of_meshes(rig.meshes, rig.starts), _moved_places(trajectories)
     tree = cKDTree(trajectories.surface.points[places])
     found = {}
     for name, each in held.items():

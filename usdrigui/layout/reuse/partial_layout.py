@@ -15,7 +15,7 @@ from usdrigui.errors import meant, refuse
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.layout.symmetry.mirror_plane import plane_distance, reflected
 from usdrigui.levels import outer_first
-from usdrigui.model import Element, Floats, Layout, Motion, Rig, RigMesh, Symmetry
+from usdrigui.model import Element, Floats, Indices, Layout, Rig, RigMesh, Symmetry
 from usdrigui.settings import ControlSettings
 
 MIRROR = "mirror:"
@@ -61,9 +61,9 @@ def fixed_by(
     return found
 
 
-def fixed_anchor(rig: Rig, name: str, override: ControlSettings) -> int | None:
+def fixed_anchor(rig: Rig, name: str, anchor: str) -> int | None:
     """The point of a partial layout that ``anchor`` fixes; raises as `anchored_point`."""
-    return anchored_point(rig, f'controls."{name}".anchor', override.anchor)
+    return anchored_point(rig, f'controls."{name}".anchor', anchor)
 
 
 def anchored_point(rig: Rig, where: str, anchor: str) -> int | None:
@@ -99,10 +99,10 @@ def point_index(rig: Rig, where: str, path: str, local: int) -> int:
     raise refuse("CONFIG_VALUE", where, what)
 
 
-def moves(motion: Motion, name: str, override: ControlSettings, point: int) -> bool:
+def moves(points: Indices, name: str, override: ControlSettings, point: int) -> bool:
     """Whether a control moves the point at which it is fixed; raises FIXED_IMPOSSIBLE if it should
     but does not."""
-    if point in motion.points:
+    if point in points:
         return True
     if override.place == "proxy":
         return False
@@ -132,7 +132,7 @@ def has_own_place(
         return False
     if mine.on_board or other.on_board:
         return mine.on_board != other.on_board
-    apart = np.linalg.norm(reflected(mine.position[None], symmetry)[0] - other.position)
+    apart = np.linalg.norm(reflected(mine.position[None], symmetry.plane)[0] - other.position)
     return bool(apart > _SAME * width)
 
 
@@ -170,8 +170,8 @@ def _fixed_in_mirror(
     twin, overrides = int(symmetry.twins[control]), requests.overrides
     if twin < 0 or not overrides[twin].anchor:
         return False
-    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c]) for c in (control, twin)]
+    pair = [fixed_anchor(rig, rig.controls[c].name, overrides[c].anchor) for c in (control, twin)]
     points = np.array([point for point in pair if point is not None])
-    apart = plane_distance(base[points], symmetry)
+    apart = plane_distance(base[points], symmetry.plane)
     left, right = points if apart[0] >= apart[1] else points[::-1]
     return bool(symmetry.partner[left] == right)

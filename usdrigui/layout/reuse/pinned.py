@@ -18,7 +18,17 @@ from usdrigui.layout.reuse.partial_layout import MIRROR, fixed_anchor, place_of
 from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.levels import outer_first
-from usdrigui.model import Decision, Element, Floats, Indices, Layout, Rig, Symmetry, Trajectories
+from usdrigui.model import (
+    Anchor,
+    Decision,
+    Element,
+    Floats,
+    Indices,
+    Layout,
+    Rig,
+    Symmetry,
+    Trajectories,
+)
 from usdrigui.settings import ControlSettings
 from usdrigui.ties import first_smallest
 
@@ -114,7 +124,7 @@ def _carried(
     """Where the pinned anchor of an element is today, empty if nowhere, and what is to be said of
     it."""
     moved = _moved_by_all(controls, rig, trajectories)
-    same = same_point(element, points_of_meshes(rig))
+    same = same_point(element, points_of_meshes(rig.meshes, rig.starts))
     if same >= 0 and same in moved:
         return place_of(rig, same), None
     if not len(moved) or not np.isfinite(element.pinned_position).all():
@@ -189,7 +199,7 @@ def with_twins(
                 overrides[twin], near=MIRROR + override.near, within=override.within
             )
         if override.anchor:
-            point = fixed_anchor(rig, rig.controls[control].name, override)
+            point = fixed_anchor(rig, rig.controls[control].name, override.anchor)
             image = -1 if point is None else _image(trajectories, symmetry, twin, point)
             if image >= 0:
                 found[twin] = replace(overrides[twin], anchor=place_of(rig, image))
@@ -211,7 +221,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     partner = int(symmetry.partner[point])
     if partner in motion.points:
         return partner
-    there = reflected(trajectories.surface.points[point][None], symmetry)[0]
+    there = reflected(trajectories.surface.points[point][None], symmetry.plane)[0]
     far = motion.points[motion.arc_length >= _MOVES * motion.peak]
     return int(
         far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]
@@ -239,7 +249,9 @@ def with_decisions(
     decided = dict(_from_configuration(layout.elements, asked, groups))
     for element, pin in _of_pins(layout.elements, pins):
         still = [
-            each for each in pin.decisions if each != "anchor" or _place(element) == pin.anchor
+            each
+            for each in pin.decisions
+            if each != "anchor" or _place(element.anchor) == pin.anchor
         ]
         decided[element.name] = decided.get(element.name, frozenset()) | frozenset(still)
     anchored = {
@@ -312,7 +324,7 @@ def _pinned(
     )
     if "anchor" not in kept:
         return replace(element, pinned=kept)
-    start, _ = points_of_meshes(rig)[element.anchor.mesh]
+    start, _ = points_of_meshes(rig.meshes, rig.starts)[element.anchor.mesh]
     here = rest[start + element.anchor.point]
     then = np.array(before.get(element.name, (np.nan,) * 3))
     # The place that was decided stays on record while it is the same place: carrying it on adds up
@@ -322,5 +334,5 @@ def _pinned(
     return replace(element, pinned=kept, pinned_position=(x, y, z))
 
 
-def _place(element: Element) -> str:
-    return "" if element.anchor.on_board else f"{element.anchor.mesh}#{element.anchor.point}"
+def _place(anchor: Anchor) -> str:
+    return "" if anchor.on_board else f"{anchor.mesh}#{anchor.point}"

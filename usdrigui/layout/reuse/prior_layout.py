@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from usdrigui.levels import inner_names, outer_first
-from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh
+from usdrigui.model import Element, Floats, Indices, Record, Rig, RigMesh
 from usdrigui.ties import first_smallest
 
 
@@ -69,11 +69,11 @@ class PriorLayout(Record):
 NO_PRIOR = PriorLayout()
 
 
-def prior_of_previous(layout: Layout, rig: Rig, penalty: float) -> PriorLayout:
+def prior_of_previous(elements: tuple[Element, ...], rig: Rig, penalty: float) -> PriorLayout:
     """An earlier layout of the same character as a prior; no prior at a penalty of 0."""
     if penalty <= 0.0:
         return NO_PRIOR
-    return PriorLayout(kept_groups(layout, rig), *_places(layout.elements, rig), penalty)
+    return PriorLayout(kept_groups(elements, rig), *_places(elements, rig), penalty)
 
 
 def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
@@ -88,13 +88,13 @@ def joined(first: PriorLayout, second: PriorLayout) -> PriorLayout:
     )
 
 
-def kept_groups(layout: Layout, rig: Rig) -> tuple[KeptGroup, ...]:
+def kept_groups(elements: tuple[Element, ...], rig: Rig) -> tuple[KeptGroup, ...]:
     """The groups of a layout, without the controls that `rig` no longer has; each control in one
     only."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
     groups: list[KeptGroup] = []
     taken: set[int] = set()
-    for element in outer_first(layout.elements):
+    for element in outer_first(elements):
         kept = [
             place
             for place, member in enumerate(element.members)
@@ -154,7 +154,7 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
     """The places of the controls, and those of the sliders that some have besides under a coarse
     element."""
     index = {control.name: number for number, control in enumerate(rig.controls)}
-    meshes = points_of_meshes(rig)
+    meshes = points_of_meshes(rig.meshes, rig.starts)
     places: dict[int, Place] = {}
     axis_places: dict[int, Place] = {}
     inner = inner_names(elements)
@@ -170,11 +170,11 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
     return places, axis_places
 
 
-def points_of_meshes(rig: Rig) -> Mapping[str, tuple[int, RigMesh]]:
+def points_of_meshes(
+    meshes: tuple[RigMesh, ...], starts: Indices
+) -> Mapping[str, tuple[int, RigMesh]]:
     """By prim path, each mesh and its first point among all points of the rig."""
-    return {
-        mesh.path: (int(start), mesh) for start, mesh in zip(rig.starts, rig.meshes, strict=False)
-    }
+    return {mesh.path: (int(start), mesh) for start, mesh in zip(starts, meshes, strict=False)}
 
 
 def same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:

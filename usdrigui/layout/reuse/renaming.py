@@ -12,15 +12,15 @@ from usdrigui.model import Element, Layout
 def with_names(layout: Layout, names: Mapping[str, str]) -> Layout:
     """The layout with the new names of its controls by the old ones, and of the elements that are
     called after them."""
-    elements = element_names(layout, names)
+    elements = element_names(layout.elements, names)
     return replace(
         layout, elements=tuple(_renamed(each, names, elements) for each in layout.elements)
     )
 
 
-def element_names(layout: Layout, names: Mapping[str, str]) -> dict[str, str]:
+def element_names(elements: tuple[Element, ...], names: Mapping[str, str]) -> dict[str, str]:
     """The names that the elements of a layout have when its controls have new ones."""
-    return {each.name: _name(each, names) for each in layout.elements}
+    return {each.name: _name(each, names) for each in elements}
 
 
 def _name(element: Element, names: Mapping[str, str]) -> str:

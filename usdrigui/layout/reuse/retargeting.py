@@ -16,7 +16,7 @@ import numpy as np
 from usdrigui.layout.reuse.prior_layout import Place, PriorLayout, kept_groups
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import inner_names
-from usdrigui.model import Floats, Layout, Motion, Rig, Trajectories
+from usdrigui.model import BaseSurface, Floats, Layout, Motion, Rig, Trajectories
 from usdrigui.ties import axis_across
 
 CUTOFF_DISTANCE = 4.0
@@ -83,7 +83,10 @@ def of_another(
             if member.control in index and index[member.control] not in found:
                 found[index[member.control]] = Place(-1, position, element.anchor.on_board)
     return PriorLayout(
-        kept_groups(renamed, ours[0]), found, penalty=penalty, cutoff_distance=CUTOFF_DISTANCE
+        kept_groups(renamed.elements, ours[0]),
+        found,
+        penalty=penalty,
+        cutoff_distance=CUTOFF_DISTANCE,
     )
 
 
@@ -162,20 +165,20 @@ def _marks(rig: Rig, trajectories: Trajectories) -> dict[str, Floats]:
     """By control name, (2, 3) the middle of what it moves and the middle of what it moves most."""
     return {
         rig.controls[motion.control].name: np.stack(
-            [_middle(trajectories, motion, power) for power in _POWERS]
+            [_middle(trajectories.surface, motion, power) for power in _POWERS]
         )
         for motion in trajectories.motions
     }
 
 
-def _middle(trajectories: Trajectories, motion: Motion, power: float) -> Floats:
+def _middle(surface: BaseSurface, motion: Motion, power: float) -> Floats:
     """(3,) mean of the places (a face that is split at seams is the same face), weighted by the
     distance moved."""
-    first = trajectories.surface.places[motion.points] == motion.points
+    first = surface.places[motion.points] == motion.points
     weights = np.where(first, (motion.arc_length / motion.arc_length.max()) ** power, 0.0)
     if not weights.any():
         weights = np.ones(len(weights))
-    return np.asarray(weights @ trajectories.surface.points[motion.points] / weights.sum())
+    return np.asarray(weights @ surface.points[motion.points] / weights.sum())
 
 
 def _spread(points: Floats) -> bool:

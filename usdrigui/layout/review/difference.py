@@ -15,7 +15,7 @@ from usdrigui.errors import listed
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
 from usdrigui.levels import inner_names, outer_first
-from usdrigui.model import Element, Layout
+from usdrigui.model import Element, Floats, Layout
 
 ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
 
@@ -99,7 +99,10 @@ def difference(
     matching = matching or match_layouts(before, after)
     names = matching.renamed
     then = with_names(before, names)
-    old, new = _memberships(then), _memberships(after)
+    old, new = (
+        _memberships(then.elements, then.plane_normal),
+        _memberships(after.elements, after.plane_normal),
+    )
     was = {now: earlier for earlier, now in names.items()}
     changes = [
         *(_added(new[name, 0]) for name in sorted(after.controls - then.controls)),
@@ -123,13 +126,13 @@ def difference(
     return Difference(after.root, tuple(found), len(then.controls & after.controls))
 
 
-def _memberships(layout: Layout) -> dict[tuple[str, int], _Membership]:
+def _memberships(
+    elements: tuple[Element, ...], plane_normal: Floats
+) -> dict[tuple[str, int], _Membership]:
     """By control and by how many elements before this one hold it too: of doubled ones the left one
     comes first."""
     memberships: dict[tuple[str, int], _Membership] = {}
-    from_left = sorted(
-        layout.elements, key=lambda each: -float(each.anchor.position @ layout.plane_normal)
-    )
+    from_left = sorted(elements, key=lambda each: -float(each.anchor.position @ plane_normal))
     for element in outer_first(from_left):
         for member in element.members:
             count = 0
@@ -171,7 +174,7 @@ def _renamed(
             new.control,
             "renamed",
             new.element.name,
-            _distance(before, old, new),
+            _distance(before.handle_width, old, new),
             *where,
             (),
             earlier,
@@ -189,7 +192,7 @@ def _compared(
     kind = _kind(before, after, old, new)
     if kind is None:
         return None
-    distance = _distance(before, old, new)
+    distance = _distance(before.handle_width, old, new)
     why = tuple(_reasons(before, after, old, new, kind, improvements))
     why = why or (_unexplained(before, after),)
     return Change(
@@ -212,11 +215,11 @@ def _kind(before: Layout, after: Layout, old: _Membership, new: _Membership) -> 
         return "board" if new.element.anchor.on_board else "to the face"
     if new.element.anchor.on_board:
         return None
-    if _handles(before, old.control) != _handles(after, new.control):
+    if _handles(before.elements, old.control) != _handles(after.elements, new.control):
         return "moved"
     if _same_mesh(old, new):
         return None if old.element.anchor.point == new.element.anchor.point else "moved"
-    return "moved" if _distance(before, old, new) > _STILL else None
+    return "moved" if _distance(before.handle_width, old, new) > _STILL else None
 
 
 def _same_mesh(old: _Membership, new: _Membership) -> bool:
@@ -224,12 +227,12 @@ def _same_mesh(old: _Membership, new: _Membership) -> bool:
     return one.mesh == other.mesh and one.topology_hash == other.topology_hash
 
 
-def _distance(before: Layout, old: _Membership, new: _Membership) -> float:
+def _distance(handle_width: float, old: _Membership, new: _Membership) -> float:
     one, other = old.element.anchor, new.element.anchor
     if one.on_board or other.on_board:
         return float(np.nan)
     apart = float(np.linalg.norm(one.position - other.position))
-    return apart / before.handle_width if before.handle_width > 0.0 else apart
+    return apart / handle_width if handle_width > 0.0 else apart
 
 
 def _reasons(
@@ -251,7 +254,7 @@ def _reasons(
         yield change
     decided = "anchor" in new.element.pinned
     if kind in ("moved", "board", "regrouped") and not (one.on_board or decided):
-        yield from _crowd(after, old, new)
+        yield from _crowd(after.elements, after.handle_width, old, new)
     if kind == "board" and new.element.reason:
         yield new.element.reason
     newly = decided and "anchor" not in old.element.pinned
@@ -259,7 +262,7 @@ def _reasons(
         yield "its anchor, or its twin's, was decided by a person"
     if "anchor" in set(old.element.pinned) - set(new.element.pinned):
         yield "its anchor is no longer the one that a person had decided"
-    handles = [_handles(layout, new.control) for layout in (before, after)]
+    handles = [_handles(layout.elements, new.control) for layout in (before, after)]
     if handles[0] != handles[1]:
         yield f"has {handles[1]} handle{'s' * (handles[1] != 1)} now, {handles[0]} before"
     if new.element.name in improvements:
@@ -277,21 +280,21 @@ def _unexplained(before: Layout, after: Layout) -> str:
     return "no reason on record: made from another motion, configuration or version"
 
 
-def _handles(layout: Layout, control: str) -> int:
+def _handles(elements: tuple[Element, ...], control: str) -> int:
     """How many elements of the first level a control has: two, where it is doubled across the
     middle."""
-    inner = inner_names(layout.elements)
-    return sum(
-        control in element.controls for element in layout.elements if element.name not in inner
-    )
+    inner = inner_names(elements)
+    return sum(control in element.controls for element in elements if element.name not in inner)
 
 
-def _crowd(after: Layout, old: _Membership, new: _Membership) -> Iterator[str]:
+def _crowd(
+    elements: tuple[Element, ...], handle_width: float, old: _Membership, new: _Membership
+) -> Iterator[str]:
     """Whose handle is now nearer to the old place than two handles may be."""
-    for element in after.elements:
+    for element in elements:
         if element is new.element or element.anchor.on_board or old.partners & element.controls:
             continue
         apart = float(np.linalg.norm(element.anchor.position - old.element.anchor.position))
-        if apart < after.handle_width * (1.0 - _STILL):
+        if apart < handle_width * (1.0 - _STILL):
             decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"

@@ -20,6 +20,8 @@ from usdrigui.layout.reuse.identity import match_layout
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.levels import inner_names, states
 from usdrigui.model import (
+    Anchor,
+    BaseSurface,
     Candidates,
     CandidateSet,
     Choice,
@@ -34,7 +36,7 @@ from usdrigui.model import (
     Trajectories,
 )
 from usdrigui.overlap import pair_costs, total_cost
-from usdrigui.settings import CandidateSettings, ObjectiveSettings, ReadSettings, Settings
+from usdrigui.settings import ObjectiveSettings, ReadSettings, Settings
 
 _MOVED = 1e-4
 """An anchor is out of place when it is further off than this share of the face size."""
@@ -94,9 +96,9 @@ def review(
     faults = [
         *_stale(face.rig, face.trajectories, layout, settings.read, whole or layout),
         *_unplaced(face, layout, requests, listed),
-        *_crowded(layout, layout.handle_width or face.handle_width),
+        *_crowded(layout.elements, layout.handle_width or face.handle_width),
     ]
-    sound = _sound(face, layout)
+    sound = _sound(face, layout.elements)
     pinned = {element.name for element in layout.elements if "anchor" in element.pinned}
     issues = [*faults, *_hidden(face, tuple(each for each in sound if each.name not in pinned))]
     problem, choices, labels = _as_problem(face, candidates, layout, sound, requests, settings)
@@ -144,7 +146,7 @@ def refuse_stale(
 def _stale(
     rig: Rig, trajectories: Trajectories, layout: Layout, settings: ReadSettings, whole: Layout
 ) -> Iterator[Issue]:
-    comparable = not _custom_base(layout, settings)
+    comparable = not _custom_base(layout.base_values, settings)
     meshes = {mesh.path: mesh for mesh in rig.meshes}
     known = rig.control_names
     lacking = not known.issuperset(layout.controls)
@@ -158,7 +160,9 @@ def _stale(
     for element in layout.elements:
         mesh = meshes.get(element.anchor.mesh)
         if mesh is not None:
-            yield from _anchor_faults(rig, trajectories, element, mesh, comparable=comparable)
+            yield from _anchor_faults(
+                rig, trajectories.surface, element, mesh, comparable=comparable
+            )
         for member in element.members:
             if member.control not in known | along:
                 now = (
@@ -174,7 +178,7 @@ def _stale(
 
 
 def _anchor_faults(
-    rig: Rig, trajectories: Trajectories, element: Element, mesh: RigMesh, *, comparable: bool
+    rig: Rig, surface: BaseSurface, element: Element, mesh: RigMesh, *, comparable: bool
 ) -> Iterator[Issue]:
     """What is wrong with an anchor on a `mesh` that is there; where it is, only if base poses are
     `comparable`."""
@@ -183,22 +187,26 @@ def _anchor_faults(
         yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-    elif comparable and not anchor.on_board and _off(rig, trajectories, element) > _MOVED:
-        off = f"{_off(rig, trajectories, element):.1%} of the face"
+    elif (
+        comparable
+        and not anchor.on_board
+        and _off(rig.meshes, rig.starts, surface, element.anchor) > _MOVED
+    ):
+        off = f"{_off(rig.meshes, rig.starts, surface, element.anchor):.1%} of the face"
         yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
 
 
-def _off(rig: Rig, trajectories: Trajectories, element: Element) -> float:
+def _off(
+    meshes: tuple[RigMesh, ...], starts: Indices, surface: BaseSurface, anchor: Anchor
+) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
-    here = trajectories.surface.points[_point(rig, element)]
-    return float(np.linalg.norm(here - element.anchor.position)) / trajectories.surface.face_size
+    here = surface.points[_point(meshes, starts, anchor)]
+    return float(np.linalg.norm(here - anchor.position)) / surface.face_size
 
 
-def _custom_base(layout: Layout, settings: ReadSettings) -> bool:
+def _custom_base(base_values: Floats, settings: ReadSettings) -> bool:
     """Whether the layout was solved at another base pose, so that positions cannot be compared."""
-    return (
-        bool(settings.pose) or settings.time is not None or not np.allclose(layout.base_values, 0.0)
-    )
+    return bool(settings.pose) or settings.time is not None or not np.allclose(base_values, 0.0)
 
 
 def _unplaced(
@@ -221,11 +229,11 @@ def _unplaced(
         yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed without one")
 
 
-def _crowded(layout: Layout, least: float) -> Iterator[Issue]:
-    placed = [element for element in layout.elements if not element.anchor.on_board]
+def _crowded(elements: tuple[Element, ...], least: float) -> Iterator[Issue]:
+    placed = [element for element in elements if not element.anchor.on_board]
     if len(placed) < 2:
         return
-    seen = states(layout.elements)
+    seen = states(elements)
     positions = np.array([element.anchor.position for element in placed])
     apart = np.linalg.norm(positions[:, None] - positions[None], axis=2)
     for a, b in np.argwhere(np.triu(apart < least * (1.0 - _TOUCHING), 1)):
@@ -238,14 +246,14 @@ def _crowded(layout: Layout, least: float) -> Iterator[Issue]:
 def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
     seen = face.views.anywhere
     for element in elements:
-        if not seen[_point(face.rig, element)]:
+        if not seen[_point(face.rig.meshes, face.rig.starts, element.anchor)]:
             yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 
 # --- how good it is -------------------------------------------------------------------------------
 
 
-def _sound(face: Face, layout: Layout) -> tuple[Element, ...]:
+def _sound(face: Face, elements: tuple[Element, ...]) -> tuple[Element, ...]:
     """The elements on the face that can be rated: mesh, point and controls exist and the controls
     move it."""
     rig = face.rig
@@ -253,7 +261,7 @@ def _sound(face: Face, layout: Layout) -> tuple[Element, ...]:
     meshes = {mesh.path: len(mesh.points) for mesh in rig.meshes}
     return tuple(
         element
-        for element in layout.elements
+        for element in elements
         if not element.anchor.on_board
         and 0 <= element.anchor.point < meshes.get(element.anchor.mesh, 0)
         and all(member.control in moving for member in element.members)
@@ -270,8 +278,10 @@ def _as_problem(
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which every element is one variable, its own anchor among the candidates."""
     groups = _as_groups(face.rig, layout, elements)
-    points = [_point(face.rig, element) for element in elements]
-    sets = _with_points(face, candidates, groups, points, settings.candidates, settings.objective)
+    points = [_point(face.rig.meshes, face.rig.starts, element.anchor) for element in elements]
+    sets = _with_points(
+        face, candidates, groups, points, settings.candidates.occlusion_weight, settings.objective
+    )
     placement = placement_problem(face, sets, groups, requests, settings)
     labels, kept = [], []
     for number, choice in enumerate(placement.choices):
@@ -328,7 +338,7 @@ def _with_points(
     candidates: Candidates,
     groups: tuple[Group, ...],
     points: list[int],
-    settings: CandidateSettings,
+    occlusion_weight: float,
     objective: ObjectiveSettings,
 ) -> Candidates:
     """The candidates with the anchors of the layout among them, pruned or not."""
@@ -337,7 +347,7 @@ def _with_points(
     for group, point in zip(groups, points, strict=True):
         for control in group.controls:
             if control in sets and point in motions[sets[control].motion].points:
-                sets[control] = _with_point(face, sets[control], point, settings, objective)
+                sets[control] = _with_point(face, sets[control], point, occlusion_weight, objective)
     return Candidates(tuple(sets.values()), candidates.left_off)
 
 
@@ -345,14 +355,14 @@ def _with_point(
     face: Face,
     known: CandidateSet,
     point: int,
-    settings: CandidateSettings,
+    occlusion_weight: float,
     objective: ObjectiveSettings,
 ) -> CandidateSet:
     if point in known.points:
         return known
     motion = face.trajectories.motions[known.motion]
     at = int(np.searchsorted(known.points, point))
-    cost = linear_cost(face, motion, np.array([point]), settings.occlusion_weight, objective)
+    cost = linear_cost(face, motion, np.array([point]), occlusion_weight, objective)
     return replace(
         known,
         points=np.insert(known.points, at, point),
@@ -465,7 +475,7 @@ def _place(rig: Rig, point: int) -> str:
     return f"{rig.meshes[mesh].path}#{local}"
 
 
-def _point(rig: Rig, element: Element) -> int:
+def _point(meshes: tuple[RigMesh, ...], starts: Indices, anchor: Anchor) -> int:
     """The anchor as an index into all points of the rig."""
-    paths = [mesh.path for mesh in rig.meshes]
-    return int(rig.starts[paths.index(element.anchor.mesh)]) + element.anchor.point
+    paths = [mesh.path for mesh in meshes]
+    return int(starts[paths.index(anchor.mesh)]) + anchor.point

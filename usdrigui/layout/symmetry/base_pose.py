@@ -12,7 +12,7 @@ from usdrigui.layout.motion.similarity import DisplacementFields, displacement_f
 from usdrigui.layout.motion.trajectory import of_controls
 from usdrigui.layout.motion.trajectory import trajectories as find_trajectories
 from usdrigui.layout.symmetry.mirror_plane import find_symmetry, plane_distance
-from usdrigui.model import Floats, MirrorPlane, Rig, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, Floats, MirrorPlane, Rig, Symmetry, Trajectories
 from usdrigui.settings import SymmetrySettings, TrajectorySettings
 
 _APART = 0.05
@@ -49,7 +49,7 @@ def symmetry_at_pose(
     symmetry = find_symmetry(rig, neutral, displacement_fields(neutral), settings, configured)
     if not symmetry.plane.normal.any():
         return find_symmetry(rig, trajectories, fields, settings, configured)
-    return _at_pose(symmetry, neutral, trajectories.surface.points)
+    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
 def _or_at_bind_pose(
@@ -69,7 +69,7 @@ def _or_at_bind_pose(
     symmetry = find_symmetry(bound, neutral, displacement_fields(neutral), settings, configured)
     if (symmetry.partner >= 0).sum() <= (found.partner >= 0).sum():
         return found
-    return _at_pose(symmetry, neutral, trajectories.surface.points)
+    return _at_pose(symmetry, neutral.surface, trajectories.surface.points)
 
 
 def _bound(rig: Rig) -> Rig | None:
@@ -108,13 +108,11 @@ def _same_controls(
     return of_controls(rig, neutral, own, excluded, sampling)
 
 
-def _at_pose(symmetry: Symmetry, neutral: Trajectories, base: Floats) -> Symmetry:
+def _at_pose(symmetry: Symmetry, surface: BaseSurface, base: Floats) -> Symmetry:
     """The same partners with the plane where most pairs now have it: what one side does must not
     tilt it."""
-    side = plane_distance(neutral.surface.points, symmetry)
-    left = np.flatnonzero(
-        (symmetry.partner >= 0) & (side > 0.5 * _APART * neutral.surface.face_size)
-    )
+    side = plane_distance(surface.points, symmetry.plane)
+    left = np.flatnonzero((symmetry.partner >= 0) & (side > 0.5 * _APART * surface.face_size))
     if not len(left):
         return symmetry
     other = base[symmetry.partner[left]]

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.symmetry.mirror_plane import plane_distance
-from usdrigui.model import Flags, Indices, Motion, Symmetry, Trajectories
+from usdrigui.model import BaseSurface, Flags, Indices, MirrorPlane, Motion, Symmetry
 
 ON_PLANE = 0.5
 """Distance from the plane, in handle widths, up to which a handle covers it."""
@@ -30,16 +30,16 @@ _ASIDE = 0.1
 """Distance from the plane, in face sizes, from which a place lies to one side of the face."""
 
 
-def all_aside(trajectories: Trajectories, symmetry: Symmetry, points: Indices) -> bool:
+def all_aside(surface: BaseSurface, plane: MirrorPlane, points: Indices) -> bool:
     """Whether all of these points, the candidates of a symmetric control, lie to the sides of the
     face: one handle would be on one side only."""
-    apart = np.abs(plane_distance(trajectories.surface.points[points], symmetry))
-    return bool(apart.min(initial=np.inf) > _ASIDE * trajectories.surface.face_size)
+    apart = np.abs(plane_distance(surface.points[points], plane))
+    return bool(apart.min(initial=np.inf) > _ASIDE * surface.face_size)
 
 
 def two_lobed(
-    trajectories: Trajectories,
-    symmetry: Symmetry,
+    surface: BaseSurface,
+    plane: MirrorPlane,
     visible: Flags,
     motion: Motion,
     both_sides: bool | None,
@@ -56,17 +56,17 @@ def two_lobed(
     length = np.where(visible[motion.points], motion.arc_length, 0.0)
     if not length.any():
         length = motion.arc_length
-    apart = np.abs(plane_distance(trajectories.surface.points[motion.points], symmetry))
-    middle = length[apart <= _MIDDLE * trajectories.surface.face_size].max(initial=0.0)
+    apart = np.abs(plane_distance(surface.points[motion.points], plane))
+    middle = length[apart <= _MIDDLE * surface.face_size].max(initial=0.0)
     least = _KEPT if both_sides is None else _KEPT_IN_PAIRS if both_sides else _KEPT_IN_THE_MIDDLE
     return bool(middle < least * length.max())
 
 
 def in_the_middle(
-    trajectories: Trajectories, symmetry: Symmetry, motion: Motion, handle_width: float
+    surface: BaseSurface, symmetry: Symmetry, motion: Motion, handle_width: float
 ) -> Flags:
     """(p,) which points that a motion moves a handle on the mirror plane covers, where a joint is
     turned about itself that is its own mirror image; none for another control."""
     own = motion.owned is not None and int(symmetry.twins[motion.control]) == motion.control
-    apart = np.abs(plane_distance(trajectories.surface.points[motion.points], symmetry))
+    apart = np.abs(plane_distance(surface.points[motion.points], symmetry.plane))
     return own & symmetry.plane.normal.any() & (apart <= ON_PLANE * handle_width)

@@ -18,7 +18,18 @@ from usdrigui.layout.motion.trajectory import total_motion
 from usdrigui.layout.symmetry.front import front
 from usdrigui.layout.symmetry.sides_of_joints import ahead_of_head, plane_of_names
 from usdrigui.layout.symmetry.twins import agreements, find_twins, pairable
-from usdrigui.model import Flags, Floats, Indices, MirrorPlane, Rig, Symmetry, Trajectories
+from usdrigui.model import (
+    Flags,
+    Floats,
+    Indices,
+    Joint,
+    MirrorPlane,
+    Motion,
+    Rig,
+    Skeleton,
+    Symmetry,
+    Trajectories,
+)
 from usdrigui.settings import SymmetrySettings
 from usdrigui.ties import axis_across, rounded, towards
 
@@ -84,7 +95,10 @@ def find_symmetry(
     plane = None
     if settings.enabled and trajectories.motions:
         plane = _named_instead(
-            rig, _find_plane(rig.up, trajectories, fields, tolerance), trajectories
+            rig.skeletons,
+            rig.joints,
+            _find_plane(rig.up, trajectories, fields, tolerance),
+            trajectories,
         )
     if plane is None:
         partner = np.full(count, -1, dtype=np.int64)
@@ -98,37 +112,35 @@ def find_symmetry(
             middle - (middle @ plane.normal - plane.offset) * plane.normal,
         )
     twins, sources, turned = find_twins(
-        rig, trajectories, fields, (partner, normal), configured, settings.twin_similarity
+        rig, trajectories.motions, fields, (partner, normal), configured, settings.twin_similarity
     )
     return Symmetry(MirrorPlane(origin, normal), partner, twins, sources, turned)
 
 
 def about_plane_of(
     rig: Rig,
-    trajectories: Trajectories,
+    motions: tuple[Motion, ...],
     fields: DisplacementFields,
     whole: Symmetry,
-    settings: SymmetrySettings,
+    twin_similarity: float,
     configured: Mapping[int, int],
 ) -> Symmetry:
     """The symmetry of a part of a character about the plane of the `whole`; parameters as of
     `find_symmetry`."""
     mirror = whole.partner, whole.plane.normal
-    twins, sources, turned = find_twins(
-        rig, trajectories, fields, mirror, configured, settings.twin_similarity
-    )
+    twins, sources, turned = find_twins(rig, motions, fields, mirror, configured, twin_similarity)
     return replace(whole, twins=twins, sources=sources, reversed=turned)
 
 
-def reflected(points: Floats, symmetry: Symmetry) -> Floats:
+def reflected(points: Floats, plane: MirrorPlane) -> Floats:
     """(..., 3) mirror images of `points`."""
-    apart = (points - symmetry.plane.origin) @ symmetry.plane.normal
-    return np.asarray(points - 2.0 * apart[..., None] * symmetry.plane.normal, dtype=np.float64)
+    apart = (points - plane.origin) @ plane.normal
+    return np.asarray(points - 2.0 * apart[..., None] * plane.normal, dtype=np.float64)
 
 
-def plane_distance(points: Floats, symmetry: Symmetry) -> Floats:
+def plane_distance(points: Floats, plane: MirrorPlane) -> Floats:
     """(...) signed distance from the mirror plane, positive on the character's left."""
-    return np.asarray((points - symmetry.plane.origin) @ symmetry.plane.normal, dtype=np.float64)
+    return np.asarray((points - plane.origin) @ plane.normal, dtype=np.float64)
 
 
 # --- the plane ------------------------------------------------------------------------------------
@@ -199,7 +211,9 @@ def _by_motions(
 
     def preference(plane: _Plane) -> tuple[float, float]:
         partner = _partners(plane, trajectories, tolerance)
-        agreed = pairable(agreements(fields, partner, plane.normal), trajectories).max(axis=1)
+        agreed = pairable(agreements(fields, partner, plane.normal), trajectories.motions).max(
+            axis=1
+        )
         return -round(float(np.maximum(agreed, 0.0).mean()), 3), round(
             abs(float(plane.normal @ up)), 3
         )
@@ -314,11 +328,16 @@ def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> fl
     return float((apart <= tolerance).mean())
 
 
-def _named_instead(rig: Rig, found: _Plane | None, trajectories: Trajectories) -> _Plane | None:
+def _named_instead(
+    skeletons: tuple[Skeleton, ...],
+    joints: tuple[Joint, ...],
+    found: _Plane | None,
+    trajectories: Trajectories,
+) -> _Plane | None:
     """The plane that was found, or the one between the joints named left and right where it lies
     across that: a robot may be as symmetric from front to back.  Fitted to the surface where that
     hardly turns it."""
-    named = plane_of_names(rig)
+    named = plane_of_names(skeletons, joints)
     if named is None or (found is not None and abs(float(found.normal @ named[0])) >= _AGREES):
         return found
     plane = _Plane(*named)
@@ -341,7 +360,7 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
     """
     ahead, left = None, None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
-        ahead, named = ahead_of_head(rig, trajectories), plane_of_names(rig)
+        ahead, named = ahead_of_head(rig, trajectories), plane_of_names(rig.skeletons, rig.joints)
         left = (
             named[0]
             if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES

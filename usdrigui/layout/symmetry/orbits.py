@@ -9,12 +9,12 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from usdrigui.errors import Faults, meant, refuse
-from usdrigui.model import Floats, Indices, Motion, Rig, Trajectories
+from usdrigui.model import BaseSurface, Control, Floats, Indices, Motion, Trajectories
 from usdrigui.settings import ControlSettings
 
 
 def configured_orbits(
-    rig: Rig,
+    controls: tuple[Control, ...],
     trajectories: Trajectories,
     overrides: Sequence[ControlSettings],
     index: Mapping[str, int],
@@ -25,10 +25,10 @@ def configured_orbits(
     old names included. Raises CONFIG_UNKNOWN_CONTROL or CONFIG_VALUE for members that do not exist
     or repeat.
     """
-    check_orbits(rig, overrides, index)
+    check_orbits(controls, overrides, index)
     moving = {motion.control: i for i, motion in enumerate(trajectories.motions)}
     found: list[tuple[int, ...]] = []
-    for control, override in zip(rig.controls, overrides, strict=True):
+    for control, override in zip(controls, overrides, strict=True):
         if not override.orbit:
             continue
         where = f'controls."{control.name}".orbit'
@@ -42,11 +42,13 @@ def configured_orbits(
     return tuple(found)
 
 
-def check_orbits(rig: Rig, overrides: Sequence[ControlSettings], index: Mapping[str, int]) -> None:
+def check_orbits(
+    controls: tuple[Control, ...], overrides: Sequence[ControlSettings], index: Mapping[str, int]
+) -> None:
     """Raise CONFIG_UNKNOWN_CONTROL for all members of orbits that do not exist; parameters as of
     `configured_orbits`."""
     faults = Faults()
-    for control, override in zip(rig.controls, overrides, strict=True):
+    for control, override in zip(controls, overrides, strict=True):
         for member in override.orbit:
             with faults.collected():
                 if member not in index:
@@ -57,7 +59,7 @@ def check_orbits(rig: Rig, overrides: Sequence[ControlSettings], index: Mapping[
 
 
 def orbit_points(
-    trajectories: Trajectories,
+    surface: BaseSurface,
     orbit: Sequence[Motion],
     up: Floats,
     tolerance: float,
@@ -67,23 +69,21 @@ def orbit_points(
     no point lies within the `tolerance`, a length, of the rotated position.  `orbit` are the
     motions of its n members.
     """
-    centre, axis = _axis(trajectories, orbit, up)
-    places = trajectories.surface.places
+    centre, axis = _axis(surface, orbit, up)
+    places = surface.places
     chosen = np.flatnonzero(places == np.arange(len(places)))
-    tree = cKDTree(trajectories.surface.points[chosen])
+    tree = cKDTree(surface.points[chosen])
     images = [points]
     for step in range(1, len(orbit)):
-        turned = _turned(
-            trajectories.surface.points[points], centre, axis, 2.0 * np.pi * step / len(orbit)
-        )
+        turned = _turned(surface.points[points], centre, axis, 2.0 * np.pi * step / len(orbit))
         apart, nearest = tree.query(turned)
         images.append(np.where(apart <= tolerance, chosen[nearest], -1))
     return np.stack(images, axis=1)
 
 
-def _axis(trajectories: Trajectories, orbit: Sequence[Motion], up: Floats) -> tuple[Floats, Floats]:
+def _axis(surface: BaseSurface, orbit: Sequence[Motion], up: Floats) -> tuple[Floats, Floats]:
     """Centre and unit axis of the rotation that takes each member's region to the next one's."""
-    middles = np.stack([_middle(trajectories, motion) for motion in orbit])
+    middles = np.stack([_middle(surface, motion) for motion in orbit])
     centre = middles.mean(axis=0)
     if len(orbit) == 2:
         apart = middles[1] - middles[0]
@@ -96,11 +96,9 @@ def _axis(trajectories: Trajectories, orbit: Sequence[Motion], up: Floats) -> tu
     return centre, np.asarray(axis if turn >= 0.0 else -axis)
 
 
-def _middle(trajectories: Trajectories, motion: Motion) -> Floats:
-    weights = motion.arc_length * np.maximum(trajectories.surface.areas[motion.points], 1e-300)
-    return np.asarray(
-        np.average(trajectories.surface.points[motion.points], axis=0, weights=weights)
-    )
+def _middle(surface: BaseSurface, motion: Motion) -> Floats:
+    weights = motion.arc_length * np.maximum(surface.areas[motion.points], 1e-300)
+    return np.asarray(np.average(surface.points[motion.points], axis=0, weights=weights))
 
 
 def _turned(points: Floats, centre: Floats, axis: Floats, angle: float) -> Floats:

@@ -11,7 +11,7 @@ import numpy as np
 from usdrigui.conventions.sides import mirrored, side_of
 from usdrigui.layout.motion.owned_skin import joint_places
 from usdrigui.layout.parts.joint_regions import FACE, joint_regions, owner_of_points
-from usdrigui.model import Floats, Joint, Rig, Trajectories
+from usdrigui.model import Floats, Joint, Rig, Skeleton, Trajectories
 
 _PAIRS = 2
 """Pairs of joints whose names tell their sides, at least."""
@@ -25,12 +25,17 @@ _COUNT = re.compile(r"[ _.-]*\d+$")
 """What an exporter counts the joints with."""
 
 
-def plane_of_names(rig: Rig) -> tuple[Floats, float] | None:
+def plane_of_names(
+    skeletons: tuple[Skeleton, ...], joints: tuple[Joint, ...]
+) -> tuple[Floats, float] | None:
     """Normal (3,) to the left and offset of the plane between the joints whose names tell left and
     right, at the base pose; None where too few do or they do not agree."""
-    places, last = joint_places(rig), [joint.path.rsplit("/", 1)[-1] for joint in rig.joints]
+    places, last = (
+        joint_places(skeletons, joints),
+        [joint.path.rsplit("/", 1)[-1] for joint in joints],
+    )
     pairs = []
-    for i, other in _twins(rig.joints, last).items():
+    for i, other in _twins(joints, last).items():
         if side_of(last[i]) == "left" and (places[i] != places[other]).any():
             pairs.append((places[i], places[other]))
     if len(pairs) < _PAIRS:
@@ -74,11 +79,15 @@ def ahead_of_head(rig: Rig, trajectories: Trajectories) -> Floats | None:
         if regions is not None
         else np.zeros(1, bool)
     )
-    points = trajectories.surface.points[head[owner_of_points(rig)]] if facial else np.zeros((0, 3))
+    points = (
+        trajectories.surface.points[head[owner_of_points(rig.meshes)]]
+        if facial
+        else np.zeros((0, 3))
+    )
     if not len(points):
         return None
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    way = joint_places(rig)[facial].mean(axis=0) - middle
+    way = joint_places(rig.skeletons, rig.joints)[facial].mean(axis=0) - middle
     level = np.asarray(way - (way @ rig.up) * rig.up)
     return (
         level

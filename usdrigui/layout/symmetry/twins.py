@@ -19,7 +19,7 @@ from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
 from usdrigui.layout.control_overrides import control_index, control_overrides
 from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
-from usdrigui.model import Flags, Floats, Indices, Rig, Singles, Trajectories
+from usdrigui.model import Flags, Floats, Indices, Motion, Rig, Singles
 from usdrigui.settings import ControlSettings
 
 Pair = tuple[int, int]
@@ -35,7 +35,7 @@ _DIGITS = 6
 
 def find_twins(
     rig: Rig,
-    trajectories: Trajectories,
+    motions: tuple[Motion, ...],
     fields: DisplacementFields,
     mirror: tuple[Indices, Floats],
     configured: Mapping[int, int],
@@ -56,20 +56,18 @@ def find_twins(
     if normal.any():
         raw = agreements(fields, partner, normal)
         raw = 0.5 * (raw + raw.T)
-        free = [
-            i for i, motion in enumerate(trajectories.motions) if motion.control not in configured
-        ]
-        for a, b, source in _matched(rig, trajectories, raw, free, least):
+        free = [i for i, motion in enumerate(motions) if motion.control not in configured]
+        for a, b, source in _matched(rig, motions, raw, free, least):
             twins[a], twins[b] = b, a
             sources[a] = sources[b] = source
-        reversed_twins = _reversed(trajectories, twins, raw)
+        reversed_twins = _reversed(motions, twins, raw)
     return twins, tuple(sources), reversed_twins
 
 
-def _reversed(trajectories: Trajectories, twins: Indices, raw: Floats) -> Flags:
+def _reversed(motions: tuple[Motion, ...], twins: Indices, raw: Floats) -> Flags:
     """(controls,) whether a control's mirror image is its twin going the other way."""
-    row = {motion.control: i for i, motion in enumerate(trajectories.motions)}
-    two_sided = {trajectories.motions[i].control for i in bidirectional(trajectories)}
+    row = {motion.control: i for i, motion in enumerate(motions)}
+    two_sided = {motions[i].control for i in bidirectional(motions)}
     flags = np.zeros(len(twins), dtype=bool)
     for control in two_sided:
         twin = int(twins[control])
@@ -96,11 +94,11 @@ def agreements(fields: DisplacementFields, partner: Indices, normal: Floats) -> 
     return np.asarray(np.round(ratio, _DIGITS), dtype=np.float64)
 
 
-def pairable(raw: Floats, trajectories: Trajectories) -> Floats:
+def pairable(raw: Floats, motions: tuple[Motion, ...]) -> Floats:
     """`agreements` with the sign dropped between controls that swing to both sides: such a one is
     symmetric when its mirror image is its own reverse, and so are two."""
     swings = np.zeros(len(raw), dtype=bool)
-    swings[list(bidirectional(trajectories))] = True
+    swings[list(bidirectional(motions))] = True
     return np.where(swings[:, None] & swings[None, :], np.abs(raw), raw)
 
 
@@ -146,7 +144,7 @@ def _named_twin(own: int, name: str, twin: str, index: dict[str, int]) -> int:
 
 
 def _matched(
-    rig: Rig, trajectories: Trajectories, raw: Floats, free: list[int], least: float
+    rig: Rig, motions: tuple[Motion, ...], raw: Floats, free: list[int], least: float
 ) -> list[tuple[int, int, str]]:
     """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at
     once.
@@ -155,8 +153,8 @@ def _matched(
     its own mirror image is matched with a node of its own. Where weights tie, the pair whose names
     come first is matched.
     """
-    raw = pairable(raw, trajectories)
-    names = [rig.controls[motion.control].name for motion in trajectories.motions]
+    raw = pairable(raw, motions)
+    names = [rig.controls[motion.control].name for motion in motions]
     found = {}
     for i in free:
         for j in free:
@@ -177,7 +175,7 @@ def _matched(
     matched = sorted(
         sorted(i if i >= 0 else -1 - i for i in pair) for pair in greatest_matching(weights)
     )
-    controls = [motion.control for motion in trajectories.motions]
+    controls = [motion.control for motion in motions]
     return [
         (controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched
     ]

@@ -105,7 +105,10 @@ def test_another_column_begins_two_handle_widths_right_of_track_and_label():
 def test_the_middle_of_the_face_is_half_way_between_the_ends_of_what_moves_notably():
     points = np.array([[0.0, 0, 0], [1, 5, 1], [4, 2, 0], [90, 90, 90]])
     motion = SimpleNamespace(points=np.arange(4), arc_length=np.array([1.0, 0.5, 0.9, 0.4]))
-    moving, flat = SimpleNamespace(base=points, motions=[motion]), SimpleNamespace(normal=np.zeros(3))
+    moving, flat = (
+        SimpleNamespace(surface=SimpleNamespace(points=points), motions=[motion]),
+        SimpleNamespace(normal=np.zeros(3)),
+    )
     assert face_middle(moving, flat).tolist() == [2.0, 2.5, 0.5]
     mirrored = SimpleNamespace(normal=np.array([1.0, 0.0, 0.0]), origin=np.array([1.0, 7.0, 7.0]))
     assert face_middle(moving, mirrored).tolist() == [1.0, 2.5, 0.5]

@@ -162,9 +162,11 @@ def test_two_handles_on_one_spot_are_a_fault_only_where_both_are_visible():
 def test_a_layout_with_levels_can_be_fixed_and_kept():
     first = lay_out(FACE, joystick()).layout
     fixed = fixed_by(first, FACE, {})
-    again = lay_out(FACE, replace(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first, FACE))).layout
+    again = lay_out(
+        FACE, replace(joystick(), controls=fixed), prior=PriorLayout(kept_groups(first.elements, FACE))
+    ).layout
     assert anchors(again) == anchors(first)
-    kept = lay_out(FACE, joystick(), prior=prior_of_previous(first, FACE, 0.2)).layout
+    kept = lay_out(FACE, joystick(), prior=prior_of_previous(first.elements, FACE, 0.2)).layout
     assert anchors(kept) == anchors(first)
     assert not difference(first, kept).changes
 
@@ -204,4 +206,4 @@ def test_handles_at_the_least_distance_do_not_collide(apart, collide):
     first, second = (each for each in elements if not each.anchor.on_board and each.name in ("pucker", "smile_L"))
     at = [np.zeros(3), np.array([apart * 2.0 * (1.0 - 1e-6), 0.0, 0.0])]
     two = [replace(e, anchor=replace(e.anchor, position=p)) for e, p in zip((first, second), at, strict=True)]
-    assert bool(list(_crowded(SimpleNamespace(elements=tuple(two)), 2.0))) is collide
+    assert bool(list(_crowded(SimpleNamespace(elements=tuple(two)).elements, 2.0))) is collide

@@ -92,7 +92,7 @@ def test_a_pair_matters_as_one():
 
 def test_what_the_configuration_says_is_stronger():
     overrides = [ControlSettings(importance=3.0 if each.name == "chin" else None) for each in FACE.controls]
-    found = with_importances(FACE, overrides, {"chin": 0.5, "pucker": 1.5})
+    found = with_importances(FACE.controls, overrides, {"chin": 0.5, "pucker": 1.5})
     names = [each.name for each in FACE.controls]
     assert found[names.index("chin")].importance == 3.0
     assert found[names.index("pucker")] == ControlSettings(importance=1.5)
@@ -160,7 +160,7 @@ def jaw(*paths):
     turned = np.radians(10.0 * np.arange(1, len(paths) + 1))[None, :, None] * [0.0, 1.0, 0.0]
     clip = SimpleNamespace(joints=paths, rotations=rotations(np.concatenate([0.0 * turned, turned])) @ up)
     drive = SimpleNamespace(joints=np.array([1]), rotations=np.array([[[0.0, 0, 0]], [[0.0, -1, 0]]]))
-    return joints, drive, clip
+    return joints, SimpleNamespace(drive=drive), clip
 
 
 @pytest.mark.parametrize(

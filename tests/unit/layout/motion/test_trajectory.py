@@ -173,5 +173,5 @@ def test_faces_wound_inward_are_noticed_and_turned():
     wrong = trajectories(makers.rig(points, [face[::-1] for face in faces], shapes), DENSE)
     for found in (right, wrong):
         assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
-    assert [each.code for each in wrong.issues] == ["NORMALS_INWARD"]
-    assert not right.issues
+    assert [each.code for each in wrong.findings.issues] == ["NORMALS_INWARD"]
+    assert not right.findings.issues

@@ -217,7 +217,7 @@ def test_a_part_without_height_is_as_large_as_what_it_moves():
     offsets = np.zeros_like(points)
     offsets[moved] = 0.0, 0.0, 0.1
     found = trajectories(makers.rig(points, faces, {"lift": offsets}), Settings().trajectories)
-    assert found.face_size == pytest.approx(np.linalg.norm(np.ptp(points[moved], axis=0)))
+    assert found.surface.face_size == pytest.approx(np.linalg.norm(np.ptp(points[moved], axis=0)))
 
 
 def test_a_face_is_one_part():
@@ -250,4 +250,4 @@ def test_without_a_head_toes_lie_in_the_lowest_quarter(height, part):
     )
     tree.above, tree.below = partial(Tree.above, tree), partial(Tree.below, tree)
     fan = SimpleNamespace(joint=2, chains=[[3]])
-    assert joint_regions._end(SimpleNamespace(up=np.array([0, 1, 0])), tree, fan, []) == part
+    assert joint_regions._end(SimpleNamespace(up=np.array([0, 1, 0])).up, tree, fan, []) == part

@@ -13,6 +13,7 @@ from rig_copies import renamed, reordered, resculpted, spelt_otherwise
 from usdrigui.layout.reuse import pinned as pinning
 from usdrigui.layout.review.difference import difference
 from usdrigui.layout.review.review import review
+from usdrigui.model import MirrorPlane
 from usdrigui.settings import load
 
 ANCHOR = "/Root/mesh#914"
@@ -144,6 +145,6 @@ def test_check_does_not_argue_with_what_is_pinned():
 def test_a_pin_goes_to_what_its_twin_moves_by_a_twentieth_of_its_peak():
     base = np.array([[5.0, 0, 0], [-4.0, 0, 0], [-1.0, 0, 0], [0.0, 3, 0]])
     motion = SimpleNamespace(control=1, points=np.array([1, 2, 3]), arc_length=np.array([0.05, 0.04, 1.0]), peak=1.0)
-    plane = SimpleNamespace(partner=np.full(4, -1), origin=np.zeros(3), normal=np.array([1.0, 0.0, 0.0]))
-    measured = SimpleNamespace(motions=[motion], base=base)
-    assert pinning._image(measured, plane, 1, 0) == 1
+    symmetry = SimpleNamespace(partner=np.full(4, -1), plane=MirrorPlane(np.zeros(3), np.array([1.0, 0.0, 0.0])))
+    measured = SimpleNamespace(motions=[motion], surface=SimpleNamespace(points=base))
+    assert pinning._image(measured, symmetry, 1, 0) == 1

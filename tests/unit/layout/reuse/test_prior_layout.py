@@ -74,7 +74,7 @@ def at_another_place(line, name, column=0):
 
 def test_a_fixed_layout_comes_back_to_the_point_and_in_its_pairs(face, before):
     settings = Settings(controls=fixed_by(before.layout, face, {}))
-    again = lay_out(face, settings, PriorLayout(kept_groups(before.layout, face)))
+    again = lay_out(face, settings, PriorLayout(kept_groups(before.layout.elements, face)))
     assert anchors(again.layout) == anchors(before.layout)
     assert partners(again.layout) == partners(before.layout)
     mirrors = {element.name: element.mirror for element in before.layout.elements}
@@ -163,15 +163,15 @@ def test_a_layer_fixed_on_other_points_is_refused(face, before):
 
 
 def test_nothing_moves_when_nothing_changed(face, before):
-    again = lay_out(face, prior=prior_of_previous(before.layout, face, 0.1))
+    again = lay_out(face, prior=prior_of_previous(before.layout.elements, face, 0.1))
     assert anchors(again.layout) == anchors(before.layout)
     assert difference(before.layout, again.layout).changes == ()
 
 
 def test_a_place_is_kept_until_leaving_it_saves_more_than_the_penalty(face, before):
     layout, point = at_another_place(before, "chin")
-    cheap = lay_out(face, prior=prior_of_previous(layout, face, 1e-4))
-    dear = lay_out(face, prior=prior_of_previous(layout, face, 5.0))
+    cheap = lay_out(face, prior=prior_of_previous(layout.elements, face, 1e-4))
+    dear = lay_out(face, prior=prior_of_previous(layout.elements, face, 5.0))
     assert anchors(cheap.layout)["chin"] == anchors(before.layout)["chin"]
     assert anchors(dear.layout)["chin"] == point
     saved = improvements(cheap.face, cheap.inputs.requests, cheap.inputs.placement, cheap.assignment.labels)
@@ -181,36 +181,41 @@ def test_a_place_is_kept_until_leaving_it_saves_more_than_the_penalty(face, befo
     assert saved["chin"] > 1e-4
     assert any("saves" in clause for clause in change.why)
     # At what it saves itself the balance tips.
-    assert anchors(lay_out(face, prior=prior_of_previous(layout, face, 1.01 * saved["chin"])).layout)["chin"] == point
+    assert (
+        anchors(lay_out(face, prior=prior_of_previous(layout.elements, face, 1.01 * saved["chin"])).layout)["chin"]
+        == point
+    )
 
 
 def test_at_a_penalty_of_nothing_it_is_the_plain_optimum(face, before):
     layout, _ = at_another_place(before, "chin")
-    assert prior_of_previous(layout, face, 0.0) is NO_PRIOR
+    assert prior_of_previous(layout.elements, face, 0.0) is NO_PRIOR
 
 
 def test_a_control_sent_to_the_board_stays_there_at_the_penalty(face, before):
     element = chain.by_name(before)["chin"]
     beside = replace(element, anchor=replace(element.anchor, on_board=True))
     layout = replace(before.layout, elements=tuple(beside if e is element else e for e in before.layout.elements))
-    assert anchors(lay_out(face, prior=prior_of_previous(layout, face, 5.0)).layout)["chin"] == "board"
-    assert anchors(lay_out(face, prior=prior_of_previous(layout, face, 1e-3)).layout)["chin"] != "board"
+    assert anchors(lay_out(face, prior=prior_of_previous(layout.elements, face, 5.0)).layout)["chin"] == "board"
+    assert anchors(lay_out(face, prior=prior_of_previous(layout.elements, face, 1e-3)).layout)["chin"] != "board"
 
 
 def test_an_edit_on_one_side_unfolds_the_pair(face, before):
     layout, point = at_another_place(before, "brow_L")
-    again = lay_out(face, prior=prior_of_previous(layout, face, 5.0))
+    again = lay_out(face, prior=prior_of_previous(layout.elements, face, 5.0))
     assert anchors(again.layout)["brow_L"] == point
     assert anchors(again.layout)["brow_R"] == anchors(before.layout)["brow_R"]
 
 
 def test_groups_stay_and_new_controls_do_not_join_old_ones(face):
     apart = chain.lay_out(face, chain.settings(groups={"opposed": False}))
-    again = lay_out(face, prior=prior_of_previous(apart.layout, face, 0.1))
+    again = lay_out(face, prior=prior_of_previous(apart.layout.elements, face, 0.1))
     assert frozenset(["jawLeft"]) in partners(again.layout)
     merged = lay_out(face)
     assert frozenset(["jawLeft", "jawRight"]) in partners(merged.layout)
-    kept = lay_out(face, chain.settings(groups={"opposed": False}), prior_of_previous(merged.layout, face, 0.1))
+    kept = lay_out(
+        face, chain.settings(groups={"opposed": False}), prior_of_previous(merged.layout.elements, face, 0.1)
+    )
     assert frozenset(["jawLeft", "jawRight"]) in partners(kept.layout)
     (jaw,) = [element for element in kept.layout.elements if len(element.members) > 1]
     assert jaw.opposed == ((0, 1),)
@@ -252,7 +257,7 @@ def test_of_a_swap_the_control_that_a_person_anchored_is_the_cause(before, pinne
 
 def test_a_group_that_lost_a_member_is_its_survivors(face, before):
     smaller = without(face, "jawRight")
-    again = lay_out(smaller, prior=prior_of_previous(before.layout, smaller, 0.1))
+    again = lay_out(smaller, prior=prior_of_previous(before.layout.elements, smaller, 0.1))
     assert frozenset(["jawLeft"]) in partners(again.layout)
     assert anchors(again.layout)["jawLeft"] == anchors(before.layout)["jawLeft"]
     found = difference(before.layout, again.layout)
@@ -262,7 +267,7 @@ def test_a_group_that_lost_a_member_is_its_survivors(face, before):
 def test_removing_and_adding_moves_few_of_the_others(face):
     old, new = without(face, "sneer_L", "sneer_R", "pucker"), without(face, "chin", "blink_L", "blink_R")
     first = chain.lay_out(old)
-    again = lay_out(new, prior=prior_of_previous(first.layout, new, 0.1))
+    again = lay_out(new, prior=prior_of_previous(first.layout.elements, new, 0.1))
     found = difference(first.layout, again.layout)
     kinds = {change.control: change.kind for change in found.changes}
     assert {name for name, kind in kinds.items() if kind == "removed"} == {"chin", "blink_L", "blink_R"}
@@ -272,7 +277,7 @@ def test_removing_and_adding_moves_few_of_the_others(face):
 
 def test_another_topology_keeps_the_nearest_places(before):
     finer = makers.face(columns=41, rows=51)
-    again = lay_out(finer, prior=prior_of_previous(before.layout, finer, 0.5))
+    again = lay_out(finer, prior=prior_of_previous(before.layout.elements, finer, 0.5))
     width = again.face.handle_width
     now = {element.name: element.anchor.position for element in again.layout.elements}
     apart = [np.linalg.norm(now[element.name] - element.anchor.position) / width for element in before.layout.elements]
@@ -282,8 +287,8 @@ def test_another_topology_keeps_the_nearest_places(before):
 
 
 def test_of_two_prior_layouts_the_first_holds(face, before):
-    first = PriorLayout(kept_groups(replace(before.layout, elements=before.layout.elements[:2]), face))
-    both = joined(first, prior_of_previous(before.layout, face, 0.3))
+    first = PriorLayout(kept_groups(replace(before.layout, elements=before.layout.elements[:2]).elements, face))
+    both = joined(first, prior_of_previous(before.layout.elements, face, 0.3))
     assert both.penalty == 0.3
     assert both.groups[: len(first.groups)] == first.groups
     members = [control for group in both.groups for control in group.controls]

@@ -147,7 +147,11 @@ def test_beside_there_is_beside_here(theirs):
 def test_the_middle_of_a_face_lies_halfway_between_the_ends_of_what_moves():
     base = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [4.0, 2.0, 0.0], [9.0, 9.0, 9.0]])
     motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([0.5, 1.0, 0.5]))
-    assert _face_middle(SimpleNamespace(base=base, motions=[motion])).tolist() == [2.0, 1.0, 0.0]
+    assert _face_middle(SimpleNamespace(surface=SimpleNamespace(points=base), motions=[motion])).tolist() == [
+        2.0,
+        1.0,
+        0.0,
+    ]
 
 
 def test_most_landmarks_count_where_few_are_wrong():

@@ -20,7 +20,7 @@ def rig():
 def apart(face):
     """Distance of each point's partner from its exact mirror image."""
     points = face.trajectories.surface.points
-    return np.linalg.norm(reflected(points, face.symmetry) - points[face.symmetry.partner], axis=1)
+    return np.linalg.norm(reflected(points, face.symmetry.plane) - points[face.symmetry.partner], axis=1)
 
 
 def test_a_one_sided_pose_keeps_partners_and_twins(rig):

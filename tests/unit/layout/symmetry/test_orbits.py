@@ -27,7 +27,9 @@ def test_an_orbit_is_laid_out_once_and_all_its_copies_count(arms):
     turn = np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
     assert np.allclose(anchors[0] @ turn, anchors[1], atol=1e-6)
     found = line.face.trajectories
-    assert (orbit_points(found, found.motions, rig.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0).all()
+    assert (
+        orbit_points(found.surface, found.motions, rig.up, 0.01 * found.surface.face_size, np.arange(60)) >= 0
+    ).all()
 
 
 @pytest.mark.parametrize("orbit", [("arm0",), ("arm0", "nobody"), ("arm0", "arm0")])
