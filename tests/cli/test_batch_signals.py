@@ -87,7 +87,7 @@ def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):
             given.append(super().submit(work, *arguments))
             return given[-1]
 
-    done = []
+    done, patient, ending = [], [], []
 
     def slow(job):
         time.sleep(0.5)
@@ -95,7 +95,10 @@ def test_a_signal_while_jobs_are_handed_out_leaves_none_of_them(monkeypatch):
 
     monkeypatch.setattr(run, "ThreadPoolExecutor", Pool)
     monkeypatch.setattr(run, "run_job", slow)
+    monkeypatch.setattr(run.worker, "be_patient", patient.append)
+    monkeypatch.setattr(run, "end_all", lambda: ending.append(list(patient)))
     with pytest.raises(KeyboardInterrupt):
         list(run.run_local(["first", "second", "third"], 1))
     assert given[1].cancelled()
     assert done == ["first"]
+    assert ending[0] == [True]  # a machine under load takes longer to end them than a worker has that was stopped

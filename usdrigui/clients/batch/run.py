@@ -16,6 +16,7 @@ from concurrent.futures import Future, ThreadPoolExecutor, as_completed, wait
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from usdrigui import worker
 from usdrigui.clients.batch.job import Job
 from usdrigui.clients.batch.jobs import Row, end_all, failed, run_job
 from usdrigui.errors import CODES, Exit, refuse
@@ -68,6 +69,7 @@ def run_local(jobs: Sequence[Job], workers: int) -> Generator[Row, None, None]:
             reported.add(future)
             yield future.result()
     except KeyboardInterrupt:
+        worker.be_patient(True)  # ending them may take longer than a command that was stopped has
         _end(pool, futures)
         yield from [
             each.result()
