@@ -4,7 +4,7 @@ Plain arrays, no pickled objects; ``numpy.load(path)`` reads them without usdrig
 
     version              () 3
     names                (variables,) text
-    overlap              (5,) maximum, radius, sharpness, reach, weight
+    overlap              (5,) maximum, radius, sharpness, cutoff distance, weight
     separation, unit_cost, off_face_cost
                          (), (), (variables,)
     points_K, cost_K     (R,) of variable K: anchor points and linear costs

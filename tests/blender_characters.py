@@ -96,7 +96,7 @@ def sample(folder):
         status="stopped",
         cost=0.0,
         bound=-np.inf,
-        in_play=0.0,
+        above_unary_bound=0.0,
     )
     target = folder / "char.rigui.usda"
     write_layout([(rig, layout)], source, target, OutputSettings(), stage_metadata(Sdf.Layer.FindOrOpen(str(source))))

@@ -45,7 +45,7 @@ def layout_of(rig, seed=0, groups=None, base_values=None, beside=(), adapt="defo
         status="stopped",
         cost=-1.25,
         bound=-np.inf,
-        in_play=0.5,
+        above_unary_bound=0.5,
         weights=(("displacement_weight", 0.85),),
     )
 

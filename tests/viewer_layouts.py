@@ -40,7 +40,7 @@ def peak_layout(rig, view=(0.0, 0.0, 1.0), mirrors=None, groups=(), beside=()):
         status="stopped",
         cost=0.0,
         bound=-np.inf,
-        in_play=0.0,
+        above_unary_bound=0.0,
     )
 
 

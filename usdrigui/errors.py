@@ -90,7 +90,7 @@ class RigUIError(Exception):
 
 
 class Faults:
-    """Errors that are told all at once: whoever mends a configuration wants to mend all of it."""
+    """Errors that are reported all at once: who mends a configuration wants to mend all of it."""
 
     def __init__(self) -> None:
         self._found: list[RigUIError] = []
@@ -167,7 +167,7 @@ def sentences(found: Issue) -> str:
 
 def by_cause(found: Iterable[Issue]) -> tuple[Issue, ...]:
     """One issue for each cause, in the order given: the paths of those of one character, code and
-    message are told as one."""
+    message are one issue."""
     causes: dict[tuple[str, str, str], list[Issue]] = {}
     for each in found:
         causes.setdefault((each.character, each.code, each.message), []).append(each)
@@ -193,7 +193,7 @@ def meant(name: str, known: Iterable[str]) -> str:
     from usdrigui.conventions.sides import side_of
 
     folded = {each.lower(): each for each in known}
-    same_side = [each for each, said in folded.items() if side_of(said) == side_of(name)]
+    same_side = [each for each, spelling in folded.items() if side_of(spelling) == side_of(name)]
     slip = next(iter(get_close_matches(name.lower(), same_side, n=1, cutoff=_SLIP)), "")
     near = get_close_matches(name.lower(), folded, n=1)
     like = slip or same_name(name, tuple(folded.values())) or next(iter(near), "")

@@ -82,7 +82,7 @@ class AnimationFacts:
     clips: tuple[str, ...]
     frames: int
     controls: tuple[UseFacts, ...]
-    """The most used first; poses are not told of."""
+    """The most used first; without poses."""
     together: tuple[TogetherFacts, ...]
     configuration: str
     """All of it as lines of a configuration."""

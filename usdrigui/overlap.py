@@ -17,13 +17,13 @@ def overlap_cost(distance: ArrayLike, overlap: Overlap) -> Floats:
     """phi(distance): the unweighted cost of two elements at that distance, in [0, maximum].
 
     Eq. 1 as printed grows with distance; this is the decreasing sigmoid that its text describes,
-    lowered and cut so that it vanishes from `Overlap.reach` on.
+    lowered and cut so that it vanishes from `Overlap.cutoff_distance` on.
     """
     z: Floats = np.asarray(distance, dtype=np.float64)
     value: Floats = overlap.maximum * _fall(z, overlap)
-    if np.isfinite(overlap.reach):
-        value = value - overlap.maximum * float(_fall(np.array(overlap.reach), overlap))
-        value = np.where(z < overlap.reach, np.maximum(value, 0.0), 0.0)
+    if np.isfinite(overlap.cutoff_distance):
+        value = value - overlap.maximum * float(_fall(np.array(overlap.cutoff_distance), overlap))
+        value = np.where(z < overlap.cutoff_distance, np.maximum(value, 0.0), 0.0)
     return np.asarray(value, dtype=np.float64)
 
 

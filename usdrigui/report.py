@@ -371,8 +371,8 @@ def _proof(assignment: Assignment) -> dict[str, Any]:
         "cost": assignment.cost,
         "bound": assignment.bound,
         "gap": assignment.gap,
-        "in_play": assignment.in_play,
-        "gap_in_play": assignment.gap_in_play,
+        "above_unary_bound": assignment.above_unary_bound,
+        "gap_of_choice": assignment.gap_of_choice,
     }
 
 

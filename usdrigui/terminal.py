@@ -73,7 +73,7 @@ class Screen:
 
     def report(self, report: Report, written: Sequence[str]) -> None:
         """What is not on the character and why, what is to be looked at, and the closing line;
-        where every control stands, if it is to be told."""
+        where every control stands, with `--verbose`."""
         if not self._quiet:
             for character in report.characters:
                 self._character(character)
@@ -477,7 +477,7 @@ def _closing_line(report: Report) -> str:
 
 def _gap(solutions: Sequence[Assignment]) -> str:
     """The largest gap of some solutions, relative to what the choice can change and to the cost."""
-    of_choice = max((each.gap_in_play for each in solutions), default=0.0)
+    of_choice = max((each.gap_of_choice for each in solutions), default=0.0)
     of_cost = max((each.gap for each in solutions), default=0.0)
     return f"gap {of_choice:.1e} of the choice ({of_cost:.1e} of the cost)"
 

@@ -123,7 +123,7 @@ def print_now(text: str) -> None:
 
 
 def discard_result() -> None:
-    """What was printed of the result, and has not been told yet, is not printed."""
+    """Drop what was written of the result and has not been printed yet."""
     if isinstance(sys.stdout, _Stream):
         sys.stdout.taken()
 
@@ -214,7 +214,7 @@ class _Worker:
 
 
 class _Stream(io.TextIOBase):
-    """A standard stream of a worker: `kept` for the closing message, or told as it comes."""
+    """A standard stream of a worker: `kept` for the closing message, or printed as it comes."""
 
     encoding = "utf-8"
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .maths.tracks import carried, facing, slid
+from .maths.handle_track import carried, facing, slid
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def test_it_says_what_is_not_on_the_face_and_verbosely_where_every_control_stand
     assert table.count("grouped by the configuration") == sum(
         each["name"].startswith("corner") for each in found["elements"]
     )
-    gaps = found["solution"]["gap_in_play"], found["solution"]["gap"]
+    gaps = found["solution"]["gap_of_choice"], found["solution"]["gap"]
     told = "gap {:.1e} of the choice ({:.1e} of the cost)".format(*gaps)
     assert all(told in printed.splitlines()[-1] for printed in (brief, table))
 

@@ -8,8 +8,7 @@ from laid_out_again import lay_out, read
 from rig_copies import box_of, other_head, renamed, reordered, resculpted, reshaped, spelt_otherwise
 
 from usdrigui.layout.reuse.partial_layout import place_of
-from usdrigui.layout.review.difference import difference
-from usdrigui.layout.review.improvement import improvements
+from usdrigui.layout.review.difference import difference, improvements
 from usdrigui.settings import load
 
 pytestmark = pytest.mark.real

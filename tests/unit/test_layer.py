@@ -80,12 +80,14 @@ def test_a_layout_comes_back_as_it_was(char, tmp_path, suffix):
 
 def test_optimal_proofs_come_back(char, tmp_path):
     source, rig, layout = char
-    layout = replace(layout, cost=-15.165123456789, bound=-15.17, status="optimal", in_play=1e-9, method="highs")
+    layout = replace(
+        layout, cost=-15.165123456789, bound=-15.17, status="optimal", above_unary_bound=1e-9, method="highs"
+    )
     layout = replace(layout, closed_by="work limit")
     target = tmp_path / "a.usda"
     write_layout([(rig, layout)], source, target, PLAIN, metadata(source))
     (back,) = read_layout(target)
-    assert (back.cost, back.bound, back.in_play) == pytest.approx((layout.cost, layout.bound, 1e-9), rel=5e-7)
+    assert (back.cost, back.bound, back.above_unary_bound) == pytest.approx((layout.cost, layout.bound, 1e-9), rel=5e-7)
     assert (back.method, back.status, back.closed_by) == ("highs", "optimal", "work limit")
 
 

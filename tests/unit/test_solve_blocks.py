@@ -115,7 +115,7 @@ def left_out_wrongly(problem: LayoutProblem, taken_off: float = 0.0) -> int:
     labels = all_labels(problem)
     every, costs = layouts(problem)
     limit = float(np.median(costs[np.isfinite(costs)])) if np.isfinite(costs).any() else 0.0
-    kept = np.flatnonzero(labels.in_play(limit - taken_off))
+    kept = np.flatnonzero(labels.active_below(limit - taken_off))
     return int((costs[~np.isin(every, kept).all(axis=1)] < limit).sum())
 
 

@@ -85,7 +85,7 @@ def parsed(argv: Sequence[str] | None) -> argparse.Namespace:
 
 
 def _hint(own: argparse.ArgumentParser, unknown: Sequence[str], whole: CommandLine) -> str:
-    """What was meant by the first of the unknown options of which that can be told."""
+    """A hint for the first unknown option that has one."""
     every = {name: options_of(each) for name, each in whole.commands.items()}
     name = own.prog.rpartition(" ")[2]
     options = [each.partition("=")[0] for each in unknown if each.startswith("-")]

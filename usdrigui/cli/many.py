@@ -129,7 +129,7 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
 
 def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
-    from usdrigui.clients.batch import run, sheet
+    from usdrigui.clients.batch import contact_sheet, run
 
     screen = screen_of(arguments)
     address = arguments.dask
@@ -151,7 +151,7 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
     written = []
     if arguments.sheet is not None:
         written.append(
-            f"{pipeline.write_file(sheet.sheet_png(ordered), arguments.sheet, read)}"
+            f"{pipeline.write_file(contact_sheet.sheet_png(ordered), arguments.sheet, read)}"
             f" {arguments.sheet}"
         )
     if arguments.summary is not None:
@@ -167,8 +167,8 @@ def _all_of(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.Names
 
 @contextlib.contextmanager
 def _until_interrupted() -> Iterator[None]:
-    """An interruption ends the work, not the batch: what became of the assets is still to be
-    said."""
+    """An interruption ends the work, not the batch: what became of the assets is still
+    printed."""
     try:
         yield
     except KeyboardInterrupt:

@@ -156,7 +156,7 @@ def settings_quietly(arguments: argparse.Namespace) -> Settings:
     try:
         loaded = load()
     except settings.UnsoundSettingsError as error:
-        # What is wrong with the files is told with what is wrong with the command line.
+        # Faults of the files are reported with those of the command line.
         try:
             load(*map(settings.read_toml, _configuration(arguments, error.sound.read)))
         except RigUIError as all_of_it:

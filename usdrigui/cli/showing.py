@@ -177,9 +177,9 @@ def _spared(
 def _view(arguments: argparse.Namespace) -> Exit:
     from usdrigui import pipeline
     from usdrigui.pose import evaluate
-    from usdrigui.view import page, review, serve
+    from usdrigui.view import page, serve
 
-    reviews = [review.read_review(path) for path in arguments.review]
+    reviews = [page.read_review(path) for path in arguments.review]
     settings = settings_of(arguments)
     loaded = pipeline.load_layer(arguments.layer, settings)
     for rig, layout in loaded.characters:

@@ -20,7 +20,7 @@ from usdrigui.supervision import Events, Outcome, supervise
 
 
 def run(argv: Sequence[str], events: Events) -> int:
-    """Run a command line; `events` is told of signals.  Returns the exit code."""
+    """Run a command line; `events` receives signals.  Returns the exit code."""
     arguments = argparse.Namespace(json="--json" in argv, patterns=argv[:2])
     try:
         with (

@@ -110,11 +110,11 @@ def meanings(names: Sequence[str]) -> tuple[Meaning | None, ...]:
     bare = distinctive_words(names)
     units = sum(_action_unit(each) is not None for each in bare)
     coded = units >= _CODED * max(1, len(bare)) and not _counted(bare)
-    told = [
+    called = [
         _called_unit(whole) or (_action_unit(each) if coded else None)
         for whole, each in zip(every, bare, strict=True)
     ]
-    return tuple(_meaning(each, unit) for each, unit in zip(bare, told, strict=True))
+    return tuple(_meaning(each, unit) for each, unit in zip(bare, called, strict=True))
 
 
 def distinctive_words(names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
@@ -369,10 +369,10 @@ def _coded(each: tuple[str, ...]) -> Action | None:
     ):  # To the left and right, not the letters.
         return None
     phonemes, parts = codes["visemes"]["phonemes"], codes["emotions"]["parts"]
-    said = plain[0] in codes["visemes"]["prefixes"] or not {*plain}.isdisjoint(
+    named = plain[0] in codes["visemes"]["prefixes"] or not {*plain}.isdisjoint(
         codes["visemes"]["words"]
     )
-    if said or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
+    if named or all(word in phonemes for word in plain[plain[0] == "mouth" :]):
         return _actions()["viseme"] if plain != ["mouth"] else None
     # Eyes have moods of one side; a mouth that is sad on one side is an action.
     mood = list(_side(tuple(plain))[1]) if plain[0] == "eye" else plain

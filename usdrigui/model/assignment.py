@@ -25,7 +25,7 @@ class Assignment(Record):
     """Lower bound on the cost of every solution of the problem as given; -inf if none is known."""
     status: Status
     """``optimal`` when the relative gap is within the setting, up to rounding; else ``stopped``."""
-    in_play: float
+    above_unary_bound: float
     """cost minus the sum over variables of their least linear cost: what the choice can change (>=
     0)."""
     method: str
@@ -42,11 +42,11 @@ class Assignment(Record):
         return max(0.0, self.cost - self.bound) / max(abs(self.cost), GAP_FLOOR)
 
     @property
-    def gap_in_play(self) -> float:
+    def gap_of_choice(self) -> float:
         """(cost - bound) over the part of the cost that the choice can change; 0 when proven."""
         excess = max(0.0, self.cost - self.bound)
         rounding = 1e-9 * abs(self.cost)
-        return excess / max(self.in_play, 1e-12) if excess > rounding else 0.0
+        return excess / max(self.above_unary_bound, 1e-12) if excess > rounding else 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,7 +39,7 @@ class Layout(Record):
     status: Status
     cost: float
     bound: float
-    in_play: float
+    above_unary_bound: float
     weights: tuple[tuple[str, float], ...] = field(default=())
     """Settings of the objective that the cost depends on, by name."""
     closed_by: str = ""

@@ -71,8 +71,8 @@ class Variable(Record):
 class Overlap(Record):
     """Constants of the overlap cost (paper eq. 1, with the sign corrected).
 
-    phi(z) = maximum / (1 + exp(sharpness (z - radius))), lowered by its value at `reach` and cut to
-    zero from there on, so that elements further apart than `reach` do not interact at all.
+    phi(z) = maximum / (1 + exp(sharpness (z - radius))), lowered by its value at
+    `cutoff_distance` and cut to zero from there on: elements further apart do not interact.
     """
 
     maximum: float
@@ -80,7 +80,7 @@ class Overlap(Record):
     """Scene units."""
     sharpness: float
     """Per scene unit."""
-    reach: float
+    cutoff_distance: float
     """Scene units; inf for no cut."""
     weight: float
     """Factor on every overlap in the objective (paper: 1 - lambda)."""

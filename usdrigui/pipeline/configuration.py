@@ -112,7 +112,7 @@ def _check_rig(
     with faults.collected():
         check_orbits(rig.controls, control_overrides(rig, controls), index)
     with faults.collected():
-        # What is wrong with a pose is told of the pose.
+        # A fault of a pose is reported once, for the pose.
         check_groups(settings.groups.groups, {*rig.control_names, *settings.poses})
     with faults.collected():
         check_like(like, rig, settings.like.names)

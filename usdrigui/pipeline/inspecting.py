@@ -128,7 +128,7 @@ def _control(
     first: _Found,
     flags: Sequence[str],
 ) -> ControlFacts:
-    """One control; without a motion it is told of by the `first` part, and is of none."""
+    """One control; without a motion it belongs to no part, and the `first` one lists it."""
     control, source = controls[index], own or first
     chosen, motion, symmetry = (
         source.sets.get(index),

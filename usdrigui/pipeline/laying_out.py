@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.layout.reuse import existing_layout
-from usdrigui.layout.review.difference import Difference, difference
-from usdrigui.layout.review.improvement import improvements
+from usdrigui.layout.review.difference import Difference, difference, improvements
 from usdrigui.layout.review.shortfalls import shortfalls
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants

@@ -315,7 +315,7 @@ def _left(elements: tuple[Element, ...], plane_normal: Floats) -> Floats:
 
 
 def _of_part(layout: Layout, character: Divided, part: Part) -> Layout:
-    """The elements of a part, told by their first control; the first part has those of controls
+    """The elements of a part, known by their first control; the first part has those of controls
     that move nothing."""
     index = {control.name: i for i, control in enumerate(character.rig.controls)}
     others = frozenset[int]().union(

@@ -439,7 +439,7 @@ def joined(laid: Sequence[LaidPart]) -> Layout:
         status=last[-1].status,
         cost=sum(each.cost for each in parts),
         bound=sum(each.bound for each in parts),
-        in_play=sum(each.in_play for each in layouts.values()),
+        above_unary_bound=sum(each.above_unary_bound for each in layouts.values()),
     )
 
 
@@ -454,7 +454,7 @@ def joined_assignment(assignments: Sequence[Assignment], names: Sequence[str]) -
         labels=np.concatenate([each.labels for each in assignments]),
         cost=sum(each.cost for each in assignments),
         bound=sum(each.bound for each in assignments),
-        in_play=sum(each.in_play for each in assignments),
+        above_unary_bound=sum(each.above_unary_bound for each in assignments),
         steps=tuple(
             replace(step, name=f"{name}: {step.name}")
             for name, each in zip(names, assignments, strict=True)

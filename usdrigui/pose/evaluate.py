@@ -20,8 +20,8 @@ from numpy.typing import ArrayLike
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import meant, refuse
 from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
+from usdrigui.pose.handle_track import carried, facing, slid
 from usdrigui.pose.subset import subset
-from usdrigui.pose.tracks import carried, facing, slid
 from usdrigui.skinning import carrying_joint
 
 

@@ -1,4 +1,4 @@
-"""Everything that a run can be told.
+"""Every setting of a run.
 
 Precedence, weakest first: defaults, preset, environment (``USDRIGUI_<PART>_<NAME>``), configuration
 file, command line.  Parts are plain dataclasses; `load` builds them from TOML and refuses unknown

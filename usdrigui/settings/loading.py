@@ -22,7 +22,7 @@ from usdrigui.settings.table import current_name
 _EARLIER_VALUES = {"beside": "board"}
 """What values were called in configurations of before (`place`)."""
 _MOVED: dict[tuple[type, str], str] = {(PoseSettings, "label"): "controls"}
-"""The part that holds what a setting of another part said before."""
+"""The part in which an earlier setting of another part stands now."""
 
 
 class UnsoundSettingsError(RigUIError):
@@ -40,8 +40,8 @@ def load(
 ) -> Settings:
     """Settings from nested mappings (as parsed from TOML), later ones winning over earlier ones.
 
-    Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all that is
-    wrong is told at once.
+    Raises UnsoundSettingsError CONFIG_UNKNOWN_KEY or CONFIG_VALUE, naming the key; all faults
+    at once.
     """
     settings, faults = Settings(), Faults()
     weakest = (_preset(preset, faults), from_environment(environment or {}, faults))

@@ -587,7 +587,7 @@ class LevelSettings:
     members: Mapping[str, tuple[str, ...]] = setting(
         {},
         "``[levels.members]``: a coarse control, or the name of an element, to the controls whose "
-        "elements are its members. What is said of one side of the character holds for the other.",
+        "elements are its members. An entry for one side of the character holds for the other.",
     )
     poses: bool = setting(False, "Every pose is coarse; its members are the controls that it sets.")
     groups: bool = setting(
@@ -630,8 +630,8 @@ class AnimationSettings:
     )
     together: float = setting(
         0.8,
-        "Least agreement (weighted Jaccard index of the activities) of controls that are said to"
-        " move together.",
+        "Least agreement (weighted Jaccard index of the activities) of controls that are reported"
+        " to move together.",
         bounds=(0.0, 1.0),
         level="expert",
     )
@@ -655,7 +655,7 @@ class PartSettings:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """Everything that a run can be told."""
+    """All settings of a run."""
 
     run: RunSettings = field(default_factory=RunSettings)
     read: ReadSettings = field(default_factory=ReadSettings)

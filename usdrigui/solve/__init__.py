@@ -22,7 +22,7 @@ def solve(
 ) -> Assignment:
     """Choose a label for every variable by the method that the settings name.
 
-    `progress` is told of every better layout or bound; `stop` is asked now and then, and when it
+    `progress` receives every better layout or bound; `stop` is asked now and then, and when it
     says true the best layout so far comes back with its honest gap.  Raises RigUIError
     SOLVE_INFEASIBLE when no layout is allowed, SOLVE_EXTRA when the method's package is not
     installed.

@@ -36,7 +36,7 @@ def assignment(
         cost=cost,
         bound=bound,
         status="optimal" if closed else "stopped",
-        in_play=max(0.0, cost - float(labels.best.sum())),
+        above_unary_bound=max(0.0, cost - float(labels.best.sum())),
         method=method,
         closed_by=method if closed else budget.limit,
         steps=tuple(budget.steps),

@@ -1,4 +1,4 @@
-"""What a running solver owes the outside: work counted, limits kept, progress told, steps noted."""
+"""What a running solver owes the outside: work counted, limits kept, steps reported."""
 
 from __future__ import annotations
 

@@ -94,7 +94,7 @@ def _first_layout(
         rough = search_among(labels.of(few))
         rough.construct()
         rough.search(TRIES)
-        wanted = labels.in_play(rough.cost)
+        wanted = labels.active_below(rough.cost)
         wanted[few[rough.chosen]] = True
         chosen = (np.cumsum(wanted) - 1)[few[rough.chosen]]
         labels = labels.of(np.flatnonzero(wanted))
@@ -119,7 +119,7 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
     """Give what is left to the solver that the settings name, and to branch and bound what HiGHS
     does not close with its share of the work; the name of the last."""
 
-    def told(method: str, found: Solution) -> str:
+    def noted(method: str, found: Solution) -> str:
         """Keep what a solver found and note its figures; its name."""
         if found.chosen is not None:
             incumbent.improve_from(left.representatives(found.chosen))
@@ -130,13 +130,13 @@ def _solve_reduced(left: Reduction, incumbent: LocalSearch, budget: Budget) -> s
     linear, pairs = left.block_set.cost[left.problem.labels], left.pairs.toarray()
     if budget.settings.method == "toulbar2":
         found = solve_by_toulbar2(left.problem, linear, pairs, budget.cutoff, budget)
-        return told("toulbar2", found)
+        return noted("toulbar2", found)
     share = int(HIGHS_SHARE * budget.settings.work_limit)
-    method = told("highs", solve_milp(left.problem, budget.cutoff, budget, share))
+    method = noted("highs", solve_milp(left.problem, budget.cutoff, budget, share))
     if budget.closed() or budget.stopped():
         return method
     found = branch_and_bound(left.problem, linear, pairs, budget.cutoff, budget)
-    return told("branch and bound", found)
+    return noted("branch and bound", found)
 
 
 def _figures(left: Reduction | None) -> dict[str, float]:

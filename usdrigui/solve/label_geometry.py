@@ -110,7 +110,7 @@ class LabelSet(Record):
         """(variables,) least linear cost of each variable; each must have a label."""
         return np.minimum.reduceat(self.cost, self.start[:-1])
 
-    def in_play(self, cost: float) -> Flags:
+    def active_below(self, cost: float) -> Flags:
         """(n,) the labels that a layout of less than `cost` may use: all others at their cheapest,
         and no overlap."""
         spare = cost - float(self.best.sum()) + ROUNDING * (1.0 + float(np.abs(self.best).sum()))
@@ -239,9 +239,9 @@ def meeting(
     problem: LayoutProblem,
 ) -> Flags:
     """Whether members of geometries ``i`` of `one` and ``j`` of `other`, broadcast, may interact:
-    have samples or handles within the reach of the overlap cost or of the separation."""
-    reach = max(problem.overlap.reach, problem.separation)
-    limit = one.extent[i] + other.extent[j] + reach
+    have samples or handles within the cutoff distance of the overlap cost or of the separation."""
+    cutoff = max(problem.overlap.cutoff_distance, problem.separation)
+    limit = one.extent[i] + other.extent[j] + cutoff
     return np.asarray(squared(one.middle[:, i], other.middle[:, j]) < np.square(limit))
 
 
@@ -263,7 +263,9 @@ def pair_bounds(
     # it by rounding.
     off = np.where(handle_slack > 0, ROUNDING * (between + handle_slack), 0.0)
     cost[between + handle_slack + off < separation] = np.inf
-    near = (distance - slack < overlap.reach) | (between - handle_slack - off < separation)
+    near = (distance - slack < overlap.cutoff_distance) | (
+        between - handle_slack - off < separation
+    )
     return cost, near
 
 

@@ -47,7 +47,7 @@ class LocalSearch:
         """`start` (variables + 1,) is the first label of each variable, `linear` (n,) what labels
         cost alone; a forbidden pair costs the `penalty`.
 
-        With `tell` its layouts are ones of the whole problem, and the budget is told of them.
+        With `tell` its layouts are ones of the whole problem, and the budget counts them.
         """
         self._start, self._linear, self._rows = start, linear, rows
         self._budget, self.penalty, self._tell = budget, penalty, tell

@@ -1,6 +1,6 @@
 """Pair costs of labels or blocks, kept up to date while blocks are split and discarded.
 
-Only pairs that can come within the reach of the overlap cost are held.  When a block is split, its
+Only pairs that can come within the cutoff distance are held.  When a block is split, its
 near pairs become pairs of its halves; only those are worked out anew.
 """
 
@@ -110,7 +110,7 @@ def _evaluated(
     second: Indices,
     budget: Budget,
 ) -> NearPairs:
-    """Bounds of the pairs; those out of reach are left out."""
+    """Bounds of the pairs; those beyond the cutoff distance are left out."""
     one, other = (labels.geometries[each] for each in sets)
     i, j = np.searchsorted(one.owner, first), np.searchsorted(other.owner, second)
     budget.spend(len(i))

@@ -24,7 +24,7 @@ from usdrigui.solve.reduced_problem import LARGEST_TESTED, ReducedProblem, reduc
 from usdrigui.solve.triplets import raise_bound
 
 SWEEPS = 8
-"""Of dual ascent before it is asked what they gain."""
+"""Of dual ascent before their improvement is measured."""
 FRUSTRATED = 0.7
 """Share of the distance to the cutoff that the blocks' own solution must leave before triplets are
 looked for."""

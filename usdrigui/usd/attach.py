@@ -1,4 +1,4 @@
-"""The one place that edits an asset, and only when told to: the layout among the asset's own
+"""The one place that edits an asset, and only when asked to: the layout among the asset's own
 sublayers or payloads.
 
 `attach` puts a bare layout layer first among the sublayers of the asset's root layer, or makes it

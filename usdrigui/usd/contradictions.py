@@ -89,7 +89,9 @@ def _tokens(stage: Usd.Stage) -> frozenset[str]:
     for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
         if schema.DRAWING in applied(prim):
             continue
-        with contextlib.suppress(RigUIError):  # Arrays of other types are told of the character.
+        with contextlib.suppress(
+            RigUIError
+        ):  # The character has the issue about arrays of other types.
             if prim.IsA(UsdSkel.Animation):
                 given = UsdSkel.Animation(prim).GetBlendShapesAttr()
                 found.update(tokens(given.Get(), str(prim.GetPath()), "blendShapes"))
@@ -117,8 +119,8 @@ def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
     elif handle > faces:
         yield _invalid(prim, f"rigUI:handle:faceCount is {handle}, but it has {faces} faces")
     if subset.GetFamilyNameAttr().Get() != _FAMILY:
-        told = _invalid(prim, f"familyName is not {_FAMILY!r}")
-        yield replace(told, severity="warning")
+        found = _invalid(prim, f"familyName is not {_FAMILY!r}")
+        yield replace(found, severity="warning")
 
 
 def _of_drive(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[Issue]:
@@ -175,8 +177,8 @@ def _of_track(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[
     length = float(np.linalg.norm(np.diff(track, axis=0), axis=1).sum())
     if width > 0.0 and away > width + _ASTRAY * length:
         where = f"rigUI:control:{instance}:trackPoints"
-        told = f"{where} pass rigUI:anchor:position by {away:.3g} at the base pose ({at:g})"
-        yield replace(_invalid(prim, told), severity="warning")
+        clause = f"{where} pass rigUI:anchor:position by {away:.3g} at the base pose ({at:g})"
+        yield replace(_invalid(prim, clause), severity="warning")
 
 
 def _width(prim: Usd.Prim) -> float:

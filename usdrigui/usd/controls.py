@@ -188,7 +188,7 @@ def pose_drafts(
 
 
 _ANY_RANGE = Range(0.0, 0.0, 1.0, "default")
-"""Of a control whose own is refused, so that what else is said of it can be told."""
+"""Of a control whose own is refused, so that its other faults are found too."""
 
 
 def settled(
@@ -232,7 +232,7 @@ def _with_ranges_of_twins(
     names: Collection[str], configured: Mapping[str, ControlSettings]
 ) -> Mapping[str, ControlSettings]:
     """The configuration with a range that is set for one side of the character set for its twin by
-    name too, unless that has one of its own or is said to be none."""
+    name too, unless that has one of its own or has none by the configuration."""
     found, plain = dict(configured), ControlSettings()
     ranged = [
         name for name, each in configured.items() if (each.minimum, each.maximum) != (None, None)

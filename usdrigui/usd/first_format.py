@@ -108,7 +108,7 @@ def layout(scope: Usd.Prim) -> Layout:
         status=_value(scope, "solution:status"),
         cost=float(_value(scope, "solution:cost")),
         bound=float(_value(scope, "solution:bound")),
-        in_play=float(_value(scope, "solution:inPlay")),
+        above_unary_bound=float(_value(scope, "solution:inPlay")),
         weights=_weights(scope),
     )
 

@@ -96,7 +96,7 @@ def layer_for(
 def stage_metadata(layer: Sdf.Layer) -> dict[str, Any]:
     """What a layer over `layer` must repeat, as plain Python values.
 
-    Up axis and unit are said even where the source leaves them to USD's fallbacks.
+    Up axis and unit are written even where the source leaves them to USD's fallbacks.
     """
     root = layer.pseudoRoot
     found: dict[str, Any] = {
@@ -276,7 +276,7 @@ def books(layout: Layout) -> dict[str, Any]:
             "closedBy": layout.closed_by,
             "cost": layout.cost,
             "bound": layout.bound,
-            "aboveUnaryBound": layout.in_play,
+            "aboveUnaryBound": layout.above_unary_bound,
             "partStatuses": [part.status for part in layout.parts],
             "partCosts": np.array([part.cost for part in layout.parts], dtype=np.float64),
             "partBounds": np.array([part.bound for part in layout.parts], dtype=np.float64),

@@ -50,8 +50,8 @@ def outside_issues(stage: Usd.Stage) -> tuple[Issue, ...]:
     for prim in walk:
         if prim.IsA(UsdSkel.Root):
             walk.PruneChildren()
-        elif prim.IsA(UsdGeom.Mesh) and (said := _deforming(prim)):
-            found.append(issue("MESH_OUTSIDE", str(prim.GetPath()), f"has {said}"))
+        elif prim.IsA(UsdGeom.Mesh) and (inputs := _deforming(prim)):
+            found.append(issue("MESH_OUTSIDE", str(prim.GetPath()), f"has {inputs}"))
     return tuple(found)
 
 

@@ -314,7 +314,7 @@ def _solution(scope: Usd.Prim) -> dict[str, Any]:
         "status": status,
         "cost": _noted(scope, "solution", "cost", 0.0),
         "bound": _noted(scope, "solution", "bound", -np.inf),
-        "in_play": _noted(scope, "solution", "aboveUnaryBound", 0.0),
+        "above_unary_bound": _noted(scope, "solution", "aboveUnaryBound", 0.0),
         "closed_by": _noted(scope, "solution", "closedBy", ""),
         "weights": tuple(zip(strings(names), array_of(values).tolist(), strict=True)),
     }

@@ -1,7 +1,7 @@
-"""The file of a live link: pages read it and replace it whole, each telling which content it means
+"""The file of a live link: pages read it and replace it whole, each with the revision that it means
 to replace.
 
-A revision is the digest of the content, so that a change by whatever program is told, and one page
+A revision is the digest of the content, so that a change by any program is seen, and one page
 never replaces what another has written without having seen it (docs/decisions/079).
 """
 

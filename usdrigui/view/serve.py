@@ -41,7 +41,7 @@ def serve(
     The page has the one address ``http://127.0.0.1:PORT/TOKEN/`` with a random token of 256 bits
     and a port that `name` chooses: browsers keep what a page stores by its port, so that a page of
     the same name finds its work again.  Every other path or host name gets 404, every other method
-    than GET and HEAD gets 405.  `announce` is told the address before the browser opens.  The file
+    than GET and HEAD gets 405.  `announce` receives the address before the browser opens.  The file
     of a live link is at ``edit`` below the address, for GET and PUT by the page itself.
     """
     with page_server(html, name, live) as server:
@@ -166,7 +166,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._send(HTTPStatus.OK, b"", "text/plain", with_body=False, tag=_tag(made))
 
     def _with_file(self, act: Callable[[], None]) -> None:
-        """Read or write the file; what the disk refuses is told to the page."""
+        """Read or write the file; the page receives what the disk refuses."""
         try:
             act()
         except RigUIError as error:
@@ -174,8 +174,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._send(HTTPStatus.INSUFFICIENT_STORAGE, words, "text/plain", with_body=True)
 
     def send_error(self, code: int, *_words: str | None) -> None:
-        """One line instead of the base class's page; a method without a function here is told what
-        there is."""
+        """One line instead of the base class's page; a method without a function here gets the
+        list of those that have one."""
         status = (
             HTTPStatus.METHOD_NOT_ALLOWED
             if code == HTTPStatus.NOT_IMPLEMENTED

@@ -24,9 +24,9 @@ from usdrigui.errors import REPORT_FORMAT, Exit, RigUIError, refuse
 from usdrigui.supervision import KILL, Events, Outcome, supervise
 
 _RUNNING: set[Events] = set()
-"""Where each worker that runs can be told to end."""
+"""Of each worker that runs: ends it when asked."""
 _ENTERING = threading.Lock()
-"""Held while a worker enters them, or all are told, so that none is missed."""
+"""Held while a worker enters them, or all are ended, so that none is missed."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -100,8 +100,8 @@ def classify(
     )
     names = [rig.controls[motion.control].name for motion in trajectories.motions]
     kept = _kept(trajectories.motions, symmetry, views.anywhere)
-    # The joints of a chain explain each other; what repeats a blend shape or a pose is told by
-    # those.
+    # The joints of a chain explain each other; only shapes and poses tell what
+    # repeats a shape or a pose.
     joints_alone = all(
         rig.controls[motion.control].kind == "joint" for motion in trajectories.motions
     )

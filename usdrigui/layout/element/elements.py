@@ -92,7 +92,7 @@ def layout(
         status=assignment.status,
         cost=assignment.cost,
         bound=assignment.bound,
-        in_play=assignment.in_play,
+        above_unary_bound=assignment.above_unary_bound,
         closed_by=assignment.closed_by,
         weights=_weights(
             placement.problem, face.trajectories.typical_length, settings.objective.samples
@@ -131,7 +131,7 @@ def _weights(
         ("overlap_max", overlap.maximum),
         ("overlap_radius", overlap.radius),
         ("overlap_sharpness", overlap.sharpness),
-        ("overlap_cutoff", overlap.reach),
+        ("overlap_cutoff", overlap.cutoff_distance),
         ("separation", problem.separation),
         ("typical_length", typical_length),
         ("samples", float(samples)),

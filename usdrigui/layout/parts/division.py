@@ -1,7 +1,7 @@
 """The parts of a character: which controls are laid out together, at one scale.
 
 A control of a joint is of the part of its joint, every other control of the part whose skin it
-moves most.  Tongue and teeth are told by their names.  A rig that is a face alone, or a hand, is
+moves most.  Tongue and teeth are known by their names.  A rig that is a face alone, or a hand, is
 one part.
 """
 

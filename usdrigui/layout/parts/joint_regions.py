@@ -1,7 +1,7 @@
 """Which joints and which skin are the face, the eyes, the hands, the feet, the props and the body.
 
-A head is told by its joint's name; where none says so, by the many joints without joints below that
-hang on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains
+A head is known by its joint's name; without one by the many joints without joints below that hang
+on it (a face driven by joints), or by the skin that the blend shapes move.  Fans of chains
 that carry on a limb are fingers and toes.
 """
 

@@ -165,7 +165,7 @@ def combined(existing: Layout, added: Layout) -> Layout:
         status=added.status,
         cost=added.cost,
         bound=added.bound,
-        in_play=added.in_play,
+        above_unary_bound=added.above_unary_bound,
         closed_by=added.closed_by,
         weights=added.weights,
     )

@@ -28,7 +28,7 @@ from usdrigui.model import Element, Floats, Indices, Layout, Rig, Trajectories
 from usdrigui.ties import rounded
 
 SURE = 0.9
-"""Confidence from which a match is acted upon; matches that are less sure are told."""
+"""Confidence from which a match is acted upon; less sure matches are reported only."""
 
 _CHANCE = 2.5
 """Evidence that chance alone may give a pair: a pair below it is none."""
@@ -81,7 +81,7 @@ class Matching:
 
     @property
     def unsure(self) -> tuple[Match, ...]:
-        """Matches that are told and not acted upon."""
+        """Matches that are reported and not acted upon."""
         return tuple(each for each in self.matches if each.confidence < SURE)
 
 

@@ -121,7 +121,7 @@ def _carried(
     rest: Floats,
     trajectories: Trajectories,
 ) -> tuple[str, Issue | None]:
-    """Where the pinned anchor of an element is today, empty if nowhere, and what is to be said of
+    """Where the pinned anchor of an element is today, empty if nowhere, and an issue about
     it."""
     moved = _moved_by_all(controls, rig, trajectories)
     same = same_point(element, points_of_meshes(rig.meshes, rig.starts))

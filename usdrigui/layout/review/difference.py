@@ -12,10 +12,15 @@ from typing import Literal
 import numpy as np
 
 from usdrigui.errors import listed
+from usdrigui.layout.element.elements import names_of_copies
+from usdrigui.layout.face import Face
+from usdrigui.layout.place.problem import PlacementProblem, penalties_of_leaving
 from usdrigui.layout.reuse.identity import Matching, match_layouts
 from usdrigui.layout.reuse.renaming import with_names
+from usdrigui.layout.reuse.requests import Requests
+from usdrigui.layout.review.review import cost_given_others
 from usdrigui.levels import inner_names, outer_first
-from usdrigui.model import Element, Floats, Layout
+from usdrigui.model import Element, Floats, Indices, Layout
 
 ChangeKind = Literal["added", "removed", "renamed", "moved", "to the face", "board", "regrouped"]
 
@@ -298,3 +303,30 @@ def _crowd(
         if apart < handle_width * (1.0 - _STILL):
             decided = ", whose anchor was decided by a person" * ("anchor" in element.pinned)
             yield f"its place is taken by {element.name}{decided}"
+
+
+def improvements(
+    face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
+) -> dict[str, float]:
+    """By element: cost at its earlier place less cost where it is, all others standing where they
+    stand now.
+
+    Elements that stay, that had no place on the face, or that can no longer stand there are left
+    out.
+    """
+    found: dict[str, float] = {}
+    problem = placement.problem
+    for index, choice in enumerate(placement.choices):
+        group = placement.groups[choice.group]
+        stay, leave = penalties_of_leaving(
+            face, requests.of_axes() if group.part else requests, choice
+        )
+        label, earlier = int(labels[index]), int(np.argmin(stay)) if len(stay) else -1
+        if leave <= 0.0 or earlier < 0 or label == earlier or np.ptp(stay) == 0.0:
+            continue
+        plain: Floats = cost_given_others(problem, labels, index) - stay
+        now = problem.variables[index].off_face_cost - leave if label < 0 else plain[label]
+        if np.isfinite(plain[earlier]):
+            improvement = float(plain[earlier] - now)
+            found |= dict.fromkeys(names_of_copies(face.rig, group, choice), improvement)
+    return found

@@ -155,7 +155,7 @@ def _stale(
     lost = [path for path in anchored if path not in meshes]
     for path in lost:
         yield whole.mesh_gone(path, len(whole.controls - known))
-    # Controls go with the mesh that has their shapes; one that was renamed is told by itself.
+    # Controls go with the mesh that has their shapes; a renamed one has its own issue.
     along = layout.controls - renamed.keys() if lost else frozenset[str]()
     for element in layout.elements:
         mesh = meshes.get(element.anchor.mesh)
@@ -222,8 +222,8 @@ def _unplaced(
     ]
     new = [name for name in names if name not in known]
     if len(new) > 1 and not listed and not layout.method:
-        told = "controls have no element, and rigUI:layout:baseControls lists none"
-        yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {told}")
+        clause = "controls have no element, and rigUI:layout:baseControls lists none"
+        yield issue("LAYOUT_CONTROL_NEW", layout.root, f"{len(new)} {clause}")
         return
     for name in new:
         yield issue("LAYOUT_CONTROL_NEW", name, "has no element and is not listed without one")

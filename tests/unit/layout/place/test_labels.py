@@ -144,7 +144,7 @@ def test_the_paper_preset_takes_the_constants_literally():
     overlap = line.problem.overlap
     assert overlap.radius == pytest.approx(edge)
     assert (overlap.sharpness, overlap.maximum) == (2.0, 5.0)
-    assert np.isinf(overlap.reach)
+    assert np.isinf(overlap.cutoff_distance)
     assert line.problem.separation < 1e-6
     assert all(np.isinf(variable.off_face_cost) for variable in line.problem.variables)
     large = chain.problem_of(makers.moved(makers.face(), 10.0 * np.eye(3)), load(preset="paper"))

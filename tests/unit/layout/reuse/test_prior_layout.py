@@ -19,8 +19,7 @@ from usdrigui.layout.reuse.prior_layout import (
     leaving_penalties,
     prior_of_previous,
 )
-from usdrigui.layout.review.difference import difference
-from usdrigui.layout.review.improvement import improvements
+from usdrigui.layout.review.difference import difference, improvements
 from usdrigui.settings import ControlSettings, Settings
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from usdrigui.pose.tracks import along, carried, facing, slid
+from usdrigui.pose.handle_track import along, carried, facing, slid
 
 KNOTS = np.array([0.0, 1.0, 3.0])
 CORNER = np.array([[0.0, 0, 0], [2, 0, 0], [2, 4, 0]])
