@@ -24,7 +24,7 @@ def control_overrides(
         anchors = {found[name].anchor for name in members if name in found} - {""}
         if len(anchors) == 1:
             # One element has one anchor: fixing a member fixes the group.
-            anchor = min(anchors)
+            (anchor,) = anchors
             found |= {
                 name: replace(found[name], anchor=anchor) for name in members if name in found
             }

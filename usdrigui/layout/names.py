@@ -52,8 +52,6 @@ def common_label(labels: list[str]) -> str:
     ``eyeLookIn_L`` and ``eyeLookOut_L`` become ``eyeLook In/Out L``; labels with nothing in common
     are joined by slashes.
     """
-    if len(labels) == 1:
-        return labels[0]
     parts = [_WORDS.findall(label) for label in labels]
     least = min(len(words) for words in parts)
     head = next((i for i in range(least) if len({words[i] for words in parts}) > 1), least)
@@ -64,7 +62,8 @@ def common_label(labels: list[str]) -> str:
     middles = ["".join(words[head : len(words) - tail]).strip("_-. ") for words in parts]
     if not (head or tail) or not all(middles):
         return " / ".join(labels)
-    ends = "".join(parts[0][:head]), "".join(parts[0][len(parts[0]) - tail :] if tail else [])
-    return " ".join(
-        each for each in (ends[0].strip("_-. "), "/".join(middles), ends[1].strip("_-. ")) if each
+    words, *_ = parts
+    begin, end = (
+        "".join(each).strip("_-. ") for each in (words[:head], words[len(words) - tail :])
     )
+    return " ".join(each for each in (begin, "/".join(middles), end) if each)

@@ -1,12 +1,14 @@
 """A canonical face laid over a character by its motions alone."""
 
+from dataclasses import replace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
 from usdrigui.conventions import meanings
-from usdrigui.layout.canonical_face import expectations
+from usdrigui.layout.canonical_face import Expectation, expectations
 
 POINTS, QUADS = makers.mask()
 PLACES = {
@@ -83,3 +85,17 @@ def test_a_control_stands_where_it_is_expected_though_it_peaks_elsewhere():
 def test_names_that_say_too_little_expect_nothing():
     _, found = expected({"a": at(0.5, 0.0), "b": at(-0.5, 0.0), "jawOpen": at(0.0, -1.5)})
     assert set(found.values()) == {None}
+
+
+def test_near_is_seven_tenths_of_the_region_around_a_place():
+    here = Expectation(np.eye(3)[:2], np.array([0.0, 0, 5]), np.ones(2), np.zeros(2), False, 2.0)
+    near, around = here.regions(np.array([[0.0, y, 7.0] for y in (0.0, 1.4, 1.5, 2.0, 2.1)]))
+    assert near.tolist() == [True, True, False, False, False]
+    assert around.tolist() == [True, True, True, True, False]
+
+
+def test_the_mirrored_place_is_as_good_where_both_sides_are_expected():
+    points = np.array([[2.0, 0, 0], [-2.0, 0, 0], [-3.0, 0.5, 0]])
+    both = Expectation(np.eye(3)[:2], np.zeros(3), np.array([2.0, 1.0]), np.array([1.0, 0.5]), True, 1.0)
+    assert both.distance(points) == pytest.approx([0.5, 0.5, 0.5])
+    assert replace(both, both_sides=False).distance(points) == pytest.approx([0.5, np.hypot(2, 0.5), 2.5])

@@ -114,7 +114,7 @@ def _cell_widths(controls: tuple[Control, ...], rows: list[tuple[BoardEntry, ...
         for row in rows:
             if len(row) > cell + 1 or (len(row) == count and cell == count - 1):
                 widths[cell] = max(widths[cell], _width(controls, row[cell]))
-    lone = max((_width(controls, row[0]) for row in rows if len(row) == 1), default=0.0)
+    lone = max((_width(controls, *row) for row in rows if len(row) == 1), default=0.0)
     widths[-1] += max(0.0, lone - sum(widths))
     return widths
 

@@ -132,7 +132,7 @@ def has_own_place(
         return False
     if mine.on_board or other.on_board:
         return mine.on_board != other.on_board
-    apart = np.linalg.norm(reflected(mine.position[None], symmetry.plane)[0] - other.position)
+    apart = np.linalg.norm(reflected(mine.position, symmetry.plane) - other.position)
     return bool(apart > _SAME * width)
 
 

@@ -221,7 +221,7 @@ def _image(trajectories: Trajectories, symmetry: Symmetry, twin: int, point: int
     partner = int(symmetry.partner[point])
     if partner in motion.points:
         return partner
-    there = reflected(trajectories.surface.points[point][None], symmetry.plane)[0]
+    there = reflected(trajectories.surface.points[point], symmetry.plane)
     far = motion.points[motion.arc_length >= _MOVES * motion.peak]
     return int(
         far[first_smallest(np.linalg.norm(trajectories.surface.points[far] - there, axis=1))]

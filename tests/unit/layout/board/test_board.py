@@ -8,8 +8,7 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.board.board import _directions, _right_end
-from usdrigui.layout.board.board_place import face_middle
+from usdrigui.layout.board import board, board_place
 
 POINTS, QUADS = makers.mask()
 
@@ -88,27 +87,153 @@ def test_the_board_hangs_on_the_joint_that_holds_the_face():
     assert head[whole.anchor.point] == 1.0
 
 
-def test_opposed_members_run_to_opposite_sides_of_the_board():
-    pairs = SimpleNamespace(controls=range(4), axes=((0, 1), (2, 3)))
-    right, up = np.eye(3)[:2]
-    assert _directions(pairs, np.eye(3)[:2]) == pytest.approx(np.array([-right, right, -up, up]))
+def scene(base, *lengths):
+    """Trajectories of motions that move every point by these lengths."""
+    motions = [SimpleNamespace(points=np.arange(len(base)), arc_length=np.array(each, dtype=float)) for each in lengths]
+    return SimpleNamespace(surface=SimpleNamespace(points=np.array(base, dtype=float), face_size=1.0), motions=motions)
 
 
-def test_another_column_begins_two_handle_widths_right_of_track_and_label():
-    """A track to 3, two handle widths of a half each, and letters, each less than a handle wide."""
-    tracks = SimpleNamespace(track=np.array([[0.0, 0, 0], [3, 0, 0]])), SimpleNamespace(track=np.zeros((2, 3)))
-    ends = [_right_end(SimpleNamespace(members=tracks, label=label), np.eye(3)[:2], 0.5) for label in ("", "abcd")]
-    assert ends[0] == pytest.approx(4.0)
-    assert 0.25 * 4 < ends[1] - ends[0] < 0.5 * 4
+@pytest.mark.parametrize(
+    ("origin", "normal", "middle"),
+    [
+        ((0, 0, 0), (0, 0, 0), (1.5, 1, 1)),
+        ((1, 7, 7), (1, 0, 0), (1, 1, 1)),
+        ((0, 0, 0), (0.6, 0.8, 0), (0.48, -0.36, 1)),
+    ],
+)
+def test_the_middle_of_the_face_is_that_of_what_moves_and_on_the_mirror_plane(origin, normal, middle):
+    """Points count that some control moves by half of its own peak."""
+    found = scene([(0, 0, 0), (3, 2, 2), (9, 9, 9), (-9, 0, 0)], [4, 2, 1.9, 0], [0.1, 0, 0, 0.04])
+    plane = SimpleNamespace(origin=np.array(origin), normal=np.array(normal))
+    assert board_place.face_middle(found, plane) == pytest.approx(middle)
 
 
-def test_the_middle_of_the_face_is_half_way_between_the_ends_of_what_moves_notably():
-    points = np.array([[0.0, 0, 0], [1, 5, 1], [4, 2, 0], [90, 90, 90]])
-    motion = SimpleNamespace(points=np.arange(4), arc_length=np.array([1.0, 0.5, 0.9, 0.4]))
-    moving, flat = (
-        SimpleNamespace(surface=SimpleNamespace(points=points), motions=[motion]),
-        SimpleNamespace(normal=np.zeros(3)),
+def test_the_silhouette_ends_at_the_rightmost_visible_point_as_high_as_the_board():
+    base = [(1, 0, 0), (2, 1, 5), (3, -1.1, 0), (7, 0, 0)]
+    meshes = [
+        SimpleNamespace(points=np.zeros((3, 3)), visible=True),
+        SimpleNamespace(points=np.zeros((1, 3)), visible=False),
+    ]
+    face = SimpleNamespace(rig=SimpleNamespace(meshes=meshes), trajectories=scene(base))
+    frame, middle = np.eye(3)[:2], np.array([0.5, 0.0, 0.0])
+    assert board_place.silhouette(face, middle, frame, 1.0) == 2.0
+    assert board_place.silhouette(face, middle, frame, 1.1) == 3.0
+    assert board_place.silhouette(face, middle, frame, 0.9) == 1.0
+    assert board_place.silhouette(face, np.array([0.5, 9.0, 0.0]), frame, 1.0) == 0.5, "nothing is there"
+
+
+def test_the_board_hangs_on_the_point_that_moves_least_nearest_to_the_middle():
+    base = [(0, 0, 0), (1, 0, 0), (0.5, 0, 0), (0.4, 0, 0)]
+    face = SimpleNamespace(rig=SimpleNamespace(joints=(), meshes=[SimpleNamespace(points=base)]))
+    for lengths, point in (([[1, 0, 0, 1]], 2), ([[1, 0, 0, 1], [0, 0, 0.1, 0]], 1), ([[1, 1, 1, 1]], 0)):
+        face.trajectories = scene(base, *lengths)
+        assert board_place.anchor_point(face, np.zeros(3)) == point
+
+
+def test_cells_are_as_wide_as_their_longest_label_and_a_lone_one_may_run_on():
+    """A slider of 4 and a gap of 2, and .72 for each letter; the first of a pair needs no more than its own."""
+
+    def widths(*rows):
+        """Rows of label lengths."""
+        controls = tuple(SimpleNamespace(label="x" * each) for row in rows for each in row)
+        starts = np.cumsum([0, *map(len, rows)])
+        entries = [
+            tuple(board.BoardEntry(None, (int(start) + i,), "", "") for i in range(len(row)))
+            for start, row in zip(starts, rows, strict=False)
+        ]
+        return board._cell_widths(controls, entries)
+
+    assert widths([5]) == pytest.approx([9.6])
+    assert widths([5], [10]) == pytest.approx([13.2])
+    assert widths([5, 10]) == pytest.approx([9.6, 13.2])
+    assert widths([5, 10], [8, 2]) == pytest.approx([11.76, 13.2])
+    assert widths([5, 5], [30]) == pytest.approx([9.6, 18.0]), "27.6 in all"
+    assert widths([5, 5], [15]) == pytest.approx([9.6, 9.6])
+
+
+def test_columns_are_filled_to_the_last_line_and_begin_with_a_heading():
+    """Lines of a row and its column; a heading takes one, a joystick three."""
+    kinds = {"s": "slider", "p": "patch"}
+
+    def lines(rows, most):
+        made = [(board.BoardEntry(SimpleNamespace(kind=kinds[kind]), (0,), category, ""),) for kind, category in rows]
+        columns = board._columns(made, most)
+        assert [row for column in columns for _, row in column] == made
+        return [[line for line, _ in column] for column in columns]
+
+    assert lines(["sa", "sb"], 4) == [[1, 3]]
+    assert lines(["sa", "sb"], 3) == [[1], [1]]
+    assert lines(["sa", "sa", "pa", "sa"], 7) == [[1, 2, 3, 6]]
+    assert lines(["sa", "sa", "pa", "sa"], 6) == [[1, 2, 3], [1]]
+    assert lines(["pa", "pa"], 1) == [[1], [1]], "a row that no column holds stands all the same"
+
+
+def test_a_new_board_begins_right_of_one_that_exists_and_of_those_of_other_parts_at_its_height():
+    frame = np.array([[0.0, 0, 1], [0, 1, 0]])
+    tracks = [
+        SimpleNamespace(track=np.array([[9.0, 0, 1], [0, 0, 2]])),
+        SimpleNamespace(track=np.array([[0.0, 0, 1.5]])),
+    ]
+    assert board._right_end(SimpleNamespace(members=tracks, label="four"), frame, 0.5) == pytest.approx(4.44)
+
+    def element(height, on_board=True):
+        return SimpleNamespace(anchor=SimpleNamespace(position=np.array([0.0, height, 0.0]), on_board=on_board))
+
+    far, near, skin, old = element(3.1), element(3.0), element(1.0, on_board=False), element(50.0)
+    requests = SimpleNamespace(existing=SimpleNamespace(elements=(old, skin)), neighbours=(far, near))
+    assert board._boards(requests, 1.0, 2.0, frame[1]) == [old, near]
+    assert board._boards(SimpleNamespace(existing=None, neighbours=(near,)), 1.0, 2.0, frame[1]) == [near]
+
+
+@pytest.mark.parametrize(
+    ("axes", "degrees"),
+    [
+        (((0,),), [0]),
+        (((1, 0),), [0, 180]),
+        (((0,), (1,)), [0, 90]),
+        (((1, 0), (2, 3)), [0, 180, 270, 90]),
+        (((0,), (1,), (2,)), [0, 60, 120]),
+    ],
+)
+def test_tracks_on_the_board_spread_over_half_a_turn(axes, degrees):
+    count = sum(map(len, axes))
+    group = SimpleNamespace(controls=range(count), axes=axes)
+    found = np.array(board._directions(group, np.eye(3)[:2]))
+    turns = np.radians(degrees)
+    assert found == pytest.approx(np.stack([np.cos(turns), np.sin(turns), 0.0 * turns], axis=1), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("normal", "images", "own", "side"),
+    [
+        ((0, 0, 0), (1,), 0, "none"),
+        ((1, 0, 0), (), 0, "middle"),
+        ((1, 0, 0), (1,), 0, "left"),
+        ((0, 1, 0), (1,), 1, "right"),
+    ],
+)
+def test_sides_on_the_board(normal, images, own, side):
+    face = SimpleNamespace(symmetry=SimpleNamespace(plane=SimpleNamespace(normal=np.array(normal))))
+    assert board._side(face, SimpleNamespace(group=SimpleNamespace(images=images)), own) == side
+
+
+def test_a_handle_on_the_board_rests_where_its_default_is():
+    controls = (
+        SimpleNamespace(minimum=-1.0, default=0.0, maximum=3.0),
+        SimpleNamespace(minimum=0.0, default=0.0, maximum=2.0),
     )
-    assert face_middle(moving, flat).tolist() == [2.0, 2.5, 0.5]
-    mirrored = SimpleNamespace(normal=np.array([1.0, 0.0, 0.0]), origin=np.array([1.0, 7.0, 7.0]))
-    assert face_middle(moving, mirrored).tolist() == [1.0, 2.5, 0.5]
+    assert board._start(controls, SimpleNamespace(controls=(0,))) == 0.25
+    assert board._start(controls, SimpleNamespace(controls=(1,))) == 0.0
+    assert board._start(controls, SimpleNamespace(controls=(0, 1))) == 0.5
+
+
+def test_a_track_on_the_board_is_as_long_as_asked_whatever_its_range():
+    motion = SimpleNamespace(arc_length=np.array([0.5, 2.0]))
+    control = SimpleNamespace(name="c", minimum=-1.0, default=0.0, maximum=3.0)
+    face = SimpleNamespace(
+        rig=SimpleNamespace(controls=(control,)), trajectories=SimpleNamespace(motion_of=lambda _: motion)
+    )
+    made = board._member(face, 0, np.array([0.0, 5, 0]), 8.0, np.array([1.0, 0, 0]))
+    assert made.values.tolist() == [-1.0, 0.0, 3.0]
+    assert made.track.tolist() == [[-2.0, 5, 0], [0, 5, 0], [6, 5, 0]]
+    assert (made.arc_length, made.magnification) == (2.0, 4.0)

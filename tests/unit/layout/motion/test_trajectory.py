@@ -6,9 +6,9 @@ import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.motion.coverage import coverage_of_smaller
-from usdrigui.layout.motion.trajectory import trajectories
-from usdrigui.model import Drive, Joint, Skeleton
+from usdrigui.layout.motion.coverage import coverage_of_smaller, notable_points, shares_of_face
+from usdrigui.layout.motion.trajectory import _beyond_drift, _split, trajectories
+from usdrigui.model import Drive, Joint, Motion, Skeleton
 from usdrigui.settings import TrajectorySettings
 
 POINTS, QUADS = makers.mask(9, 11)
@@ -175,3 +175,54 @@ def test_faces_wound_inward_are_noticed_and_turned():
         assert (np.einsum("ni,ni->n", found.surface.normals, points) > 0.0).all()
     assert [each.code for each in wrong.findings.issues] == ["NORMALS_INWARD"]
     assert not right.findings.issues
+
+
+def test_halves_of_a_piece_that_missed_its_curve_stay_pending_and_the_others_wait():
+    pending, halved = np.array([True, True, False, True]), np.array([0, 3])
+    assert _split(pending, halved, np.array([True, False])).tolist() == [True, True, True, False, False, False]
+    assert pending.tolist() == [True, True, False, True]
+
+
+@pytest.mark.parametrize(("still", "kept"), [(0, 4), (4, 4), (5, 40)])
+def test_drift_is_taken_off_what_moves_nine_points_in_ten(still, kept):
+    """Of 36 points that drift by .01 and 4 that move by 1, beside some that stand still."""
+    length = np.concatenate([np.full(36, 0.01), np.ones(4)])
+    motion = Motion(0, np.array([0.0, 1.0]), np.arange(40), np.zeros((2, 40, 3), np.float32), length, None)
+    found = _beyond_drift(motion, 40 + still)
+    assert len(found.points) == len(found.arc_length) == found.offsets.shape[1] == kept
+    assert found.points[-1] == 39
+
+
+def motions_of(*lengths):
+    """Motions that move every point by these lengths."""
+    return [
+        Motion(i, np.array([0.0, 1.0]), np.arange(4), np.zeros((2, 4, 3), np.float32), np.array(each, dtype=float))
+        for i, each in enumerate(lengths)
+    ]
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+def test_shares_of_the_face_by_hand(unit):
+    """Points of area 1, 1, 2 and 4; the face is where the two small controls act, the first three."""
+    areas = unit * np.array([1.0, 1.0, 2.0, 4.0])
+    motions = motions_of([4, 1, 0.9, 0], [0, 0, 1, 0], [1, 1, 1, 1])
+    assert notable_points(motions, 4).tolist() == [
+        [True, True, False, False], [False, False, True, False], [True, True, True, True]
+    ]  # fmt: skip
+    assert shares_of_face(motions, areas) == pytest.approx([0.5, 0.5, 1.0])
+    assert coverage_of_smaller(motions, areas) == pytest.approx([0.0, 0.0, 1.0])
+    assert (
+        shares_of_face(motions, 0.0 * areas).tolist() == coverage_of_smaller(motions, 0.0 * areas).tolist() == [0.0] * 3
+    )
+
+
+@pytest.mark.parametrize(("beyond", "covered"), [(1.0, 0.5), (4.0, 0.5), (4.1, 0.0)])
+def test_what_moves_more_beyond_the_face_is_measured_on_it_if_that_is_a_quarter_of_the_peak(beyond, covered):
+    motions = motions_of([1, 1, 0, 0], [0, 0, 1, 0], [1, 0.25, 0.2, beyond])
+    assert coverage_of_smaller(motions, np.array([1.0, 1.0, 2.0, 8.0]))[2] == pytest.approx(covered)
+
+
+def test_it_takes_more_than_two_and_a_half_times_the_usual_area_to_cover_a_face():
+    motions = motions_of([1, 1, 0, 0], [0, 0, 1, 0], [1, 1, 1, 1])
+    assert coverage_of_smaller(motions, np.array([1.0, 1.0, 2.0, 1.0]))[2] == 0.0
+    assert coverage_of_smaller(motions, np.array([1.0, 1.0, 2.0, 1.1]))[2] == 1.0

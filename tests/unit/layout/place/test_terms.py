@@ -1,11 +1,13 @@
 """Element-model occlusion as a cost: a trajectory's tangent against the surface normal (paper section 3.3)."""
 
+from types import SimpleNamespace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.place.terms import linear_cost, occlusion
+from usdrigui.layout.place.terms import linear_cost, occlusion, off_plane
 
 SIDE = 11
 PRICE = 0.15
@@ -58,3 +60,20 @@ def test_of_equal_places_the_one_where_the_track_comes_out_is_taken():
     (element,) = chain.lay_out(sheet(halves), settings).layout.elements
     assert element.anchor.position[0] > 0.0
     assert not element.anchor.on_board
+
+
+def test_off_the_plane_costs_by_the_handle_width_and_the_right_a_hair_more():
+    """Counted from the nearest; within a thousandth of a width a place is on the plane."""
+    base = np.array([[0.2, 0, 0], [-0.2, 0, 0], [0.0, 0, 0], [0.6, 0, 0]])
+    face = SimpleNamespace(
+        trajectories=SimpleNamespace(surface=SimpleNamespace(points=base)),
+        symmetry=SimpleNamespace(plane=SimpleNamespace(origin=np.zeros(3), normal=np.array([1.0, 0, 0]))),
+        handle_width=0.2,
+    )
+    assert off_plane(face, np.array([0, 1, 2, 3]), 2.0) == pytest.approx([2.0, 2.0 + 1e-5, 0.0, 6.0])
+    assert off_plane(face, np.array([0, 1, 3]), 2.0) == pytest.approx([0.0, 1e-5, 4.0])
+    assert off_plane(face, np.array([0, 2]), 2.0, of_joint=True) == pytest.approx([2.5, 0.0])
+    assert off_plane(face, np.array([0, 2]), 0.0, of_joint=True) == pytest.approx([0.0, 0.0])
+    face.handle_width, base[:2, 0] = 1.0, (-0.001, -0.002)
+    assert off_plane(face, np.arange(3), 0.0).tolist() == [0.0, 1e-5, 0.0]
+    assert len(off_plane(face, np.zeros(0, dtype=int), 2.0)) == 0

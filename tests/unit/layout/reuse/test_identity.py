@@ -181,3 +181,15 @@ def test_the_assignment_of_the_parts_is_that_of_the_whole(seed):
     rows, columns = linear_sum_assignment(evidence, maximize=True)
     assert sum(evidence[row, column] for row, column, _ in found) == pytest.approx(evidence[rows, columns].sum())
     assert len({row for row, *_ in found}) == len({column for _, column, _ in found}) == len(found)
+
+
+def test_a_match_is_as_sure_as_what_the_whole_would_lose_without_it():
+    """5 + 3 with it; without it 3 alone, as 1 + 2 is no more.  What nobody contests needs no other assignment."""
+    evidence = np.array([[5.0, 1.0], [2.0, 3.0]])
+    assert identity._loss(evidence, 0, 0, 8.0) == 5.0
+    assert identity._loss(evidence, 1, 1, 8.0) == 3.0
+    assert identity._assigned_part(evidence, np.array([4, 7]), np.array([2, 9])) == [(4, 2, 5.0), (7, 9, 3.0)]
+    sure = np.array([[16.0, 1.0], [2.0, 3.0]])
+    assert identity._loss(sure, 0, 0, 19.0) == 13.0, "16 less 1 and 2: a bound"
+    assert identity._loss(np.array([[14.0, 1.0], [2.0, 3.0]]), 0, 0, 17.0) == 14.0
+    assert identity._assigned_part(np.array([[-1.0]]), np.array([0]), np.array([0])) == []

@@ -294,8 +294,26 @@ def test_of_two_prior_layouts_the_first_holds(face, before):
     assert len(members) == len(set(members)) == len(face.controls)
 
 
-def test_a_place_costs_by_how_much_further_than_the_nearest_it_lies_from_the_earlier_one():
-    """Candidates 1, 2 and 5 away: the nearest costs nothing, all from the cutoff of two handle widths on the same."""
-    base = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [5, 0, 0]])
-    prior = PriorLayout(places={7: Place(0, base[0], False)}, penalty=3.0, cutoff_distance=2.0)
-    assert leaving_penalties(prior, [7], np.array([1, 2, 3]), base, 1.0).tolist() == [0.0, 1.5, 3.0]
+def test_leaving_a_place_costs_by_the_distance_or_everywhere_alike():
+    base = np.array([[0.0, 0, 0], [1.0, 0, 0], [2.0, 0, 0], [9.0, 0, 0]])
+    here = Place(1, np.array([0.5, 0.0, 0.0]), on_board=False)
+    board = replace(here, on_board=True)
+    some = np.array([1, 2, 3])
+
+    def costs(places, cutoff, controls=(0,), anchors=some):
+        prior = PriorLayout(places=places, penalty=2.0, cutoff_distance=cutoff)
+        return leaving_penalties(prior, controls, anchors, base, 0.5).tolist()
+
+    assert costs({0: here}, 0.0) == [0.0, 2.0, 2.0]
+    assert costs({0: replace(here, point=7)}, 0.0) == [0.0, 2.0, 2.0], "the nearest stands for a point that is gone"
+    assert costs({0: here}, 4.0) == [0.0, 1.0, 2.0], "the whole penalty at two units, counted from the nearest"
+    assert costs({0: board}, 4.0) == [2.0, 2.0, 2.0]
+    assert costs({5: here}, 4.0) == [0.0, 0.0, 0.0]
+    other = replace(here, position=np.array([9.0, 0, 0]), point=3)
+    assert costs({0: here, 1: other}, 4.0, (0, 1)) == [2.0, 2.0, 2.0]
+    assert costs({0: here}, 4.0, anchors=some[:0]) == []
+
+
+def test_at_a_penalty_of_nothing_there_is_no_prior(face, before):
+    assert prior_of_previous(before.layout.elements, face, 0.0) is NO_PRIOR
+    assert prior_of_previous(before.layout.elements, face, 1e-9) is not NO_PRIOR

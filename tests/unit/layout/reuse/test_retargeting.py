@@ -9,7 +9,7 @@ import pytest
 
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.reuse import retargeting
-from usdrigui.layout.reuse.retargeting import _face_middle, _turn, _warped, corresponding, of_another
+from usdrigui.layout.reuse.retargeting import _face_middle, _warped, corresponding, of_another
 from usdrigui.layout.review.difference import difference
 from usdrigui.settings import Settings
 
@@ -165,12 +165,57 @@ def test_most_landmarks_count_where_few_are_wrong():
     assert np.delete(similarity(source) - target, 5, axis=0) == pytest.approx(np.zeros((11, 3)), abs=0.2)
 
 
-@pytest.mark.parametrize("end", [(0.0, 0.0, 1.0), (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (0.6, 0.0, 0.8)])
-def test_the_turn_from_up_to_up_is_a_rotation_even_from_below(end):
-    turn = _turn(np.array([0.0, 1.0, 0.0]), np.array(end))
-    assert turn @ [0.0, 1.0, 0.0] == pytest.approx(end)
+def test_points_of_a_plane_or_a_line_say_less_than_those_of_a_body():
+    cube = np.array([[x, y, z] for x in (0.0, 1) for y in (0.0, 1) for z in (0.0, 1)])
+    for depth, solid in ((1.0, True), (1.1e-3, True), (0.9e-3, False), (0.0, False)):
+        assert retargeting._solid(cube * [1, 1, depth]) == solid
+        assert retargeting._spread(cube * [depth, 1, 0]) == solid
+        assert retargeting._spread(cube * [1, 1, depth])
+
+
+@pytest.mark.parametrize("end", [(0, 1, 0), (0, 0, 1), (0.6, 0.8, 0), (0, -1, 0)])
+def test_the_least_rotation_turns_one_up_to_the_other_and_nothing_across(end):
+    start, end = np.array([0.0, 1, 0]), np.array(end, dtype=float)
+    turn = retargeting._turn(start, end)
+    assert turn @ start == pytest.approx(end)
     assert turn @ turn.T == pytest.approx(np.eye(3))
     assert np.linalg.det(turn) == pytest.approx(1.0)
+    across = np.cross(start, end)
+    assert turn @ across == pytest.approx(across)
+
+
+def test_a_similarity_is_found_back_with_its_weights():
+    source = np.random.default_rng(2).normal(size=(9, 3))
+    target = 3.0 * source @ SPIN.T + [1.0, 2.0, 3.0]
+    target[0] += 5.0
+    found = retargeting._fitted(source, target, np.array([0.0, *range(1, 9)]))
+    assert found.scale == pytest.approx(3.0)
+    assert found.rotation == pytest.approx(SPIN)
+    assert found(source[1:]) == pytest.approx(target[1:])
+    assert retargeting._fitted(source, source * [-1, 1, 1], np.ones(9)).rotation == pytest.approx(
+        retargeting._fitted(source, source * [-1, 1, 1], np.full(9, 2.0)).rotation
+    )
+    assert np.linalg.det(retargeting._fitted(source, source * [-1, 1, 1], np.ones(9)).rotation) == pytest.approx(1.0)
+
+
+def test_landmarks_that_are_elsewhere_do_not_shape_the_warp(monkeypatch):
+    source = np.random.default_rng(4).normal(size=(12, 3))
+    target = 2.0 * source + 0.05 * np.random.default_rng(5).normal(size=source.shape)
+    target[5] += (3.0, 0.0, 0.0)
+    monkeypatch.setattr(retargeting, "_landmarks", lambda *_: (source, target))
+    found = retargeting.face_map((None, None), (None, None), {})
+    assert found.target.tolist() == np.delete(target, 5, axis=0).tolist()
+    assert found.source == pytest.approx(found.target, abs=0.3), "the one face laid over the other"
+    assert found.vectors(np.array([[1.0, 0, 0]])) == pytest.approx(np.array([[2.0, 0, 0]]), abs=0.1)
+
+
+def test_the_middle_of_what_a_control_moves_is_weighed_by_how_far_and_counts_each_place_once():
+    scene = SimpleNamespace(points=np.array([[0.0, 0, 0], [1.0, 0, 0], [1.0, 0, 0]]), places=np.array([0, 1, 1]))
+    motion = SimpleNamespace(points=np.arange(3), arc_length=np.array([1.0, 2.0, 2.0]))
+    assert retargeting._middle(scene, motion, 2.0).tolist() == [0.8, 0.0, 0.0]
+    assert retargeting._middle(scene, motion, 12.0)[0] == pytest.approx(4096.0 / 4097.0)
+    copies = SimpleNamespace(points=np.array([2]), arc_length=np.array([2.0]))
+    assert retargeting._middle(scene, copies, 2.0).tolist() == [1.0, 0.0, 0.0]
 
 
 def test_landmarks_that_correspond_smoothly_are_met_by_the_warp():

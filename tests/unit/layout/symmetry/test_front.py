@@ -1,11 +1,13 @@
 """Which way a character looks: where its controls move it, each with one vote."""
 
+from types import SimpleNamespace
+
 import chain
 import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.symmetry.front import front
+from usdrigui.layout.symmetry.front import front, front_of, three_quarter
 
 POINTS, QUADS = makers.mask()
 MIRROR = np.array([1.0, 1.0, -1.0])
@@ -51,3 +53,19 @@ def test_the_face_looks_where_it_moves(matrix):
     face = chain.face_of(rig)
     assert front(rig.up, face.trajectories, face.symmetry.plane.normal) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0)
     assert front(rig.up, face.trajectories, np.zeros(3)) @ (matrix @ [0, 0, 1]) == pytest.approx(1.0, abs=1e-3)
+
+
+def test_the_other_views_look_from_40_degrees_to_either_side():
+    left, right = three_quarter(np.array([0.0, 0, 1]), np.array([0.0, 1, 0]))
+    turn = np.radians(40.0)
+    assert left == pytest.approx([np.sin(turn), 0.0, np.cos(turn)])
+    assert right == pytest.approx([-np.sin(turn), 0.0, np.cos(turn)])
+
+
+def test_with_a_plane_of_known_sides_the_face_looks_where_its_left_is_on_the_left():
+    up = np.array([0.0, 1.0, 0.0])
+    assert front_of(up, None, np.array([3.0, 0, 0])) == pytest.approx([0, 0, 1])
+    assert front_of(up, None, np.array([-2.0, 0, 0])) == pytest.approx([0, 0, -1])
+    still = SimpleNamespace(motions=())
+    assert front_of(up, still, up) == pytest.approx(front(up, still, np.zeros(3))), "a plane that lies says nothing"
+    assert abs(front(up, still, up) @ up) < 1e-12
