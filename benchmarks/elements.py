@@ -6,8 +6,8 @@ out.
 
 SCRIPT is a program that prints how many controls of a layer stand where an animator expects them
 (``43/45 placed`` or ``joint axes 70/72``), and ``FAIL`` with the reasons where that does not do.
-Each cell has its count, the mean displacement kept on the face, the controls there, and the
-reasons.  The layers stay in FOLDER, one subfolder a row.
+Each cell has its count, the mean displacement kept on the face, the controls there, the elements,
+and the reasons.  The layers stay in FOLDER, one subfolder a row.
 """
 
 from __future__ import annotations
@@ -56,6 +56,22 @@ ROWS = (
         replaced={"usdrigui.layout.motion.trajectory.owned_skin": lambda *_: None},
     ),
     Row("parts", {"parts": {"divide": False}}),
+    Row(
+        "evidence of groups",
+        replaced={
+            "usdrigui.layout.group.evidence.Evidence.relation": lambda *_: "open",
+            "usdrigui.layout.group.evidence.Evidence.crossing": lambda *_: "open",
+            "usdrigui.layout.group.evidence.Evidence.like_amount": lambda *_: True,
+            "usdrigui.layout.group.evidence.Evidence.one_place": lambda *_: True,
+        },
+    ),
+    Row(
+        "front and sides of the skeleton",
+        replaced={
+            "usdrigui.layout.symmetry.mirror_plane.plane_of_names": lambda *_: None,
+            "usdrigui.layout.symmetry.mirror_plane.ahead_of_head": lambda *_: None,
+        },
+    ),
     Row("the dear board", {"objective": {"off_face_penalty": 0.3}}),
 )
 
@@ -86,7 +102,8 @@ def cell(row: Row, asset: Path, given: argparse.Namespace) -> str:
     count = next((each for each in found.groups() if each), "-") if found else "-"
     failed = re.search(r"FAIL\s+(.*)", said)
     kept = character.kept
-    return f"{count}, {kept:.3f} of {character.count('face')}" + (
+    elements = len(character.layout.elements)
+    return f"{count}, {kept:.3f} of {character.count('face')} in {elements}" + (
         f"; {failed[1].strip()}" if failed else ""
     )
 

@@ -122,25 +122,27 @@ def test_a_double_click_looks_closely_and_another_back(opened):
     assert viewer.page.evaluate(distance) == pytest.approx(far)
 
 
-PARTS = (("face", ("brow_L", "brow_R", "pucker")), ("hands", ("jawLeft", "jawRight")))
+PARTS = (("interior", ("chin",)), ("face", ("brow_L", "brow_R", "pucker")), ("hands", ("jawLeft", "jawRight")))
+TITLES = {"interior": "inside the mouth"}
 
 
 def test_each_part_has_a_tab_and_the_first_is_shown(browser, tmp_path):
+    """A part without handles on the character, as the inside of a mouth, is looked at in the face."""
     rig = makers.face()
-    layout = peak_layout(rig)
+    layout = peak_layout(rig, beside=("chin",))
     names = {name: part for part, members in PARTS for name in members}
     elements = tuple(replace(each, part=names[each.name]) for each in layout.elements if each.name in names)
-    parts = [
-        LayoutPart(part, width, view, "optimal", 0.0, 0.0)
-        for (part, _), width, view in zip(PARTS, (0.04, 0.08), (layout.view, np.array([1.0, 0.0, 0.0])), strict=True)
-    ]
+    given = {"face": (0.04, layout.view), "interior": (0.01, layout.view), "hands": (0.08, np.array([1.0, 0.0, 0.0]))}
+    parts = tuple(LayoutPart(part, *seen, "optimal", 0.0, 0.0) for part, seen in given.items())
     path = tmp_path / "parts.html"
-    path.write_text(page_html([(rig, replace(layout, elements=elements, parts=tuple(parts)))], "parts"))
-    viewer = Viewer(browser, path)
+    path.write_text(page_html([(rig, replace(layout, elements=elements, parts=parts))], "parts"))
+    viewer, targets = Viewer(browser, path), {}
     for part, members in PARTS:
-        viewer.page.get_by_role("button", name=part, exact=True).click()
+        viewer.page.get_by_role("button", name=TITLES.get(part, part), exact=True).click()
         viewer.settle()
         assert {each["name"] for each in viewer.page.evaluate("usdrigui.elements()")} == set(members)
+        targets[part] = viewer.page.evaluate("usdrigui.app.view.camera.target")
+    assert targets["interior"] == pytest.approx(targets["face"], abs=0.05)
     assert viewer.page.evaluate("usdrigui.app.view.camera.towards") == pytest.approx([1.0, 0.0, 0.0], abs=1e-6)
     assert viewer.trouble == []
     viewer.close()

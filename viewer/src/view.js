@@ -150,9 +150,14 @@ export class View {
 
   /** Points to be in the picture: the elements on the face and what of the head is around them. */
   framed(shown) {
-    const on = shown.filter((element) => !element.onBoard).flatMap((element) => element.tracks.flat());
+    const { elements, character } = this.session;
+    const main = character.layout.sections[0]?.elements ?? [];
+    // Tongue and teeth have no handle on the character: they are looked at in its face.
+    const ofFace = elements.list.filter((element) => main.includes(element.name));
+    const tracks = [shown, ofFace].map((some) => some.filter((element) => !element.onBoard).flatMap((element) => element.tracks.flat()));
+    const on = tracks.find((points) => points.length);
     const skin = everyPoint(this.session.deformer.points, this.stage.triangles);
-    if (!on.length) return skin;
+    if (!on) return skin;
     const [sideways, upright] = this.columns.length > 1 ? [0.5, 0.5] : [0.25, 0.12];
     return [...on, ...this.surroundings(on, skin, sideways, upright)];
   }
