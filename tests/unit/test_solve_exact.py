@@ -11,7 +11,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -25,7 +24,6 @@ from usdrigui.model import GAP_FLOOR, Assignment, ExtraPairs, Floats, Indices, L
 from usdrigui.overlap import total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import Progress, exact, local_search, milp, partition, reduce, solve, triplets
-from usdrigui.solve import branch_and_bound as branch_and_bound_module
 from usdrigui.solve.assignment import assignment
 from usdrigui.solve.branch_and_bound import branch_and_bound
 from usdrigui.solve.budget import Budget
@@ -320,11 +318,9 @@ def test_least_sums_are_never_above_those_of_all_labels() -> None:
     assert (every - found < 3e-13).all()
 
 
-@pytest.mark.parametrize("place", [reduce, branch_and_bound_module], ids=["reduce", "branch and bound"])
-def test_dominance_that_forgets_what_pairs_cost_is_caught(place: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_dominance_that_forgets_what_pairs_cost_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     honest = undominated
-    (by_branching if place is branch_and_bound_module else one_matrix)(monkeypatch)
-    monkeypatch.setattr(place, "undominated", lambda start, linear, _, gone: honest(start, linear, 0 * gone, gone))
+    monkeypatch.setattr(reduce, "undominated", lambda start, linear, _, gone: honest(start, linear, 0 * gone, gone))
     assert overstated(random_problems(), monkeypatch, HIGHS.work_limit) > 0
 
 

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 from contextlib import suppress
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 
@@ -69,31 +69,33 @@ Answer = tuple[float, Indices | None, float]
 def _asked(network: Network, budget: Budget) -> Answer | None:
     """The answer of toulbar2 in a process that ends when the run is to stop; None then."""
     command = [sys.executable, "-m", __name__]
-    with tempfile.TemporaryFile() as question, tempfile.TemporaryFile() as answer:
-        np.savez(question, *network)
+    with tempfile.TemporaryFile() as question:
+        question.write(_packed(*network))
         question.seek(0)
         with subprocess.Popen(
-            command, stdin=question, stdout=answer, start_new_session=True
+            command, stdin=question, stdout=subprocess.PIPE, start_new_session=True
         ) as run:
-            while run.poll() is None:
-                if budget.stopped():
-                    run.kill()
-                    return None
+            while not budget.stopped():
                 with suppress(subprocess.TimeoutExpired):
-                    run.wait(timeout=0.1)
-        answer.seek(0)
-        bound, chosen, rounding = _arrays(answer)
-        return float(bound), chosen if len(chosen) else None, float(rounding)
+                    bound, chosen, rounding = _unpacked(run.communicate(timeout=0.1)[0])
+                    return float(bound), chosen if len(chosen) else None, float(rounding)
+            run.kill()
+    return None
 
 
-def _arrays(file: IO[bytes]) -> list[Any]:
-    """What `numpy.savez` wrote, in order."""
-    with np.load(file, allow_pickle=False) as found:
+def _packed(*arrays: Any) -> bytes:
+    file = io.BytesIO()
+    np.savez(file, *arrays)
+    return file.getvalue()
+
+
+def _unpacked(data: bytes) -> list[Any]:
+    with np.load(io.BytesIO(data), allow_pickle=False) as found:
         return [found[name] for name in found.files]
 
 
-def _solved(network: Network) -> Answer:
-    """Solve a network by toulbar2."""
+def _solved(network: Network) -> tuple[float, Indices, float]:
+    """The same by toulbar2 in this process; no labels where no layout is found."""
     import pytoulbar2
 
     start, linear, pairs, spare = network
@@ -113,18 +115,10 @@ def _solved(network: Network) -> Answer:
     model.Option.verbose = -1
     model.Option.showSolutions = 0
     found = model.Solve()
-    chosen = None if found is None else np.array(found[0][: len(slices)], dtype=np.int64)
+    chosen = np.array([] if found is None else found[0][: len(slices)], dtype=np.int64)
     return float(model.GetDDualBound()), chosen, (len(slices) + tables) * 10.0**-digits
 
 
-def _main() -> None:
-    """Answer the network on standard input."""
-    start, linear, pairs, spare = _arrays(io.BytesIO(sys.stdin.buffer.read()))
-    bound, chosen, rounding = _solved((start, linear, pairs, float(spare)))
-    written = io.BytesIO()
-    np.savez(written, bound, np.zeros(0, dtype=np.int64) if chosen is None else chosen, rounding)
-    sys.stdout.buffer.write(written.getvalue())
-
-
 if __name__ == "__main__":
-    _main()
+    *tables, limit = _unpacked(sys.stdin.buffer.read())
+    sys.stdout.buffer.write(_packed(*_solved((*tables, float(limit)))))
