@@ -23,7 +23,7 @@ import numpy as np
 
 from usdrigui.model import Flags, Floats, Indices
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution, Triplet
+from usdrigui.solve.reduced_problem import EPSILON, ReducedProblem, Solution
 
 if TYPE_CHECKING:
     import highspy
@@ -56,12 +56,8 @@ class _Program:
         self._problem, self._cutoff, self._budget = problem, cutoff, budget
         self._base = problem.bound()
         self._tables = [
-            _Table(problem, ends, len(problem.costs) + at)
-            for at, ends in enumerate(_interacting(problem))
-        ]
-        self._triplets = [
-            _TripletTable(problem, each, len(problem.costs) + len(self._tables) + at)
-            for at, each in enumerate(problem.messages)
+            _Table(len(problem.costs) + at, [problem.slices[each] for each in ends], costs)
+            for at, (ends, costs) in enumerate(_together(problem))
         ]
         self._highs = highspy.Highs()  # type: ignore[no-untyped-call]
         self._highs.cbSimplexInterrupt.subscribe(self._interrupt_simplex)
@@ -81,7 +77,7 @@ class _Program:
         for name, value in _OPTIONS.items():
             self._highs.setOptionValue(name, value)
         self._highs.setOptionValue("random_seed", self._budget.settings.seed % 2**31)
-        extra = len(self._tables) + len(self._triplets)
+        extra = len(self._tables)
         none = np.empty(0, dtype=np.int32)
         self._highs.addCols(
             count + extra,
@@ -105,7 +101,7 @@ class _Program:
         labels = len(self._problem.costs)
         figures = {
             "labels": labels,
-            "columns": labels + len(self._tables) + len(self._triplets),
+            "columns": labels + len(self._tables),
             "rows": self._rows,
             "lp_bound": min(self._lp_bound, self._cutoff),
             "nodes": self._nodes,
@@ -211,8 +207,9 @@ class _Program:
     def _violated(self) -> dict[bytes, Row]:
         """Rows that the solution violates and that are not stated yet, each once."""
         values = self._values()
-        tables: list[_Table | _TripletTable] = [*self._tables, *self._triplets]
-        found = {_key(row): row for table in tables for row in table.violated(values)}
+        rows = [row for table in self._tables for row in table.violated(values)]
+        keys = [columns.tobytes() + coefficients.tobytes() for columns, coefficients in rows]
+        found = dict(zip(keys, rows, strict=True))
         return {key: row for key, row in found.items() if key not in self._stated}
 
     def _add_violated(self, rows: Mapping[bytes, Row]) -> None:
@@ -236,85 +233,44 @@ class _Program:
 
 
 class _Table:
-    """The column of two variables that interact, and its rows."""
+    """The column of what two or three variables cost together, and its rows."""
 
-    def __init__(self, problem: ReducedProblem, ends: tuple[int, int], column: int) -> None:
-        self._column = column
-        a, b = (problem.slices[each] for each in ends)
-        costs = problem.table(*ends)
-        self._sides = [(a, b, *_lifted(costs)), (b, a, *_lifted(costs.T))]
-
-    def violated(self, values: Floats) -> list[Row]:
-        """The most violated row of each direction."""
-        found = []
-        for mine, theirs, costs, lifts in self._sides:
-            over = costs @ values[theirs] - lifts @ values[mine] - values[self._column]
-            at = int(over.argmax())
-            if over[at] > VIOLATED:
-                found.append(_row(self._column, (theirs, -costs[at]), (mine, lifts[at])))
-        return found
-
-
-def _lifted(costs: Floats) -> tuple[Floats, Floats]:
-    """(m, t) c and (m, m) d of the rows for all labels of one variable; a pair that is excluded may
-    have any cost, and needs no lift."""
-    finite = np.where(np.isfinite(costs), costs, 0.0)
-    lifts = np.stack([(each - costs).max(axis=1) for each in finite])
-    return finite, np.maximum(lifts, 0.0)
-
-
-class _TripletTable:
-    """The column of a triplet, and its rows: for two labels, lifted to all of their variables one
-    after the other."""
-
-    def __init__(self, problem: ReducedProblem, triplet: Triplet, column: int) -> None:
-        self._column = column
-        self._labels = [problem.slices[each] for each in triplet]
-        self._costs = problem.triplet_costs(triplet)
+    def __init__(self, column: int, labels: Sequence[slice], costs: Floats) -> None:
+        self._column, every = column, range(len(labels))
+        orders = [[*(each for each in every if each != last), last] for last in every]
+        self._sides = [([labels[at] for at in each], costs.transpose(each)) for each in orders]
 
     def violated(self, values: Floats) -> list[Row]:
-        """For the likeliest labels of each two of the variables the row that is violated."""
-        likely = [each.start + int(values[each].argmax()) for each in self._labels]
-        found = []
-        for order in ((0, 1, 2), (0, 2, 1), (1, 2, 0)):
-            row = self._row(order, likely)
-            if -float(row[1] @ values[row[0]]) > VIOLATED:
-                found.append(row)
-        return found[:1]
+        """For the likeliest labels of all variables but one, in every way, the row that is
+        violated."""
+        rows = [self._row(labels, costs, values) for labels, costs in self._sides]
+        return [row for row in rows if -float(row[1] @ values[row[0]]) > VIOLATED]
 
-    def _row(self, order: tuple[int, int, int], likely: Sequence[int]) -> Row:
-        one, other, third = (self._labels[each] for each in order)
-        costs = self._costs.transpose(order)
-        mine = costs[likely[order[0]] - one.start]
-        own = mine[likely[order[1]] - other.start]
-        other_lift = np.maximum((own - mine).max(axis=1), 0.0)
-        lift = np.maximum((own - other_lift[:, None] - costs).max(axis=(1, 2)), 0.0)
-        return _row(self._column, (third, -own), (other, other_lift), (one, lift))
-
-
-def _key(row: Row) -> bytes:
-    return row[0].tobytes() + row[1].tobytes()
-
-
-def _row(column: int, *parts: tuple[slice, Floats]) -> Row:
-    """A row of a column and the labels of some variables, without coefficients that are 0."""
-    columns = [np.array([column]), *(np.arange(labels.start, labels.stop) for labels, _ in parts)]
-    values = [np.ones(1), *(each for _, each in parts)]
-    used = [np.abs(each) > EPSILON for each in values]
-    return (
-        np.concatenate([each[keep] for each, keep in zip(columns, used, strict=True)]),
-        np.concatenate([each[keep] for each, keep in zip(values, used, strict=True)]),
-    )
+    def _row(self, labels: list[slice], costs: Floats, values: Floats) -> Row:
+        """The row for one label of each variable but the last, lifted to all of their labels one
+        variable after the other.  A pair that is excluded may have any cost, and needs no lift."""
+        likely = tuple(int(values[each].argmax()) for each in labels[:-1])
+        own = np.where(np.isfinite(costs[likely]), costs[likely], 0.0)
+        parts, most = [(labels[-1], -own)], own
+        for depth in reversed(range(len(likely))):
+            over = most - costs[likely[:depth]]
+            lift = np.maximum(over.reshape(len(over), -1).max(axis=1), 0.0)
+            parts.append((labels[depth], lift))
+            most = most - lift.reshape(-1, *(1,) * most.ndim)
+        columns = np.concatenate([np.arange(each.start, each.stop) for each, _ in parts])
+        coefficients = np.concatenate([each for _, each in parts])
+        used = np.abs(coefficients) > EPSILON
+        return np.append(columns[used], self._column), np.append(coefficients[used], 1.0)
 
 
-def _interacting(problem: ReducedProblem) -> list[tuple[int, int]]:
-    """Variables with a finite pair cost above 0."""
-    found = []
-    for a, b in itertools.combinations(range(problem.count), 2):
-        costs = problem.table(a, b)
-        if ((costs > EPSILON) & (costs < np.inf)).any():
-            found.append((a, b))
-    return found
+def _together(problem: ReducedProblem) -> list[tuple[tuple[int, ...], Floats]]:
+    """The pairs of variables with a finite cost above 0, the triplets, and their costs."""
+    pairs = [
+        (ends, problem.table(*ends)) for ends in itertools.combinations(range(problem.count), 2)
+    ]
+    used = [((costs > EPSILON) & (costs < np.inf)).any() for _, costs in pairs]
+    triplets = [(each, problem.triplet_costs(each)) for each in problem.messages]
+    return [*itertools.compress(pairs, used), *triplets]
 
 
 def _cliques(problem: ReducedProblem) -> list[Indices]:
