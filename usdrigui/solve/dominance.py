@@ -32,19 +32,11 @@ def undominated(start: Indices, linear: Floats, pairs: Floats, excluded: Flags) 
         others = np.flatnonzero(alive)
         first = np.flatnonzero(np.diff(owner[others], prepend=-1))
         costs = np.minimum(pairs[low:high, others], 1e30)  # infinite costs have no differences
+        # No replacement need pay for a pair that is excluded.
         used = np.where(excluded[low:high, others], np.inf, costs)
-        alive[low:high] = _undominated(linear[low:high], costs, used, first)
-    return alive
-
-
-def _undominated(linear: Floats, costs: Floats, used: Floats, first: Indices) -> Flags:
-    """Of one variable's m labels; `costs` and `used` (m, q) are what they cost with the labels of
-    the others, of which each variable begins at `first`; `used` is +inf for a pair that is
-    excluded, which no replacement need pay for.
-    """
-    alive = np.ones(len(linear), dtype=bool)
-    for label in np.argsort(-linear, kind="stable"):
-        alive[label] = False
-        more = np.maximum.reduceat(costs[alive] - used[label], first, axis=1).sum(axis=1)
-        alive[label] = not (linear[alive] - linear[label] + more <= 0).any()
+        own, mine = linear[low:high], alive[low:high]
+        for label in np.argsort(-own, kind="stable"):
+            mine[label] = False
+            more = np.maximum.reduceat(costs[mine] - used[label], first, axis=1).sum(axis=1)
+            mine[label] = not (own[mine] - own[label] + more <= 0).any()
     return alive

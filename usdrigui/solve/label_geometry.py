@@ -94,10 +94,10 @@ class LabelGeometry(Record):
 class LabelSet(Record):
     """Labels or blocks of all variables; those on the board have no geometry."""
 
+    variables: int
+    """How many; each has a label."""
     variable: Indices
     """(n,) ascending."""
-    start: Indices
-    """(variables + 1,) first label of each variable."""
     candidate: Indices
     """(n,) which candidate of the variable, -1 for the board, `SEVERAL` for a block of several."""
     cost: Floats
@@ -106,8 +106,13 @@ class LabelSet(Record):
     """One per number of samples and copy."""
 
     @cached_property
+    def start(self) -> Indices:
+        """(variables + 1,) first label of each variable."""
+        return np.searchsorted(self.variable, np.arange(self.variables + 1))
+
+    @cached_property
     def best(self) -> Floats:
-        """(variables,) least linear cost of each variable; each must have a label."""
+        """(variables,) least linear cost of each variable."""
         return np.minimum.reduceat(self.cost, self.start[:-1])
 
     def active_below(self, cost: float) -> Flags:
@@ -124,27 +129,8 @@ class LabelSet(Record):
         for each in self.geometries:
             at = np.flatnonzero(number[each.owner] >= 0)
             geometries.append(each.of(at, number[each.owner[at]]))
-        return label_set(
-            self.variable[kept],
-            len(self.start) - 1,
-            self.candidate[kept],
-            self.cost[kept],
-            tuple(geometries),
-        )
-
-
-def label_set(
-    variable: Indices,
-    variables: int,
-    candidate: Indices,
-    cost: Floats,
-    geometries: tuple[LabelGeometry, ...],
-) -> LabelSet:
-    """Labels of so many variables."""
-    start = np.searchsorted(variable, np.arange(variables + 1))
-    return LabelSet(
-        variable, start, candidate, cost, tuple(each for each in geometries if len(each.owner))
-    )
+        variable, candidate, cost = self.variable[kept], self.candidate[kept], self.cost[kept]
+        return LabelSet(self.variables, variable, candidate, cost, tuple(geometries))
 
 
 def all_labels(problem: LayoutProblem) -> LabelSet:
@@ -164,7 +150,7 @@ def all_labels(problem: LayoutProblem) -> LabelSet:
     ]
     geometries = _geometries(problem, variable, candidate)
     cost = np.concatenate([np.empty(0), *costs])
-    return label_set(variable, len(kept), candidate, cost, geometries)
+    return LabelSet(len(kept), variable, candidate, cost, geometries)
 
 
 def _kept(variable: Variable, first_of_equals: bool) -> Indices:
@@ -232,11 +218,7 @@ def _box_middle(positions: Floats, first: Indices) -> Floats:
 
 
 def meeting(
-    one: LabelGeometry,
-    i: Indices,
-    other: LabelGeometry,
-    j: Indices | slice,
-    problem: LayoutProblem,
+    one: LabelGeometry, i: Indices, other: LabelGeometry, j: Indices | slice, problem: LayoutProblem
 ) -> Flags:
     """Whether members of geometries ``i`` of `one` and ``j`` of `other`, broadcast, may interact:
     have samples or handles within the cutoff distance of the overlap cost or of the separation."""

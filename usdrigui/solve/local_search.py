@@ -8,7 +8,6 @@ work: the same problem gives the same layout.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Protocol
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -25,13 +24,6 @@ WORSE = 0.02
 label put back than the cheapest."""
 
 
-class PairRows(Protocol):
-    """What labels cost in pairs."""
-
-    def of(self, label: int) -> tuple[Indices, Floats]:
-        """The labels that cost anything in a pair with `label`, and the costs: +inf forbidden."""
-
-
 class LocalSearch:
     """A layout that changes, and the best one so far."""
 
@@ -39,7 +31,7 @@ class LocalSearch:
         self,
         start: Indices,
         linear: Floats,
-        rows: PairRows,
+        rows: KnownRows | LazyRows,
         budget: Budget,
         penalty: float,
         tell: bool = False,
@@ -156,13 +148,13 @@ class LocalSearch:
 
 
 class KnownRows:
-    """Of pairs whose costs are all at hand."""
+    """What labels cost in pairs, all of which are at hand."""
 
     def __init__(self, pairs: csr_array) -> None:
         self._both = (pairs + pairs.T).tocsr()
 
     def of(self, label: int) -> tuple[Indices, Floats]:
-        """See `PairRows`."""
+        """The labels that cost anything in a pair with `label`, and the costs: +inf forbidden."""
         part = slice(*self._both.indptr[label : label + 2])
         return self._both.indices[part], self._both.data[part]
 
@@ -179,7 +171,7 @@ class LazyRows:
         """Entries of 16 bytes that a fifth of the memory holds."""
 
     def of(self, label: int) -> tuple[Indices, Floats]:
-        """See `PairRows`."""
+        """The same as `KnownRows.of`."""
         if label not in self._known:
             found = self._evaluated(label)
             self._room -= len(found[0])
@@ -191,7 +183,7 @@ class LazyRows:
 
     def _evaluated(self, label: int) -> tuple[Indices, Floats]:
         labels, mine = self._labels, self._labels.variable[label]
-        together = self._problem.together[mine] & (np.arange(len(labels.start) - 1) != mine)
+        together = self._problem.together[mine] & (np.arange(labels.variables) != mine)
         cost = np.zeros(len(labels.cost))
         for one in labels.geometries:
             place = np.flatnonzero(one.owner == label)

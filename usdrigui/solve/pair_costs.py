@@ -6,7 +6,8 @@ near pairs become pairs of its halves; only those are worked out anew.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,21 +33,20 @@ class NearPairs(Record):
 
 def near_blocks(problem: LayoutProblem, labels: LabelSet, budget: Budget) -> list[NearPairs]:
     """All pairs of blocks of different variables, visible together, that may interact."""
-    count = len(labels.start) - 1
-    pairs = problem.together & np.triu(np.ones((count, count), dtype=bool), 1)
+    pairs = np.triu(problem.together, 1)
     found = []
-    for a, one in enumerate(labels.geometries):
-        for b, other in enumerate(labels.geometries):
-            rows = max(1, 32 * CHUNK // len(other.owner))
-            pieces = []
-            for low in range(0, len(one.owner), rows):
-                i, j = np.ix_(range(low, min(low + rows, len(one.owner))), range(len(other.owner)))
-                near = meeting(one, i, other, j, problem)
-                near &= pairs[labels.variable[one.owner[i]], labels.variable[other.owner[j]]]
-                rows_at, columns = np.nonzero(near)
-                first, second = one.owner[rows_at + low], other.owner[columns]
-                pieces.append(_evaluated(problem, labels, (a, b), first, second, budget))
-            found.append(_joined(pieces))
+    for a, b in itertools.product(range(len(labels.geometries)), repeat=2):
+        one, other = labels.geometries[a], labels.geometries[b]
+        rows = max(1, 32 * CHUNK // max(1, len(other.owner)))
+        pieces = []
+        for low in range(0, len(one.owner), rows):
+            i, j = np.ix_(range(low, min(low + rows, len(one.owner))), range(len(other.owner)))
+            near = meeting(one, i, other, j, problem)
+            near &= pairs[labels.variable[one.owner[i]], labels.variable[other.owner[j]]]
+            at, columns = np.nonzero(near)
+            first, second = one.owner[at + low], other.owner[columns]
+            pieces.append(_evaluated(problem, labels, (a, b), first, second, budget))
+        found.append(_joined((a, b), pieces))
     return found
 
 
@@ -70,36 +70,29 @@ def refined(
     child[parent[::-1]] = np.arange(len(parent))[::-1]
     kept = children == 1
     kept[parent[~same]] = False
-    return [_children(problem, labels, pairs, children, child, kept, budget) for pairs in older]
+    found = []
+    for each in older:
+        same = kept[each.first] & kept[each.second]
+        first, second = child[each.first[same]], child[each.second[same]]
+        pieces = [NearPairs(each.sets, first, second, each.costs[same])]
+        for first, second in _parts(each.first[~same], each.second[~same], children, child):
+            pieces.append(_evaluated(problem, labels, each.sets, first, second, budget))
+        found.append(_joined(each.sets, pieces))
+    return found
 
 
-def _children(
-    problem: LayoutProblem,
-    labels: LabelSet,
-    pairs: NearPairs,
-    children: Indices,
-    child: Indices,
-    kept: Flags,
-    budget: Budget,
-) -> NearPairs:
-    """The pairs of the parts of blocks: `children` tells how many each has, `child` the first."""
-    few = children[pairs.second]
-    same = kept[pairs.first] & kept[pairs.second]
-    times = np.where(same, 0, children[pairs.first] * few)
-    split = np.flatnonzero(times)
-    old = NearPairs(
-        pairs.sets, child[pairs.first[same]], child[pairs.second[same]], pairs.costs[same]
-    )
-    pieces = [old]
-    for part in np.split(
-        split, np.flatnonzero(np.diff(np.cumsum(times[split]) // (32 * CHUNK))) + 1
-    ):
+def _parts(
+    first: Indices, second: Indices, children: Indices, child: Indices
+) -> Iterator[tuple[Indices, Indices]]:
+    """All pairs of the parts of pairs of blocks, some at a time: `children` tells how many parts a
+    block has, `child` the first."""
+    times = children[first] * children[second]
+    ends = np.flatnonzero(np.diff(np.cumsum(times) // (32 * CHUNK))) + 1
+    for part in np.split(np.arange(len(times)), ends):
         source = np.repeat(part, times[part])
         step = np.arange(len(source)) - np.repeat(np.cumsum(times[part]) - times[part], times[part])
-        first = child[pairs.first[source]] + step // few[source]
-        second = child[pairs.second[source]] + step % few[source]
-        pieces.append(_evaluated(problem, labels, pairs.sets, first, second, budget))
-    return _joined(pieces)
+        few = children[second[source]]
+        yield child[first[source]] + step // few, child[second[source]] + step % few
 
 
 def _evaluated(
@@ -120,13 +113,10 @@ def _evaluated(
     return NearPairs(sets, first[close], second[close], costs[near])
 
 
-def _joined(pieces: list[NearPairs]) -> NearPairs:
-    return NearPairs(
-        pieces[0].sets,
-        np.concatenate([each.first for each in pieces]),
-        np.concatenate([each.second for each in pieces]),
-        np.concatenate([each.costs for each in pieces]),
-    )
+def _joined(sets: tuple[int, int], pieces: list[NearPairs]) -> NearPairs:
+    none = NearPairs(sets, np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64), np.empty(0))
+    columns = ((each.first, each.second, each.costs) for each in [none, *pieces])
+    return NearPairs(sets, *(np.concatenate(each) for each in zip(*columns, strict=True)))
 
 
 # --- all pairs ------------------------------------------------------------------------------------
@@ -141,24 +131,19 @@ def pair_costs(
     Explicit pair costs (`LayoutProblem.extra`) are added where both are single candidates; for
     blocks of several zero bounds them from below.
     """
-    pieces = [(each.first, each.second, each.costs) for each in near]
-    pieces += [_explicit(labels, each) for each in problem.extra]
-    none = np.empty(0, dtype=np.int64)
-    first = np.concatenate([none, *(each for each, _, _ in pieces)])
-    second = np.concatenate([none, *(each for _, each, _ in pieces)])
-    costs = np.concatenate([np.empty(0), *(each for _, _, each in pieces)])
+    every = _joined((0, 0), [*near, *(_explicit(labels, each) for each in problem.extra)])
     count = len(labels.cost)
-    found = coo_array((costs, (first, second)), shape=(count, count)).tocsr()
+    found = coo_array((every.costs, (every.first, every.second)), shape=(count, count)).tocsr()
     found.eliminate_zeros()
     return found
 
 
-def _explicit(labels: LabelSet, extra: ExtraPairs) -> tuple[Indices, Indices, Floats]:
+def _explicit(labels: LabelSet, extra: ExtraPairs) -> NearPairs:
     """Labels that explicit costs speak of, and the costs."""
     first = _label(labels, extra.first, extra.first_labels)
     second = _label(labels, extra.second, extra.second_labels)
     known = (first >= 0) & (second >= 0)
-    return first[known], second[known], extra.costs[known]
+    return NearPairs((0, 0), first[known], second[known], extra.costs[known])
 
 
 def _label(labels: LabelSet, variable: int, candidates: Indices) -> Indices:

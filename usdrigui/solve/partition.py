@@ -53,7 +53,7 @@ def first_blocks(labels: LabelSet, budget: Budget) -> Blocks:
 def affordable_at_once(labels: LabelSet, budget: Budget) -> bool:
     """Whether labels are few, and all pairs of elements can be looked at with a quarter of the work
     that is left, should every two of different variables be near."""
-    elements = np.zeros(len(labels.start) - 1, dtype=np.int64)
+    elements = np.zeros(labels.variables, dtype=np.int64)
     for each in labels.geometries:
         elements += np.bincount(labels.variable[each.owner], minlength=len(elements))
     pairs = int(elements.sum() ** 2 - np.square(elements).sum()) // 2
@@ -115,8 +115,8 @@ def block_set(labels: LabelSet, blocks: Blocks) -> LabelSet:
         for each in labels.geometries
     ]
     return LabelSet(
+        labels.variables,
         blocks.variable,
-        np.searchsorted(blocks.variable, np.arange(len(labels.start))),
         np.where(blocks.sizes == 1, labels.candidate[blocks.members[first]], SEVERAL),
         np.minimum.reduceat(labels.cost[blocks.members], first),
         tuple(geometries),
