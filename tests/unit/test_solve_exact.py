@@ -216,6 +216,24 @@ def test_a_triplet_costs_what_its_tables_were_not_given() -> None:
     assert problem.triplet_costs((0, 1, 2)).tolist() == [[[1.25]]]
 
 
+def test_tightening_ends_with_a_pass_that_gains_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    passes: list[int] = []
+
+    def idle(problem: ReducedProblem, _: Budget) -> None:
+        passes.append(len(problem.costs))
+        assert len(passes) < 9
+
+    monkeypatch.setattr(reduce, "raise_bound", idle)
+    problem, budget = crowd(4, variables=3, candidates=8), Budget(HIGHS)
+    labels = all_labels(problem)
+    rows = local_search.LazyRows(problem, labels, budget)
+    search = LocalSearch(labels.start, labels.cost, rows, budget, infeasible_penalty(problem, labels))
+    search.construct()
+    left = reduce.Reduction(problem, labels, budget, search)
+    assert left._tightened()
+    assert len(left.problem.costs) == passes[-1]
+
+
 def test_rounding_is_taken_off_a_bound_not_added() -> None:
     problem = crowd(0, variables=2, candidates=3)
     labels, budget = all_labels(problem), Budget(HIGHS)

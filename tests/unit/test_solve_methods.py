@@ -25,7 +25,7 @@ from usdrigui.solve.exact import infeasible_penalty
 from usdrigui.solve.label_geometry import all_labels
 from usdrigui.solve.pair_costs import near_blocks, pair_costs
 from usdrigui.solve.reduced_problem import ReducedProblem
-from usdrigui.solve.toulbar2 import solve_by_toulbar2
+from usdrigui.solve.toulbar2 import _solved, solve_by_toulbar2
 
 
 def best_or_none(problem: LayoutProblem, method: str) -> float | None:
@@ -98,6 +98,17 @@ def test_paper_counts_explicit_costs_across_clusters() -> None:
 
 
 # --- toulbar2 ----------------------------------------------------------------------------------------
+
+
+def test_toulbar2_finds_what_costs_less_than_is_to_spare() -> None:
+    """Of labels that cost 0 and 30 with 0 and 40, those of 0 cost 60 in a pair."""
+    pytest.importorskip("pytoulbar2")
+    pairs = np.zeros((4, 4))
+    pairs[0, 2] = 60.0
+    bound, chosen, _ = _solved((np.array([0, 2, 4]), np.array([0.0, 30.0, 0.0, 40.0]), pairs, 50.0))
+    assert chosen is not None
+    assert chosen.tolist() == [1, 0]
+    assert bound == pytest.approx(30.0)
 
 
 def test_toulbar2_agrees_on_whole_problems() -> None:
