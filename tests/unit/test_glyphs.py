@@ -65,6 +65,13 @@ def BasisCurves "Arrow" {{
 # --- reading -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize(("up", "seen"), [("Y", (1.0, -3.0, 2.0)), ("Z", (1.0, 2.0, 3.0))])
+def test_right_up_and_towards_the_viewer_are_those_of_a_view_from_above(tmp_path, up, seen):
+    """A line from (-1, -2, -3) to (1, 2, 3)."""
+    glyph = glyph_of(tmp_path, curve("linear", [(-1, -2, -3), (1, 2, 3)]), up=up)
+    assert glyph.points[1] * np.sqrt(14.0) == pytest.approx(seen)
+
+
 def test_a_mesh_is_seen_from_above_centred_and_of_radius_one(tmp_path):
     glyph = glyph_of(tmp_path, ARROW)
     assert glyph.form == "mesh"

@@ -30,7 +30,7 @@ from usdrigui.settings import ControlSettings, JointSettings, Settings, load
 from usdrigui.usd import ranges
 from usdrigui.usd.controls import blend_shape_drafts, joint_settings
 from usdrigui.usd.ranges import Authored
-from usdrigui.usd.rig import read_rigs
+from usdrigui.usd.rig import read_rigs, without_layout
 
 
 def read(path, config=None):
@@ -705,3 +705,17 @@ def test_a_joint_is_configured_by_its_path_or_by_a_last_name_that_no_other_joint
     found = [joint_settings(joint.path, joints, said) for joint in joints]
     assert [each and each.label for each in found] == ["A", "A/Jaw", None, None]
     assert joint_settings(joints[1].path, joints, {"Jaw": said["Jaw"]}) is said["Jaw"]
+
+
+def test_characters_without_a_layout_are_those_whose_meshes_something_moves():
+    stage = Usd.Stage.CreateInMemory()
+    for name, attribute in (("shapes", "skel:blendShapes"), ("joints", "primvars:skel:jointIndices"), ("prop", "")):
+        UsdSkel.Root.Define(stage, f"/{name}")
+        mesh = UsdGeom.Mesh.Define(stage, f"/{name}/mesh").GetPrim()
+        if attribute == "skel:blendShapes":
+            mesh.CreateAttribute(attribute, Sdf.ValueTypeNames.TokenArray).Set(["smile"])
+        elif attribute:
+            mesh.CreateAttribute(attribute, Sdf.ValueTypeNames.IntArray).Set([0])
+    found = [(each.code, each.path) for each in without_layout(stage, [], "")]
+    assert found == [("LAYOUT_NONE", "/shapes"), ("LAYOUT_NONE", "/joints")]
+    assert [each.path for each in without_layout(stage, ["/shapes"], "")] == ["/joints"]

@@ -1,6 +1,7 @@
 """Which controls share an element."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import chain
 import makers
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 from usdrigui.errors import RigUIError
+from usdrigui.layout.group.evidence import Evidence
 from usdrigui.layout.group.grouping import find_groups, suggested_groups
 from usdrigui.model import Joint
 
@@ -235,3 +237,20 @@ def test_wrong_groups_are_refused(groups, code):
     with pytest.raises(RigUIError) as refused:
         groups_of(makers.face(), groups={"groups": groups})
     assert refused.value.issue.code == code
+
+
+@pytest.mark.parametrize(
+    ("relations", "specific", "said"),
+    [
+        ({"open"}, set(), "open"),
+        ({"open"}, {0}, ""),
+        ({"open"}, {1}, ""),
+        ({"open", ""}, set(), ""),
+        ({"open", "convention"}, set(), "open"),
+        ({"convention"}, {0, 1}, "convention"),
+    ],
+)
+def test_two_axes_cross_by_convention_or_where_no_name_is_specific(relations, specific, said):
+    known = iter([*relations, *relations])
+    names = SimpleNamespace(relation=lambda *_: next(known), _specific=lambda control: control in specific)
+    assert Evidence.crossing(names, (0,), (1, 2)) == said

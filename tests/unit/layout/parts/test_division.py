@@ -15,6 +15,7 @@ from usdrigui.joint_tree import Tree
 from usdrigui.layout.motion.trajectory import trajectories
 from usdrigui.layout.parts import joint_regions
 from usdrigui.layout.parts.division import divide
+from usdrigui.layout.parts.own_pieces import _is_eye
 from usdrigui.model import LayoutPart
 from usdrigui.pipeline.stages import divided, joined, joined_assignment, part_problem
 from usdrigui.rotation import rotations
@@ -115,6 +116,16 @@ def test_eyeballs_and_props_are_parts_but_no_limb_of_a_robot_is(shared, parts):
 @pytest.mark.parametrize(("joints", "prop"), [(2, True), (3, False)])
 def test_a_chain_of_three_joints_with_skin_is_hair_or_a_tail_and_no_prop(joints, prop):
     assert ("props" in named(equipped(True, joints))) is prop
+
+
+@pytest.mark.parametrize(("points", "eye"), [(12, True), (11, False)])
+def test_an_eyeball_has_twelve_points_at_least(points, eye):
+    """Those of an icosahedron about its joint."""
+    golden = (1.0 + 5.0**0.5) / 2.0
+    corners = [np.roll((0.0, a, b), by) for a in (-1.0, 1.0) for b in (-golden, golden) for by in range(3)]
+    tree = SimpleNamespace(joints=[SimpleNamespace(bind=np.eye(4))])
+    ball = SimpleNamespace(tree=tree, whole=tuple, points=lambda _: np.array(corners[:points]))
+    assert _is_eye(ball, 0) is eye
 
 
 def test_a_head_without_a_body_keeps_its_eyes():
