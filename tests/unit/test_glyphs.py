@@ -422,3 +422,8 @@ def test_a_glyph_is_as_wide_as_it_is_asked_to_be(size, width):
     members = [SimpleNamespace(track=np.array([[0.0, 0, 0], [3, 0, 0]]))]
     placed = fitting.fitted_glyph(face, asked, SimpleNamespace(normal=np.array([0.0, 0.0, 1.0])), members, False)
     assert np.ptp(placed.points[:, 0]) == pytest.approx(width)
+
+
+def test_faces_of_a_mirrored_glyph_run_the_other_way():
+    faces = Glyph("g", "mesh", np.zeros((7, 3)), np.array([3, 4]), np.arange(7))
+    assert fitting._reversed(faces).tolist() == [2, 1, 0, 6, 5, 4, 3]

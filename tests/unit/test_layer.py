@@ -543,6 +543,11 @@ def test_layers_of_the_first_format_that_contradict_themselves_are_refused(old, 
     assert told in f"{caught.value.issue.path} {caught.value.issue.message}"
 
 
+def test_a_member_of_the_first_format_is_as_long_as_its_motion_where_it_says_nothing():
+    (element,) = read_layout(hand_made(FIRST_FORMAT))[0].elements
+    assert [member.magnification for member in element.members] == [1.0]
+
+
 def test_two_elements_of_one_name_are_refused():
     layer, mesh = hand_made(), "/Char/MyControls/knobs"
     Sdf.CopySpec(layer, f"{mesh}/smile", layer, f"{mesh}/grin")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.classify import classification
-from usdrigui.layout.classify.composites import _Spreads, composites
+from usdrigui.layout.classify.composites import _costs, _Spreads, composites
 from usdrigui.report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
@@ -137,3 +137,18 @@ def test_a_spread_moves_two_distant_pairs_and_is_told_by_the_one_most_like_it(fa
     evidence = SimpleNamespace(contains=np.ones((4, 4), bool), size=[1, 1, 1, 3], far=apart, cosine=cosine)
     atoms = np.array([True, True, True, False])
     assert _Spreads.distant_pair(evidence, 3, atoms) == found
+
+
+def test_what_it_costs_that_a_control_is_no_sum_of_others():
+    """One for a name that says nothing and what it covers, .2 less with a twin; two more for both sides of what has
+    sides, three more in a family; whatever its importance below nothing where the name says all."""
+    smile = SimpleNamespace(name="smile", is_central=False, is_core=False, importance=0.7)
+    meant = [SimpleNamespace(action=smile, side=side, middle=False) for side in ("left", "right", "")]
+    costs = _costs(
+        ["smileL", "smileR", "smile", "a", "bL", "bR", "viseme"],
+        [*meant, None, None, None, None],
+        np.array([1, 0, 2, -1, 5, 4, 6]),
+        np.array([0.1, 0.1, 0.2, 0.25, 0.0, 0.0, 0.0]),
+        [SimpleNamespace(members=[6])],
+    )
+    assert costs.tolist() == [-0.7, -0.7, 3.2, 1.25, 0.8, 0.8, 4.0]

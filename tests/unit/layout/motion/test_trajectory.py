@@ -1,12 +1,13 @@
 """Trajectories: what moves, how far, and what is said about controls that hardly do."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import makers
 import numpy as np
 import pytest
 
-from usdrigui.layout.motion.coverage import coverage_of_smaller, notable_points, shares_of_face
+from usdrigui.layout.motion.coverage import _covered, coverage_of_smaller, notable_points, shares_of_face
 from usdrigui.layout.motion.trajectory import _beyond_drift, _split, trajectories
 from usdrigui.model import Drive, Joint, Motion, Skeleton
 from usdrigui.settings import TrajectorySettings
@@ -137,6 +138,13 @@ def test_controls_of_the_whole_head_cover_it_and_no_other_does(kind):
     assert share[:-1].max() < 0.6
     small = trajectories(makers.moved(rig, 1e-3 * np.eye(3)), DENSE)
     assert coverage_of_smaller(small.motions, np.ones(len(points))) == pytest.approx(share)
+
+
+@pytest.mark.parametrize(("here", "covered"), [(0.10, [0, 1]), (0.09, [])])
+def test_a_control_covers_what_it_moves_by_a_quarter_of_its_peak_on_the_face_or_of_its_own(here, covered):
+    """It moves three points of the face and, further, one behind it; less than a quarter of that is hardly a move."""
+    motion = SimpleNamespace(points=np.arange(4), arc_length=np.array([here, 0.25 * here, 0.02, 0.4]))
+    assert _covered(motion, np.array([True, True, True, False]), np.ones(4)).tolist() == covered
 
 
 def jointed(angle):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.place import handle_width as handles
-from usdrigui.layout.place.handle_width import around
+from usdrigui.layout.place.handle_width import _gathered, around
 
 POINTS, QUADS = makers.mask()
 STEP = 0.04 / 32
@@ -110,3 +110,11 @@ def test_the_papers_preset_keeps_the_size():
     assert chain.face_of(crowd(80), load(preset="paper")).handle_width == pytest.approx(
         0.02 * chain.face_of(crowd(80)).trajectories.surface.face_size
     )
+
+
+def test_cells_of_the_grid_begin_where_the_face_does():
+    """Of places at 5, 5.9 and 6.1 the first two are within a cell of size 1 from 5 on."""
+    places, weights = np.array([[5.0, 0, 0], [5.9, 0, 0], [6.1, 0, 0]]), np.array([1.0, 2.0, 4.0])
+    middles, total = _gathered(places, weights, np.eye(3), 1.0)
+    assert middles[:, 0] == pytest.approx([5.6, 6.1])
+    assert total.tolist() == [3.0, 4.0]

@@ -37,6 +37,18 @@ def test_of_two_unlike_members_the_lesser_displacement_counts():
     assert variable.displacement == pytest.approx(arcs.min(axis=0) / unit, rel=1e-6)
 
 
+def test_an_element_matters_as_its_most_important_control_does():
+    shapes = {name: makers.bump(POINTS, (0.0, -0.4), way, 0.4) for name, way in (("up", (0, 1, 0)), ("out", (0, 0, 1)))}
+    rig, costs = makers.rig(POINTS, QUADS, shapes), []
+    for important in ((), ("up",), ("out",), ("up", "out")):
+        said = {name: {"importance": 3.0} for name in important}
+        line = chain.problem_of(
+            rig, chain.settings(candidates=PLAIN, groups={"groups": {"both": ["up", "out"]}}, controls=said)
+        )
+        costs.append(line.problem.variables[0].cost.min())
+    assert costs[1] == costs[2] == costs[3] < costs[0] < 0.0
+
+
 @pytest.mark.parametrize(("weight", "on_plane"), [(0.1, True), (0.0, False)])
 def test_a_middle_element_stands_on_the_plane_by_its_weight(weight, on_plane):
     """It moves a little more at both sides than on the plane."""
