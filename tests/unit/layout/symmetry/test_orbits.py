@@ -55,7 +55,7 @@ def test_an_orbit_of_two_does_not_depend_on_where_the_character_is():
 def test_the_axis_of_an_orbit_goes_through_its_middle_and_turns_each_into_the_next(degrees, up):
     angles = np.radians(degrees)
     base = np.stack([2.0 + np.cos(angles), np.sin(angles), 0.0 * angles], axis=1)
-    found = SimpleNamespace(base=base, areas=np.ones(len(base)))
+    found = SimpleNamespace(points=base, areas=np.ones(len(base)))
     orbit = [SimpleNamespace(points=np.array([k]), arc_length=np.ones(1)) for k in range(len(base))]
     centre, axis = _axis(found, orbit, np.array([0.0, 0.0, 1.0]))
     assert centre == pytest.approx([2.0, 0.0, 0.0])
