@@ -75,12 +75,14 @@ def default_turns(tree: Tree) -> tuple[Turn, ...]:
 class _Finger:
     chain: tuple[int, ...]
     """Every joint with skin, the metacarpal included."""
+    curled: tuple[int, ...]
+    """Those that curl."""
     curl: Floats
     spread: Floats
     """(3,) axes."""
 
     def turns(self, tree: Tree) -> list[Turn]:
-        curled = self.chain[-FINGERS:]
+        curled = self.curled
         curl = np.array([tree.own(joint, self.curl) for joint in curled])
         spread = tree.own(curled[0], self.spread)[None]
         home = curled[len(curled) // 2]
@@ -124,7 +126,9 @@ def _fingers(
             axis = unit(bend) if np.linalg.norm(bend) > _BENT else _level(palm, along)
             towards = bases[~thumb].mean(axis=0) - tree.places[chain[-1]]
             axis = axis if np.cross(axis, along) @ towards >= 0.0 else -axis
-        fingers.append(_Finger(chain, axis, np.cross(along, axis)))
+        # Legs and strands that hang on the middle of a character have no metacarpals.
+        curled = chain if on_plane(tree, hand) else chain[-FINGERS:]
+        fingers.append(_Finger(chain, curled, axis, np.cross(along, axis)))
     return fingers
 
 

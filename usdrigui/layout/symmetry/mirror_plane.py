@@ -54,6 +54,8 @@ _TRIM = 0.7
 _TIE = 1e-3
 """Weight of motion against position when partners are chosen: decides only between points that
 nearly touch, as closed lips do."""
+_HALF_A_CELL = 0.75
+"""Distance from some place of a surface to the nearest point, in spacings of its points, at most."""
 _LEAST_SHARE = 0.5
 """Least share of the moving region whose mirror image must meet the surface."""
 
@@ -356,19 +358,17 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
-    joints alone are controls, the face on the head tells, and then the names of the joints.
+    joints alone are controls, the names of the joints tell, and then the face on the head, which
+    hair hangs behind and a muzzle reaches beyond.
     """
-    ahead, left = None, None
+    left = None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
-        ahead, named = ahead_of_head(rig, trajectories), plane_of_names(rig.skeletons, rig.joints)
-        left = (
-            named[0]
-            if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES
-            else None
-        )
-    if ahead is not None:
-        left = np.cross(rig.up, ahead)
-    elif left is None:
+        named = plane_of_names(rig.skeletons, rig.joints)
+        if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES:
+            left = named[0]
+        elif (ahead := ahead_of_head(rig, trajectories)) is not None:
+            left = np.cross(rig.up, ahead)
+    if left is None:
         left = np.cross(rig.up, front(rig.up, trajectories, plane.normal))
     normal = towards(plane.normal, left)
     return _Plane(normal, float(np.copysign(1.0, normal @ plane.normal)) * plane.offset)
@@ -388,6 +388,13 @@ def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> In
     _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
     partner = np.full(len(base), -1, dtype=np.int64)
     apart = np.linalg.norm(plane.reflect(base[chosen]) - base[chosen[nearest]], axis=1)
-    near: Flags = apart <= tolerance
+    # Where a mesh is coarse and not its own mirror image, the nearest place lies within its mesh.
+    near: Flags = apart <= np.maximum(tolerance, _HALF_A_CELL * _spacing(base[chosen])[nearest])
     partner[chosen[near]] = chosen[nearest[near]]
     return partner[places]
+
+
+def _spacing(points: Floats) -> Floats:
+    """(n,) distance of each point from its second nearest neighbour."""
+    among = min(3, len(points))
+    return np.asarray(cKDTree(points).query(points, k=[among])[0][:, 0])

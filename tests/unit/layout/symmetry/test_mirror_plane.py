@@ -92,6 +92,17 @@ def test_partners_are_images_and_come_in_twos():
     assert np.array_equal(symmetry.partner[symmetry.partner], np.arange(len(points)))
 
 
+@pytest.mark.parametrize(("columns", "rows", "found"), [(17, 21, 1.0), (65, 81, 0.0)], ids=["coarse", "fine"])
+def test_the_points_of_a_coarse_surface_have_partners_within_its_cells(columns, rows, found):
+    """One cheek is .06 deeper than the other: within a coarse cell, beyond a fine one."""
+    face = makers.face(columns, rows)
+    points = face.meshes[0].points
+    cheek = (points[:, 0] < -0.3) & (np.abs(points[:, 1]) < 0.2)
+    dented = points - np.outer(cheek, [0.0, 0.0, 0.06])
+    symmetry = symmetry_of(replace(face, meshes=(replace(face.meshes[0], points=dented),)))
+    assert (symmetry.partner[cheek] >= 0).mean() == pytest.approx(found, abs=0.35)
+
+
 def test_lips_that_touch_find_the_partner_that_moves_alike():
     points, quads = makers.mask(17, 21)
     shapes = {

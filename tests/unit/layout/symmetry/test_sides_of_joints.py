@@ -1,5 +1,6 @@
 """Front, sides and pairs of characters whose surface does not tell them: robots, and rigs that rest in a pose."""
 
+import re
 from dataclasses import replace
 
 import chain
@@ -66,6 +67,17 @@ def test_the_face_on_the_head_tells_the_front_of_a_body(ahead):
     made = limbs.moved(limbs.whole_body(ahead=ahead), about_up, 1.0, None)
     face = chain.face_of(limbs.with_default_controls(made))
     assert face.views.ahead == pytest.approx(np.array([0.0, 0.0, ahead]) @ about_up, abs=0.05)
+
+
+def test_names_of_joints_tell_the_front_before_hair_behind_the_head():
+    made = limbs.whole_body(ahead=-1.0)
+    sides = {"/a": "/l_arm", "/b": "/r_arm"}
+    joints = tuple(
+        replace(joint, path="".join(sides.get(part, part) for part in re.split(r"(/[ab])", joint.path)))
+        for joint in made.joints
+    )
+    face = chain.face_of(limbs.with_default_controls(replace(made, joints=joints)))
+    assert face.views.ahead == pytest.approx([0.0, 0.0, 1.0], abs=0.05)
 
 
 def test_a_character_that_rests_in_a_pose_has_the_pairs_of_its_bind_pose():
