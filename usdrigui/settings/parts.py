@@ -233,7 +233,8 @@ class SymmetrySettings:
     enabled: bool = setting(True, "Look for a mirror plane at all.", level="expert")
     tolerance: float = setting(
         0.01,
-        "Largest distance of a mirror partner.",
+        "Largest distance of a mirror partner; on coarse surfaces three quarters of the distance of"
+        " their points, where that is more.",
         unit="face sizes",
         bounds=(0.0, 1.0),
         level="expert",
