@@ -29,7 +29,7 @@ from usdrigui.layout.classify.basis import Basis, Explanation, best_sum, choose_
 from usdrigui.layout.classify.families import Family, find_families
 from usdrigui.layout.motion.coverage import notable_points
 from usdrigui.layout.motion.similarity import DisplacementFields, Similarity
-from usdrigui.layout.names import is_step_of
+from usdrigui.layout.names import is_step_of, spelling_style
 from usdrigui.model import (
     BaseSurface,
     Category,
@@ -51,6 +51,9 @@ _FAMILY_COST = 3.0
 _BOTH_SIDES_COST = 2.0
 _TWIN_DISCOUNT = 0.2
 """Costs of being an atom, in units of what a control costs whose name says nothing."""
+_STYLE_COST = 1e-4
+"""Where a rig has the same controls under names of two conventions, those of one stay: less than
+any other difference of costs."""
 _LOCAL_COSINE = 0.6
 _LOCAL_AMOUNT = 0.25
 """A control contains another when, where that one acts, it goes the same way by this share of
@@ -145,6 +148,7 @@ def _costs(
         if each is not None:
             sides.setdefault(each.action.name, set()).add(each.side)
     in_family = {i for family in families for i in family.members}
+    ranks = _ranks_of_styles(names, meaning)
     costs = 1.0 + coverage - _TWIN_DISCOUNT * (twins != np.arange(len(names))) * (twins >= 0)
     for i, each in enumerate(meaning):
         if i in in_family:
@@ -156,8 +160,21 @@ def _costs(
         ):
             costs[i] += _BOTH_SIDES_COST
         elif each is not None:
-            costs[i] = -each.action.importance
+            costs[i] = _STYLE_COST * ranks[i] - each.action.importance
     return np.asarray(np.round(costs, 6))
+
+
+def _ranks_of_styles(
+    names: Sequence[str], meaning: Sequence[Meaning | None]
+) -> tuple[int, ...]:
+    """(m,) of the style in which a name is written: 0 for the one that names most actions."""
+    styles = [spelling_style(name) for name in names]
+    acts: dict[tuple[str, bool, bool], set[tuple[str, str]]] = {style: set() for style in styles}
+    for style, each in zip(styles, meaning, strict=True):
+        if each is not None:
+            acts[style].add((each.action.name, each.side))
+    order = sorted(acts, key=lambda style: -len(acts[style]))
+    return tuple(order.index(style) for style in styles)
 
 
 def _steps(names: Sequence[str], cosine: Floats) -> list[tuple[int, int]]:
