@@ -164,9 +164,7 @@ def _costs(
     return np.asarray(np.round(costs, 6))
 
 
-def _ranks_of_styles(
-    names: Sequence[str], meaning: Sequence[Meaning | None]
-) -> tuple[int, ...]:
+def _ranks_of_styles(names: Sequence[str], meaning: Sequence[Meaning | None]) -> tuple[int, ...]:
     """(m,) of the style in which a name is written: 0 for the one that names most actions."""
     styles = [spelling_style(name) for name in names]
     acts: dict[tuple[str, bool, bool], set[tuple[str, str]]] = {style: set() for style in styles}

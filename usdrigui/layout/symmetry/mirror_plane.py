@@ -55,7 +55,7 @@ _TIE = 1e-3
 """Weight of motion against position when partners are chosen: decides only between points that
 nearly touch, as closed lips do."""
 _HALF_A_CELL = 0.75
-"""Distance from some place of a surface to the nearest point, in spacings of its points, at most."""
+"""Distance of any place of a surface from the nearest point, in spacings of its points, at most."""
 _LEAST_SHARE = 0.5
 """Least share of the moving region whose mirror image must meet the surface."""
 

@@ -51,7 +51,10 @@ def test_of_many_copies_one_stays_and_the_others_repeat_it(noise):
 @pytest.mark.parametrize("first", [0, 1])
 def test_of_controls_under_names_of_two_conventions_those_of_the_fuller_one_stay(first):
     said = {"Jaw_Open": "jawOpen", "Mouth_Pucker": "mouthPucker", "Nose_Sneer_L": "noseSneerLeft", "Cheek_Puff": ""}
-    shapes = {name: makers.bump(POINTS, (0.0, y), (0, 1, 0.2), 0.2) for name, y in zip(said, (-0.9, -0.5, 0.0, 0.4))}
+    shapes = {
+        name: makers.bump(POINTS, (0.0, y), (0, 1, 0.2), 0.2)
+        for name, y in zip(said, (-0.9, -0.5, 0.0, 0.4), strict=True)
+    }
     copies = {said[name]: shape for name, shape in shapes.items() if said[name]}
     both = [shapes, copies] if first else [copies, shapes]
     found = chain.chosen(makers.rig(POINTS, QUADS, both[0] | both[1]))
