@@ -10,6 +10,20 @@ PACKAGE = Path(__file__).resolve().parents[2] / "usdrigui"
 FIELDS, FUNCTIONS = 5, 10
 
 
+WHOLE = {
+    "Rig": 165,
+    "Layout": 80,
+    "Settings": 73,
+    "Element": 42,
+    "Motion": 40,
+    "ReadSettings": 27,
+    "ObjectiveSettings": 17,
+    "CandidateSettings": 15,
+}
+"""Records that many functions take whole, which decision 150 names, and how many functions at most."""
+ONE_FIELD = 38
+"""Functions at most that take such a record for one field: another meaning has the field's name, or
+they are handed on as values."""
 TOGETHER = [("layout", "pipeline"), ("cli", "clients"), ("pose",), ("solve",), ("view",)]
 """Folders whose functions pass each other's records."""
 
@@ -32,6 +46,38 @@ def bags(trees):
             words = {word for each in arguments if each.annotation for word in ast.walk(each.annotation)}
             taken.update({word.id for word in words if isinstance(word, ast.Name)} & large)
     return {name for name, count in taken.items() if count > FUNCTIONS}
+
+
+def taken(trees):
+    """(record, function, fields read) of the module functions that take a record with more than five fields; no fields
+    where they pass it on or call it."""
+    classes = {each.name: each for tree in trees for each in ast.walk(tree) if isinstance(each, ast.ClassDef)}
+    large = {name for name, each in classes.items() if sum(isinstance(x, ast.AnnAssign) for x in each.body) > FIELDS}
+    for function in (each for tree in trees for each in tree.body if isinstance(each, ast.FunctionDef)):
+        for each in (*function.args.posonlyargs, *function.args.args, *function.args.kwonlyargs):
+            words = {each.annotation, *(ast.walk(each.annotation) if isinstance(each.annotation, ast.BinOp) else ())}
+            for record in {word.id for word in words if isinstance(word, ast.Name)} & large:
+                yield record, function.name, fields_read(function, each.arg)
+
+
+def fields_read(function, name):
+    names = [each for each in ast.walk(function) if isinstance(each, ast.Name) and each.id == name]
+    fields = [each for each in ast.walk(function) if isinstance(each, ast.Attribute) and each.value in names]
+    return {each.attr for each in fields} if len(fields) == len(names) else set()
+
+
+def test_few_records_go_whole_to_many_functions_and_few_functions_take_one_for_a_field():
+    found = list(taken(list(parsed([""]))))
+    counts = Counter(record for record, *_ in found)
+    assert {record: count for record, count in counts.items() if count > WHOLE.get(record, FUNCTIONS)} == {}
+    assert [record for record in WHOLE if counts[record] <= FUNCTIONS] == [], "holds the rule now"
+    assert len(single := [each for each in found if len(each[2]) == 1]) <= ONE_FIELD, single
+
+
+def test_a_function_that_takes_a_record_for_one_field_is_found():
+    fields = "\n".join(f"    f{i}: int" for i in range(FIELDS + 1))
+    tree = ast.parse(f"class Bag:\n{fields}\ndef a(bag: Bag): return bag.f0\ndef b(bag: Bag | None): return a(bag)")
+    assert list(taken([tree])) == [("Bag", "a", {"f0"}), ("Bag", "b", set())]
 
 
 @pytest.mark.parametrize("folders", TOGETHER)

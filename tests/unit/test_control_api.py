@@ -30,17 +30,17 @@ def rig_of(*animations, base=0.0):
 
 def test_a_control_is_plain_where_its_value_is_the_weight():
     plain, half = driven([[0.0], [1.0]]), driven([[0.0], [0.5]])
-    assert _is_plain(rig_of("/A").base_weights, plain)
-    assert not _is_plain(rig_of("/A").base_weights, half)
-    assert not _is_plain(rig_of("/A", base=0.25).base_weights, plain), "the weight is a quarter more"
-    assert _is_plain(rig_of("/A", base=0.25).base_weights, driven([[-0.25], [0.75]]))
-    assert not _is_plain(rig_of("/A", "/A").base_weights, driven([[0.0, 0.0], [1.0, 0.0]]))
+    assert _is_plain(rig_of("/A").base_weights, plain.drive)
+    assert not _is_plain(rig_of("/A").base_weights, half.drive)
+    assert not _is_plain(rig_of("/A", base=0.25).base_weights, plain.drive), "the weight is a quarter more"
+    assert _is_plain(rig_of("/A", base=0.25).base_weights, driven([[-0.25], [0.75]]).drive)
+    assert not _is_plain(rig_of("/A", "/A").base_weights, driven([[0.0, 0.0], [1.0, 0.0]]).drive)
     turning = replace(plain.drive, joints=np.array([0]))
-    assert not _is_plain(rig_of("/A").base_weights, replace(plain, drive=turning))
+    assert not _is_plain(rig_of("/A").base_weights, replace(plain, drive=turning).drive)
 
 
 def test_weights_below_the_noise_of_the_file_are_not_driven():
-    found = _driven_weights(rig_of("/A", "/A", "/A"), driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]))
+    found = _driven_weights(rig_of("/A", "/A", "/A"), driven([[0.0, 0.0, 0.0], [0.5, 0.9e-6, -1.1e-6]]).drive)
     assert found["blendShapes"] == ["shape0", "shape2"]
     assert found["blendShapeWeights"].tolist() == [0.0, 0.0, 0.5, -1.1e-6]
     assert found["keys"].tolist() == [0.0, 1.0]
@@ -57,7 +57,7 @@ def test_weights_below_the_noise_of_the_file_are_not_driven():
 )
 def test_animations_are_named_unless_the_character_has_one(animations, said, which):
     table = [[0.0] * len(animations), [0.5] * len(animations)]
-    found = _driven_weights(rig_of(*animations), driven(table))
+    found = _driven_weights(rig_of(*animations), driven(table).drive)
     assert (found["animation"], found["blendShapeAnimations"]) == (said, which)
 
 
@@ -69,7 +69,7 @@ def turning(skeletons, rotations, translations, scales, extent=2.0):
     rig = SimpleNamespace(joints=joints, skeletons=tuple(SimpleNamespace(path=f"/S{i}") for i in range(2)))
     rows = [np.stack([0.0 * np.array(each), np.array(each)]) for each in (rotations, translations, scales)]
     drive = SimpleNamespace(joints=np.arange(len(joints)), rotations=rows[0], translations=rows[1], scales=rows[2])
-    return _driven_joints(rig, SimpleNamespace(drive=drive))
+    return _driven_joints(rig, SimpleNamespace(drive=drive).drive)
 
 
 def test_joints_are_said_in_degrees_and_factors_and_noise_is_left_out():

@@ -70,6 +70,10 @@ class Rig(Record):
         """(len(meshes) + 1,) first point of each mesh; the last entry is the number of points."""
         return np.cumsum([0, *(len(mesh.points) for mesh in self.meshes)], dtype=np.int64)
 
+    def point_of(self, path: str, local: int) -> int:
+        """Point of a local point of the mesh at a path, which the rig must have."""
+        return int(self.starts[[mesh.path for mesh in self.meshes].index(path)]) + local
+
     def mesh_of(self, point: int) -> tuple[int, int]:
         """Mesh index and local point of a point."""
         starts = self.starts

@@ -317,7 +317,7 @@ def problem_at(
         candidates = find_candidates(
             face, measured.classification, requests, settings.candidates, settings.objective
         )
-        candidates = of_new_controls(requests.existing, rig, found, candidates)
+        candidates = of_new_controls(requests.existing, rig, found.motions, candidates)
     with clock.stage("problem"):
         groups = find_groups(
             face,

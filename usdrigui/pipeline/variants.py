@@ -72,10 +72,12 @@ def left_off(error: RigUIError, settings: ReadSettings) -> Issue:
     if not settings.each_variant or error.issue.code not in _PLAIN:
         raise error
     return issue(
-        "VARIANT_LEFT_OFF", selection(settings), f"{error.issue.code}: {error.issue.message}"
+        "VARIANT_LEFT_OFF",
+        selection(settings.variants),
+        f"{error.issue.code}: {error.issue.message}",
     )
 
 
-def selection(settings: ReadSettings) -> str:
+def selection(variants: Mapping[str, str]) -> str:
     """The variants that are selected, as USD writes them: ``{LOD=low}``."""
-    return "".join(f"{{{name}={variant}}}" for name, variant in settings.variants.items())
+    return "".join(f"{{{name}={variant}}}" for name, variant in variants.items())

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Usd, Vt
 
-from usdrigui.model import Control, Floats, Rig, Skeleton
+from usdrigui.model import Control, Drive, Floats, Rig, Skeleton
 from usdrigui.usd import author, schema
 from usdrigui.usd.variants import within
 
@@ -34,16 +34,15 @@ def author_control_api(
             "default": control.default,
             "maximum": control.maximum,
             **figures,
-            **_driven_weights(rig, control),
-            **_driven_joints(rig, control),
+            **_driven_weights(rig, control.drive),
+            **_driven_joints(rig, control.drive),
         },
         instance,
     )
 
 
-def _driven_weights(rig: Rig, control: Control) -> dict[str, Any]:
-    drive = control.drive
-    plain = _is_plain(rig.base_weights, control)
+def _driven_weights(rig: Rig, drive: Drive) -> dict[str, Any]:
+    plain = _is_plain(rig.base_weights, drive)
     still = np.isclose(drive.weights, 0.0, atol=_NOISE).all(axis=0)
     driven = np.flatnonzero(plain | ~still)
     channels = [rig.channels[channel] for channel in drive.channels[driven]]
@@ -68,17 +67,15 @@ def _only_animation(skeletons: tuple[Skeleton, ...]) -> list[str]:
     return found if len(found) == 1 else []
 
 
-def _is_plain(base_weights: Floats, control: Control) -> bool:
+def _is_plain(base_weights: Floats, drive: Drive) -> bool:
     """Whether the value of the control is the weight of one blend shape, neither more nor less."""
-    drive = control.drive
     if len(drive.joints) or len(drive.channels) != 1:
         return False
     absolute = base_weights[drive.channels[0]] + drive.weights[:, 0]
     return bool(abs(absolute - drive.values).max() < 1e-12)
 
 
-def _driven_joints(rig: Rig, control: Control) -> dict[str, Any]:
-    drive = control.drive
+def _driven_joints(rig: Rig, drive: Drive) -> dict[str, Any]:
     extent = max((float(np.abs(joint.rest[3, :3]).max()) for joint in rig.joints), default=0.0)
     turns, shifts, scales = (
         np.where(np.abs(rows).max(axis=(0, 2), keepdims=True) > _NOISE * unit, rows, 0.0)
@@ -142,6 +139,6 @@ def _weight_ranges(rig: Rig, animation: str) -> Floats:
     }
     ranges = np.tile([0.0, 1.0], (max(own.values(), default=-1) + 1, 1))
     for control in rig.controls:
-        if _is_plain(rig.base_weights, control) and int(control.drive.channels[0]) in own:
+        if _is_plain(rig.base_weights, control.drive) and int(control.drive.channels[0]) in own:
             ranges[own[int(control.drive.channels[0])]] = control.minimum, control.maximum
     return ranges

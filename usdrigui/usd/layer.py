@@ -19,7 +19,7 @@ from pxr import Sdf, Tf, UsdGeom
 
 from usdrigui.errors import refuse
 from usdrigui.levels import inner_names
-from usdrigui.model import Control, Element, Floats, Layout, Member, Rig, Skeleton
+from usdrigui.model import Anchor, Control, Element, Floats, Layout, Member, Rig, Skeleton
 from usdrigui.settings import OutputSettings
 from usdrigui.usd import author, schema
 from usdrigui.usd.control_api import author_control_api, author_limits
@@ -343,7 +343,7 @@ def _author_element(
     if element.reason:
         subset.SetInfo("documentation", element.reason)
     _author_element_api(subset, element, instances, paths)
-    _author_anchor_api(subset, element)
+    _author_anchor_api(subset, element.anchor)
     _author_handle_api(subset, element)
     opposes = {
         element.members[b].control: instances[element.members[a].control]
@@ -403,8 +403,7 @@ def _author_element_api(
     )
 
 
-def _author_anchor_api(subset: Sdf.PrimSpec, element: Element) -> None:
-    anchor = element.anchor
+def _author_anchor_api(subset: Sdf.PrimSpec, anchor: Anchor) -> None:
     author.declare(
         subset,
         schema.ANCHOR,

@@ -28,6 +28,7 @@ from usdrigui.model import (
     Element,
     Floats,
     Glyph,
+    Indices,
     Layout,
     Member,
     Rig,
@@ -113,7 +114,7 @@ def _character(body: _Body, rig: Rig, layout: Layout) -> Json:
         "identity": _identity(rig),
         "up": _list(rig.up),
         "metresPerUnit": rig.metres_per_unit,
-        "meshes": _meshes(body, rig, complexion(rig, main_layout(layout))),
+        "meshes": _meshes(body, rig.meshes, rig.starts, complexion(rig, main_layout(layout))),
         "eye": {**{name: _srgb(colour) for name, colour in EYE.items()}, "radii": [PUPIL, IRIS]},
         "skeletons": [
             {"path": each.path, "animation": each.animation, "toRoot": _list(each.to_root)}
@@ -145,11 +146,12 @@ def _identity(rig: Rig) -> str:
     return found.hexdigest()[:32]
 
 
-def _meshes(body: _Body, rig: Rig, look: Complexion) -> list[Json]:
-    starts = rig.starts
+def _meshes(
+    body: _Body, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
+) -> list[Json]:
     spans = [slice(a, b) for a, b in pairwise(starts.tolist())]
     looks = [Complexion(look.colours[span], look.gaze[span], look.clear[span]) for span in spans]
-    return [_mesh(body, mesh, own) for mesh, own in zip(rig.meshes, looks, strict=True)]
+    return [_mesh(body, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
 
 def _mesh(body: _Body, mesh: RigMesh, look: Complexion) -> Json:

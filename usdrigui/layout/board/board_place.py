@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.face import Face
-from usdrigui.model import Floats, Indices, MirrorPlane, Rig, RigMesh, Trajectories
+from usdrigui.model import Floats, Indices, MirrorPlane, Rig, Skin, Trajectories
 from usdrigui.ties import first_largest
 
 
@@ -59,7 +59,7 @@ def _firmness(rig: Rig, face_points: Indices) -> Floats:
     """(n,) weight of the joint that holds most of the face; 1 throughout without skins."""
     if not rig.joints:
         return np.ones(sum(len(mesh.points) for mesh in rig.meshes))
-    tables = [_joint_weights(mesh, len(rig.joints)) for mesh in rig.meshes]
+    tables = [_joint_weights(mesh.skin, len(mesh.points), len(rig.joints)) for mesh in rig.meshes]
     face = np.zeros(sum(len(table) for table in tables), dtype=bool)
     face[face_points] = True
     parts = (
@@ -70,10 +70,10 @@ def _firmness(rig: Rig, face_points: Indices) -> Floats:
     return np.concatenate([table[:, strongest] for table in tables])
 
 
-def _joint_weights(mesh: RigMesh, joints: int) -> Floats:
+def _joint_weights(skin: Skin | None, points: int, joints: int) -> Floats:
     """(points, joints) influence of every joint on every point of a mesh."""
-    found = np.zeros((len(mesh.points), joints))
-    if mesh.skin is not None:
-        rows = np.repeat(np.arange(len(mesh.points)), mesh.skin.joints.shape[1])
-        np.add.at(found, (rows, mesh.skin.joints.ravel()), mesh.skin.weights.ravel())
+    found = np.zeros((points, joints))
+    if skin is not None:
+        rows = np.repeat(np.arange(points), skin.joints.shape[1])
+        np.add.at(found, (rows, skin.joints.ravel()), skin.weights.ravel())
     return found

@@ -14,18 +14,15 @@ import numpy as np
 
 from usdrigui.layout.motion.tracks import flattened, resampled
 from usdrigui.model import (
-    Anchor,
     BaseSurface,
     Candidates,
     Element,
     Floats,
-    Indices,
     Layout,
     LayoutProblem,
+    Motion,
     Overlap,
     Rig,
-    RigMesh,
-    Trajectories,
     Variable,
 )
 from usdrigui.overlap import pair_costs
@@ -86,14 +83,13 @@ def with_drawn_handles(
 
 
 def of_new_controls(
-    existing: Layout | None, rig: Rig, trajectories: Trajectories, candidates: Candidates
+    existing: Layout | None, rig: Rig, motions: tuple[Motion, ...], candidates: Candidates
 ) -> Candidates:
     """The candidates of the controls that the existing layout does not have; of all where there is
     none."""
     if existing is None:
         return candidates
     new = new_controls(existing, rig)
-    motions = trajectories.motions
     kept = tuple(each for each in candidates.sets if motions[each.motion].control in new)
     return Candidates(kept, candidates.left_off)
 
@@ -205,15 +201,9 @@ def _moved_path(path: str, before: str, after: str) -> str:
 def _variable(
     element: Element, rig: Rig, base: Floats, count: int, toward: Floats | None
 ) -> Variable:
-    point = np.array([_anchor_point(rig.meshes, rig.starts, element.anchor)])
+    point = np.array([rig.point_of(element.anchor.mesh, element.anchor.point)])
     samples = np.concatenate(
         [resampled(member.track[None], count)[0] for member in element.members]
     )
     samples, handle = flattened(samples, toward)[None, None], flattened(base[point], toward)[None]
     return Variable(element.name, point, np.zeros(1), samples, handle, np.inf, np.zeros(1))
-
-
-def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, anchor: Anchor) -> int:
-    """The anchor of an element as an index into all points of the rig."""
-    paths = [mesh.path for mesh in meshes]
-    return int(starts[paths.index(anchor.mesh)]) + anchor.point

@@ -316,7 +316,7 @@ def _anchor_points(
     found = {}
     for name, each in held.items():
         near = int(places[tree.query(each.element.anchor.position)[1]])
-        same = same_point(each.element, meshes)
+        same = same_point(each.element.anchor, meshes)
         apart = [
             _to_track(trajectories.surface.points[point], each.track)
             for point in (near, same)

@@ -124,7 +124,7 @@ def _carried(
     """Where the pinned anchor of an element is today, empty if nowhere, and an issue about
     it."""
     moved = _moved_by_all(controls, rig, trajectories)
-    same = same_point(element, points_of_meshes(rig.meshes, rig.starts))
+    same = same_point(element.anchor, points_of_meshes(rig.meshes, rig.starts))
     if same >= 0 and same in moved:
         return place_of(rig, same), None
     if not len(moved) or not np.isfinite(element.pinned_position).all():

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from usdrigui.levels import inner_names, outer_first
-from usdrigui.model import Element, Floats, Indices, Record, Rig, RigMesh
+from usdrigui.model import Anchor, Element, Floats, Indices, Record, Rig, RigMesh
 from usdrigui.ties import first_smallest
 
 
@@ -159,7 +159,9 @@ def _places(elements: tuple[Element, ...], rig: Rig) -> tuple[dict[int, Place], 
     axis_places: dict[int, Place] = {}
     inner = inner_names(elements)
     for element in outer_first(elements):
-        place = Place(same_point(element, meshes), element.anchor.position, element.anchor.on_board)
+        place = Place(
+            same_point(element.anchor, meshes), element.anchor.position, element.anchor.on_board
+        )
         for control in (
             index[member.control] for member in element.members if member.control in index
         ):
@@ -177,10 +179,9 @@ def points_of_meshes(
     return {mesh.path: (int(start), mesh) for start, mesh in zip(starts, meshes, strict=False)}
 
 
-def same_point(element: Element, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
+def same_point(anchor: Anchor, meshes: Mapping[str, tuple[int, RigMesh]]) -> int:
     """The anchor as a point of today's rig; -1 where its mesh is gone or has other points or
     faces."""
-    anchor = element.anchor
     if anchor.mesh not in meshes:
         return -1
     start, mesh = meshes[anchor.mesh]

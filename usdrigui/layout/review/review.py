@@ -187,20 +187,14 @@ def _anchor_faults(
         yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-    elif (
-        comparable
-        and not anchor.on_board
-        and _off(rig.meshes, rig.starts, surface, element.anchor) > _MOVED
-    ):
-        off = f"{_off(rig.meshes, rig.starts, surface, element.anchor):.1%} of the face"
+    elif comparable and not anchor.on_board and _off(rig, surface, element.anchor) > _MOVED:
+        off = f"{_off(rig, surface, element.anchor):.1%} of the face"
         yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
 
 
-def _off(
-    meshes: tuple[RigMesh, ...], starts: Indices, surface: BaseSurface, anchor: Anchor
-) -> float:
+def _off(rig: Rig, surface: BaseSurface, anchor: Anchor) -> float:
     """Distance between the anchor as recorded and as it is, over the face size."""
-    here = surface.points[_point(meshes, starts, anchor)]
+    here = surface.points[rig.point_of(anchor.mesh, anchor.point)]
     return float(np.linalg.norm(here - anchor.position)) / surface.face_size
 
 
@@ -246,7 +240,7 @@ def _crowded(elements: tuple[Element, ...], least: float) -> Iterator[Issue]:
 def _hidden(face: Face, elements: tuple[Element, ...]) -> Iterator[Issue]:
     seen = face.views.anywhere
     for element in elements:
-        if not seen[_point(face.rig.meshes, face.rig.starts, element.anchor)]:
+        if not seen[face.rig.point_of(element.anchor.mesh, element.anchor.point)]:
             yield issue("LAYOUT_ANCHOR_HIDDEN", element.name, "its anchor is hidden in all views")
 
 
@@ -278,7 +272,7 @@ def _as_problem(
 ) -> tuple[LayoutProblem, tuple[Choice, ...], Indices]:
     """The problem in which every element is one variable, its own anchor among the candidates."""
     groups = _as_groups(face.rig, layout, elements)
-    points = [_point(face.rig.meshes, face.rig.starts, element.anchor) for element in elements]
+    points = [face.rig.point_of(element.anchor.mesh, element.anchor.point) for element in elements]
     sets = _with_points(
         face, candidates, groups, points, settings.candidates.occlusion_weight, settings.objective
     )
@@ -473,9 +467,3 @@ def _kept(face: Face, choice: Choice, label: int) -> float:
 def _place(rig: Rig, point: int) -> str:
     mesh, local = rig.mesh_of(point)
     return f"{rig.meshes[mesh].path}#{local}"
-
-
-def _point(meshes: tuple[RigMesh, ...], starts: Indices, anchor: Anchor) -> int:
-    """The anchor as an index into all points of the rig."""
-    paths = [mesh.path for mesh in meshes]
-    return int(starts[paths.index(anchor.mesh)]) + anchor.point
