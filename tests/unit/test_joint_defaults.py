@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import limbs
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from usdrigui.deform import posed
 from usdrigui.joint_tree import Tree
 from usdrigui.rotation import rotation_part, rotations
+from usdrigui.usd import joint_defaults
 from usdrigui.usd.controls import default_joint_drafts
 from usdrigui.usd.joint_defaults import default_turns, posed_locals
 
@@ -167,3 +169,20 @@ def test_a_joint_to_deform_below_each_joint_to_pose_changes_no_degree_of_freedom
     names = sorted(at, key=lambda path: (path.count("/"), path))
     owners = [i for i, name in enumerate(names) if name.endswith("/def")]
     assert kinds_of(limbs.skeleton_rig(names, np.array([at[name] for name in names]), owners)) == kinds_of(made)
+
+
+def test_a_finger_curls_further_in_than_out_and_spreads_alike_to_both_sides():
+    spans = {turn.name: turn.range for turn in default_turns(Tree(HAND.joints, HAND.meshes))}
+    assert spans["curl"] == (-10.0, 80.0)
+    assert spans["spread"] == (-20.0, 20.0)
+
+
+def test_at_the_end_of_a_chain_those_two_axes_count_about_which_the_skin_turns_furthest():
+    """Skin along x: it turns by its length about y and z, and about x not at all; weights count."""
+    bind = np.eye(4)
+    bind[3, :3] = (1.0, 0.0, 0.0)
+    skin = (np.array([[4.0, 0, 0], [1.0, 2.0, 0], [1.0, 0.0, 9.0]]), np.array([1.0, 0.5, 0.1]))
+    tree = SimpleNamespace(skin=[skin], joints=[SimpleNamespace(bind=bind)], parents=[-1], mirror=None, owners=())
+    assert joint_defaults._levers(tree, 0) == [1, 2]
+    lesser = SimpleNamespace(**{**vars(tree), "skin": [(skin[0][:2], np.array([0.2, 1.0]))]})
+    assert joint_defaults._levers(lesser, 0) == [0, 2], "2 about x, .6 about y, 2 about z"

@@ -27,7 +27,9 @@ from usdrigui.deform import channel_state, deform
 from usdrigui.errors import RigUIError
 from usdrigui.model import Channel
 from usdrigui.settings import ControlSettings, JointSettings, Settings, load
+from usdrigui.usd import controls as drafts
 from usdrigui.usd import ranges
+from usdrigui.usd import rig as rig_reading
 from usdrigui.usd.controls import blend_shape_drafts, joint_settings
 from usdrigui.usd.ranges import Authored
 from usdrigui.usd.rig import read_rigs, without_layout
@@ -719,3 +721,43 @@ def test_characters_without_a_layout_are_those_whose_meshes_something_moves():
     found = [(each.code, each.path) for each in without_layout(stage, [], "")]
     assert found == [("LAYOUT_NONE", "/shapes"), ("LAYOUT_NONE", "/joints")]
     assert [each.path for each in without_layout(stage, ["/shapes"], "")] == ["/joints"]
+
+
+@pytest.mark.parametrize(
+    ("shift", "factor", "told"), [(0.01, 1.0, False), (0.011, 1.0, True), (0, 1.002, True), (0, 1.0009, False)]
+)
+def test_joints_that_an_animation_translates_or_scales_by_more_than_a_thousandth_are_told(shift, factor, told):
+    """Of the greatest translation, which is 10."""
+    local = np.tile(np.eye(4), (2, 2, 1, 1))
+    local[:, 0, 3, 1] = -10.0
+    local[1, 1, 3, 0] = shift
+    local[1, 1, 0, 0] = factor
+    joints = tuple(SimpleNamespace(path=path) for path in ("hips", "hips/jaw"))
+    found = drafts.ignored_motion("/Root", joints, SimpleNamespace(locals=local))
+    assert len(found) == told
+    if told:
+        assert "jaw" in found[0].message
+        assert "hips" not in found[0].message
+    assert drafts.ignored_motion("/Root", joints, None) == ()
+
+
+def test_turns_go_on_beyond_a_half_turn():
+    """From 170 to 190 degrees, which is -170 about the same axis."""
+    turns = np.radians([170.0, -170.0, -150.0, 10.0])[:, None, None] * [[0.0, 0.0, 1.0]]
+    assert np.degrees(drafts.unwrapped(turns))[:, 0, 2] == pytest.approx([170.0, 190.0, 210.0, 370.0])
+    turns[1] = 0.0
+    assert np.degrees(drafts.unwrapped(turns))[1, 0] == pytest.approx([0.0, 0.0, 0.0])
+
+
+def test_scales_are_read_along_the_axes_of_the_joint_whatever_it_turns():
+    turn = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
+    local = np.eye(4)
+    local[:3, :3] = np.diag([2.0, 3.0, 0.0]) @ turn
+    assert np.exp(drafts._log_scales(local[None], turn[None]))[0] == pytest.approx([2.0, 3.0, 1e-9])
+
+
+def test_meshes_bound_in_vain_are_counted():
+    vain = [SimpleNamespace(path=f"/M{i}", message="has no skeleton") for i in range(3)]
+    assert rig_reading._vain_clause([]) == ""
+    assert rig_reading._vain_clause(vain[:1]) == "; /M0 has no skeleton"
+    assert rig_reading._vain_clause(vain) == "; /M0 (and 2 more meshes) has no skeleton"

@@ -637,3 +637,26 @@ def test_explicit_costs_of_tables_do_not_add_up_to_a_multiplier() -> None:
     labels = all_labels(problem)
     more = infeasible_penalty(replace(problem, extra=(extra,)), labels) - infeasible_penalty(problem, labels)
     assert more == pytest.approx(0.5)  # a layout uses one entry of the table
+
+
+def test_what_is_forbidden_costs_more_than_the_dearest_allowed_layout() -> None:
+    """One more than the spread of linear costs, the overlaps of copies of different elements, and explicit costs."""
+
+    def element(name: str, costs: list[float], copies: int) -> Variable:
+        places = np.zeros((len(costs), copies, 3))
+        return Variable(
+            name, np.arange(len(costs)), np.array(costs), places[:, :, None], places, np.inf, np.array(costs)
+        )
+
+    elements = element("a", [0.0, 0.5], 1), element("b", [-1.0, 0.25, -2.0], 2)
+    extra = (ExtraPairs(0, 1, np.array([0, 1]), np.array([0, 2]), np.array([0.75, np.inf])),)
+    problem = LayoutProblem(elements, Overlap(5.0, 1.0, 4.0, 3.0, 0.125), 1e-6, 0.85, extra)
+    labels = all_labels(problem)
+    assert infeasible_penalty(problem, labels) == pytest.approx(1.0 + 0.5 + 2.25 + 0.125 * 5.0 * 2 + 0.75)
+
+
+@pytest.mark.parametrize(("cost", "allowed"), [(-50.0, 5.0), (0.0, 0.1 * GAP_FLOOR), (3.0, 0.3)])
+def test_a_gap_is_a_share_of_the_cost_or_of_its_floor(cost: float, allowed: float) -> None:
+    budget = Budget(SolveSettings(gap=0.1))
+    budget.cost = cost
+    assert budget.allowed == pytest.approx(allowed)

@@ -252,7 +252,7 @@ def _contained(fields: DisplacementFields, regions: Flags) -> Flags:
         (csr_array(squared) @ csr_array(regions.astype(np.float32)).T).toarray(), dtype=np.float64
     )
     local = np.sqrt(np.maximum(inside * own, 0.0))
-    return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own) & (own > 0.0))
+    return np.asarray((along > _LOCAL_COSINE * local) & (along > _LOCAL_AMOUNT * own))
 
 
 def _distant(surface: BaseSurface, similarity: Similarity, up: Floats) -> Flags:

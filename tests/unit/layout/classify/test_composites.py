@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from usdrigui.layout.classify import classification
-from usdrigui.layout.classify.composites import _costs, _Spreads, composites
+from usdrigui.layout.classify.basis import Basis, Explanation
+from usdrigui.layout.classify.composites import _composite, _contained, _costs, _distant, _Spreads, composites
+from usdrigui.layout.motion.similarity import DisplacementFields
 from usdrigui.report import CharacterReport, ControlRow
 
 POINTS, QUADS = makers.mask()
@@ -165,3 +167,46 @@ def test_what_it_costs_that_a_control_is_no_sum_of_others():
         [SimpleNamespace(members=[6])],
     )
     assert costs.tolist() == [-0.7, -0.7, 3.2, 1.25, 0.8, 0.8, 4.0]
+
+
+def contained(one, other):
+    """Whether a control that does `one` contains one that does `other`, at two places of area 1 and 2."""
+    vectors = np.array([one, other], dtype=np.float32)
+    fields = DisplacementFields(np.arange(2), vectors, np.array([1.0, 2.0]))
+    return bool(_contained(fields, vectors.any(axis=2))[0, 1])
+
+
+def test_a_control_contains_what_goes_its_way_where_that_acts_and_by_a_quarter_of_it():
+    there, still = (5.0, 0, 0), (0, 0, 0)
+    assert contained([(3.1, 4, 0), (0, 99, 0)], [there, still])
+    assert not contained([(3, 4, 0), still], [there, still]), "a cosine of .6 is not more"
+    assert contained([(1.3, 0, 0), still], [there, still])
+    assert not contained([(1.25, 0, 0), still], [there, still]), "a quarter is not more"
+    assert not contained([still, (1, 0, 0)], [there, still])
+    assert not contained([(1, 0, 0), (1, 0, 0)], [still, still])
+    assert contained([(1, 0, 0), (2, 0, 0)], [(1, 0, 0), (1, 0, 0)])
+
+
+def test_distant_parts_are_three_tenths_of_the_face_apart_in_height():
+    vectors = np.zeros((3, 3, 3), dtype=np.float32)
+    vectors[[0, 1, 2], [0, 1, 2], 0] = 1.0
+    surface = SimpleNamespace(points=np.array([[0.0, 0, 0], [0, 0.61, 0], [9, 0.6, 9]]), face_size=2.0)
+    alike = SimpleNamespace(fields=DisplacementFields(np.arange(3), vectors, np.ones(3)), shared=np.eye(3))
+    found = _distant(surface, alike, np.array([0.0, 1, 0]))
+    assert found.tolist() == [[False, True, False], [True, False, False], [False, False, False]]
+    alike.shared = np.full((3, 3), 0.05)
+    assert not _distant(surface, alike, np.array([0.0, 1, 0])).any(), "they share a place"
+
+
+def test_a_repetition_and_a_mixture_say_how_far_in_ranges_of_the_others():
+    """Motions as far as 2, 4 and 1; shares of norms become shares of ranges."""
+    norm = np.array([2.0, 4.0, 1.0])
+    explanations = (
+        Explanation(np.array([1]), np.array([0.8]), 1.0), None, Explanation(np.array([1, 0]), np.array([0.9, 0.5]), 1.0)
+    )  # fmt: skip
+    basis = Basis(np.array([False, True, False]), explanations)
+    one, mixed = (_composite(i, basis, norm) for i in (0, 2))
+    assert (one.kind, one.parts, one.amount, one.explained_by) == ("repetition", (1,), 0.5, ((1, 0.4),))
+    assert (mixed.kind, mixed.parts, mixed.amount) == ("mixture", (1, 0), 1.0)
+    assert mixed.explained_by == ((1, 0.225), (0, 0.25))
+    assert _composite(1, basis, norm).parts == ()

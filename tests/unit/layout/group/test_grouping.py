@@ -10,7 +10,7 @@ import pytest
 
 from usdrigui.errors import RigUIError
 from usdrigui.layout.group.evidence import Evidence
-from usdrigui.layout.group.grouping import find_groups, suggested_groups
+from usdrigui.layout.group.grouping import _Grouping, find_groups, suggested_groups
 from usdrigui.model import Joint
 
 POINTS, QUADS = makers.mask()
@@ -254,3 +254,30 @@ def test_two_axes_cross_by_convention_or_where_no_name_is_specific(relations, sp
     known = iter([*relations, *relations])
     names = SimpleNamespace(relation=lambda *_: next(known), _specific=lambda control: control in specific)
     assert Evidence.crossing(names, (0,), (1, 2)) == said
+
+
+@pytest.mark.parametrize(
+    ("motions", "twins", "categories", "together"),
+    [
+        ((0, 1), [1, 0, 2], ["", "", ""], True),
+        ((0, 2), [1, 0, 3, 2], ["", "", "", ""], True),
+        ((0, 1, 2), [1, 0, 3, 2], ["", "", "", ""], False),
+        ((0, 2), [1, 0, 2], ["", "", ""], False),
+        ((0, 1), [1, 0], ["", "hidden"], False),
+        ((0, 1), [-1, -1], ["", ""], True),
+        ((0, 1), [-1, 1], ["", ""], False),
+    ],
+    ids=["a pair", "one of each pair", "a pair and a half", "a half and a middle", "off the face", "without", "mixed"],
+)
+def test_controls_go_together_if_their_mirror_image_is_whole_or_elsewhere(motions, twins, categories, together):
+    said = SimpleNamespace(twin=twins, category=categories)
+    said._image = lambda each: _Grouping._image(said, each)
+    assert _Grouping._go_together(said, motions) == together
+
+
+def test_an_image_keeps_its_order_and_what_has_no_twin_stands_for_itself():
+    said = SimpleNamespace(twin=[1, 0, -1, 3])
+    assert _Grouping._image(said, (0, 2, 3)) == (1, 2, 3)
+    said._image = lambda each: _Grouping._image(said, each)
+    assert _Grouping._with_image(said, (0, 1)) == [(0, 1)]
+    assert _Grouping._with_image(said, (0, 2)) == [(0, 2), (1, 2)]
