@@ -342,6 +342,13 @@ def test_dominance_that_forgets_what_pairs_cost_is_caught(monkeypatch: pytest.Mo
     assert overstated(random_problems(), monkeypatch, HIGHS.work_limit) > 0
 
 
+def test_of_labels_that_can_replace_each_other_one_is_kept() -> None:
+    no_pairs, linear = np.zeros((4, 4)), np.array([1.0, 1.0, 1.5, 0.0])
+    alive = undominated(np.array([0, 3, 4]), linear, no_pairs, no_pairs.astype(bool))
+    assert alive[:2].sum() == 1
+    assert alive[2:].tolist() == [False, True]
+
+
 def test_elimination_off_by_one_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     honest = partition.thinned
 
