@@ -43,7 +43,7 @@ def branch_and_bound(
     `linear` (n,) and `pairs` (n, n) are the costs of its labels without messages.  The bound of a
     search that `budget` stops holds.
     """
-    without_messages = np.where(np.isinf(problem.matrix()), np.inf, pairs)
+    without_messages = np.where(np.isinf(problem.both_ways()), np.inf, pairs)
     root = ReducedProblem(problem.owner, np.arange(len(linear)), linear, without_messages)
     whole = _Node(root, np.arange(problem.count), np.empty(0, dtype=np.int64))
     open_ = [_Branch(problem.bound(), whole, np.ones(len(linear), dtype=bool))]
@@ -69,8 +69,7 @@ def branch_and_bound(
 
 
 def _tested(problem: ReducedProblem, cutoff: float, budget: Budget) -> ReducedProblem | None:
-    """The problem of a node after ascent and tests; None when no layout below the cutoff is
-    left."""
+    """A node's problem after ascent and tests; None when no layout below the cutoff is left."""
     budget.spend(50 + len(problem.costs) ** 2 // 16 + len(problem.costs) ** 3 // 1024)
     if not problem.count:
         return problem if problem.constant < cutoff else None
@@ -101,8 +100,7 @@ def _branches(node: _Node, failures: Floats) -> list[_Branch]:
 
 
 def _folded(node: _Node, alive: Flags) -> _Node:
-    """A node with the labels that are alive; variables with one are folded into the costs of the
-    others."""
+    """A node with the labels alive; variables with one are folded into the costs of others."""
     left = node.problem.restricted(alive)
     single = np.diff(left.start) == 1
     fixed = single[left.owner]

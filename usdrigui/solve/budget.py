@@ -56,11 +56,6 @@ class Budget:
         self._step_began = self._began
 
     @property
-    def seconds(self) -> float:
-        """Wall time since the start."""
-        return time.monotonic() - self._began
-
-    @property
     def work_left(self) -> int:
         """Work until the limit."""
         return max(0, self.settings.work_limit - self.work)
@@ -69,7 +64,7 @@ class Budget:
     def seconds_left(self) -> float:
         """Wall time until the limit; inf without one."""
         limit = self.settings.time_limit
-        return limit - self.seconds if limit > 0 else np.inf
+        return self._began + limit - time.monotonic() if limit > 0 else np.inf
 
     def part(self, share: float) -> Budget:
         """A budget over a share of what is left of the limits, for one of several problems solved

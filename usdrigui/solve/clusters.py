@@ -1,8 +1,8 @@
-"""Which controls are laid out together: the paper's clusters (section 4.2, rig parameter
-clustering)."""
+"""Controls laid out together: the paper's clusters (section 4.2, rig parameter clustering)."""
 
 from __future__ import annotations
 
+import itertools
 from typing import Literal
 
 import numpy as np
@@ -62,9 +62,6 @@ def _mean_distances(variables: list[Variable]) -> Floats:
     found = np.zeros((len(spots), len(spots)))
     for a, one in enumerate(spots):
         for b, other in enumerate(spots[:a]):
-            found[a, b] = min(
-                cdist(one[:, i], other[:, j]).mean()
-                for i in range(one.shape[1])
-                for j in range(other.shape[1])
-            )
+            copies = itertools.product(one.swapaxes(0, 1), other.swapaxes(0, 1))
+            found[a, b] = min(cdist(*each).mean() for each in copies)
     return found + found.T

@@ -1,5 +1,4 @@
-"""The whole problem with a proof: local search, sound reduction by bounds, search on what no bound
-decides."""
+"""The whole problem with a proof: local search, reduction by bounds, search on what is left."""
 
 from __future__ import annotations
 
@@ -19,8 +18,7 @@ from usdrigui.solve.reduced_problem import Solution
 from usdrigui.solve.toulbar2 import check_installed, solve_by_toulbar2
 
 HALVINGS = 6
-"""The first layout is sought among the cheapest labels of 2 ** HALVINGS places of every
-variable."""
+"""The first layout is one of the cheapest labels of 2 ** HALVINGS places of every variable."""
 TRIES = 4
 """Of local search per variable, and again as long as they help."""
 HIGHS_SHARE = 0.01

@@ -20,8 +20,7 @@ from usdrigui.overlap import overlap_cost
 CHUNK = 32768
 """Distances worked out at a time: they stay in the processor's cache."""
 ROUNDING = 1e-12
-"""Share of lengths and costs by which rounding may be off: bounds leave so much room, exact ones
-none."""
+"""Share of lengths and costs by which rounding may be off: bounds leave so much room."""
 SEVERAL = -2
 """Stands for the candidate of a block of several."""
 
@@ -75,13 +74,9 @@ class LabelGeometry(Record):
 
     def of(self, kept: Indices, owner: Indices) -> LabelGeometry:
         """Some of the geometries, of other owners."""
-        return LabelGeometry(
-            owner,
-            self.samples[:, :, kept],
-            self.apart[:, kept],
-            self.handle[:, kept],
-            self.handle_apart[kept],
-        )
+        every = (self.samples, self.apart, self.handle, self.handle_apart)
+        samples, apart, handle, handle_apart = (each[..., kept] for each in every)
+        return LabelGeometry(owner, samples, apart, handle, handle_apart)
 
     def places(self, labels: int) -> Indices:
         """(labels,) which of the geometries is each label's, or -1."""
@@ -199,13 +194,9 @@ def bounding(geometry: LabelGeometry, place: Indices, block: Indices) -> LabelGe
     centre, handle = _box_middle(samples, first), _box_middle(handles, first)
     apart = np.sqrt(np.square(samples - np.repeat(centre, sizes, axis=-1)).sum(axis=1))
     handle_apart = np.sqrt(squared(handles, np.repeat(handle, sizes, axis=-1)))
-    return LabelGeometry(
-        block[first],
-        centre,
-        np.maximum.reduceat(apart, first, axis=-1),
-        handle,
-        np.maximum.reduceat(handle_apart, first),
-    )
+    most = np.maximum.reduceat(apart, first, axis=-1)
+    handle_most = np.maximum.reduceat(handle_apart, first)
+    return LabelGeometry(block[first], centre, most, handle, handle_most)
 
 
 def _box_middle(positions: Floats, first: Indices) -> Floats:

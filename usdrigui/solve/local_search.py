@@ -103,8 +103,7 @@ class LocalSearch:
             self._place(variable, low + int(costs.argmin()))
 
     def _descend(self) -> float:
-        """Move variables while that gains anything; the cost of the layout, which is kept if it is
-        the best so far."""
+        """Move variables while that gains; the cost of the layout, which is kept if the best."""
         self._moves()
         self._budget.spend(1 + len(self._costs) // 32)
         if self._value() < self.cost - SAME:
@@ -160,8 +159,7 @@ class KnownRows:
 
 
 class LazyRows:
-    """Of labels too many for the costs of all pairs: those of one label with all others are worked
-    out when they are asked for."""
+    """Of labels too many for all pairs: those of one label are worked out when asked for."""
 
     def __init__(self, problem: LayoutProblem, labels: LabelSet, budget: Budget) -> None:
         self._problem, self._labels, self._budget = problem, labels, budget

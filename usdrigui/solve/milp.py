@@ -16,7 +16,7 @@ violates no row is optimal.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -66,8 +66,7 @@ class _Program:
         self._stated: set[bytes] = set()
         """Rows added since the first: HiGHS's tolerances let a solution violate them a little."""
         self._nodes = 0
-        self._bound = self._base
-        self._lp_bound = self._base
+        self._bound = self._lp_bound = self._base
         self._best: tuple[float, Indices | None] = (np.inf, None)
         self._state()
 
@@ -77,25 +76,18 @@ class _Program:
         for name, value in _OPTIONS.items():
             self._highs.setOptionValue(name, value)
         self._highs.setOptionValue("random_seed", self._budget.settings.seed % 2**31)
-        extra = len(self._tables)
+        costs = np.concatenate([problem.excess(), np.ones(len(self._tables))])
+        most = np.where(np.arange(len(costs)) < count, 1.0, self._infinity)
         none = np.empty(0, dtype=np.int32)
         self._highs.addCols(
-            count + extra,
-            np.concatenate([problem.excess(), np.ones(extra)]),
-            np.zeros(count + extra),
-            np.concatenate([np.ones(count), np.full(extra, self._infinity)]),
-            0,
-            none,
-            none,
-            np.empty(0),
+            len(costs), costs, np.zeros(len(costs)), most, 0, none, none, np.empty(0)
         )
         groups = [np.arange(each.start, each.stop) for each in problem.slices]
         self._add([(each, np.ones(len(each))) for each in groups], 1.0, 1.0)
         self._add([(each, np.ones(len(each))) for each in _cliques(problem)], -self._infinity, 1.0)
 
     def solved(self) -> Solution:
-        """Linear program, program with whole labels, rows, until nothing is violated or a limit is
-        reached."""
+        """Programs and the rows they violate, until nothing is violated or a limit is reached."""
         if self._linear():
             self._whole()
         labels = len(self._problem.costs)
@@ -124,14 +116,11 @@ class _Program:
             self._raise(self._lp_bound)
             if self._bound >= self._cutoff or self._stopped():
                 return False
-            rows = self._violated()
-            if not rows:
+            if not self._grown():
                 return True
-            self._add_violated(rows)
 
     def _whole(self) -> None:
-        """The same with whole labels; a solution that violates no row but those it knows is
-        optimal."""
+        """The same with whole labels; a solution that violates no new row is optimal."""
         import highspy
 
         count = len(self._problem.costs)
@@ -150,10 +139,8 @@ class _Program:
             if info.primal_solution_status != highspy.kSolutionStatusFeasible:
                 return
             self._improve()
-            rows = self._violated()
-            if not rows or self._bound >= self._limit or self._stopped():
+            if self._bound >= self._limit or self._stopped() or not self._grown():
                 return
-            self._add_violated(rows)
 
     def _interrupt_simplex(self, event: highspy.HighsCallbackEvent) -> None:
         """End a linear program at a limit of the run; its iterations count when it is done."""
@@ -204,17 +191,15 @@ class _Program:
 
     # --- rows -------------------------------------------------------------------------------------
 
-    def _violated(self) -> dict[bytes, Row]:
-        """Rows that the solution violates and that are not stated yet, each once."""
+    def _grown(self) -> bool:
+        """Add the rows that the solution violates and that are not stated yet; whether any."""
         values = self._values()
         rows = [row for table in self._tables for row in table.violated(values)]
-        keys = [columns.tobytes() + coefficients.tobytes() for columns, coefficients in rows]
-        found = dict(zip(keys, rows, strict=True))
-        return {key: row for key, row in found.items() if key not in self._stated}
-
-    def _add_violated(self, rows: Mapping[bytes, Row]) -> None:
-        self._add(list(rows.values()), 0.0, self._infinity)
-        self._stated |= rows.keys()
+        found = {columns.tobytes() + each.tobytes(): (columns, each) for columns, each in rows}
+        new = {key: row for key, row in found.items() if key not in self._stated}
+        self._add(list(new.values()), 0.0, self._infinity)
+        self._stated |= new.keys()
+        return bool(new)
 
     def _add(self, rows: Sequence[Row], low: float, high: float) -> None:
         if not rows:
@@ -241,8 +226,7 @@ class _Table:
         self._sides = [([labels[at] for at in each], costs.transpose(each)) for each in orders]
 
     def violated(self, values: Floats) -> list[Row]:
-        """For the likeliest labels of all variables but one, in every way, the row that is
-        violated."""
+        """The violated rows for the likeliest labels of all variables but one, in every way."""
         rows = [self._row(labels, costs, values) for labels, costs in self._sides]
         return [row for row in rows if -float(row[1] @ values[row[0]]) > VIOLATED]
 
@@ -290,8 +274,7 @@ def _cliques(problem: ReducedProblem) -> list[Indices]:
 
 
 def _clique(label: int, apart: Flags, open_: Flags, excess: Floats) -> Indices:
-    """A clique from a label on: next the one that excludes most of its members in pairs not yet
-    stated."""
+    """A clique from a label on: next the one that excludes most members in pairs not stated."""
     members, candidates = [label], apart[label].copy()
     stated = open_[label].astype(np.float64) - excess
     while candidates.any():

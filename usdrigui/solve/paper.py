@@ -68,27 +68,22 @@ def sample(
     labels = [np.flatnonzero(each) for each in allowed]
     if share >= 1.0:
         return labels
-    owner = np.repeat(np.arange(len(labels)), [len(each) for each in labels])
-    weight = np.concatenate(
-        [np.zeros(0), *(d[each] for d, each in zip(displacements, labels, strict=True))]
-    )
     # Exponential keys: the k least are a weighted sample without replacement (Efraimidis and
     # Spirakis 2006).  Candidates that do not move are kept when nothing else is left.
-    key = generator.exponential(size=len(owner)) / np.maximum(weight, 1e-9)
-    kept = np.zeros(len(owner), dtype=bool)
-    kept[np.argsort(key, kind="stable")[: int(np.ceil(share * len(owner)))]] = True
-    for at in range(len(labels)):
-        mine = np.flatnonzero(owner == at)
-        if len(mine) and not kept[mine].any():
-            kept[mine[key[mine].argmin()]] = True
-    return [each[kept[owner == at]] for at, each in enumerate(labels)]
+    keys = [
+        generator.exponential(size=len(mine)) / np.maximum(each[mine], 1e-9)
+        for each, mine in zip(displacements, labels, strict=True)
+    ]
+    every = np.sort(np.concatenate([np.zeros(0), *keys]))
+    most = every[: int(np.ceil(share * len(every)))].max(initial=0.0)
+    kept = (key <= max(most, key.min(initial=np.inf)) for key in keys)
+    return [mine[each] for mine, each in zip(labels, kept, strict=True)]
 
 
 def _with_fixed_costs(
     problem: LayoutProblem, at: int, placed: list[int], chosen: Indices
 ) -> Variable:
-    """A variable whose linear costs hold what the elements already placed cost it; +inf where they
-    forbid."""
+    """A variable whose linear costs hold what the elements placed before cost it."""
     variable = problem.variables[at]
     labels = np.arange(len(variable.cost))
     cost = variable.cost.copy()

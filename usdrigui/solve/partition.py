@@ -89,8 +89,7 @@ def bisect(labels: LabelSet, blocks: Blocks, chosen: Flags) -> tuple[Blocks, Ind
 
 
 def _along_widest(labels: LabelSet, blocks: Blocks, cut: Flags) -> Floats:
-    """(members,) coordinate of the first copy along the widest direction of each block to cut; 0 in
-    the others."""
+    """(members,) coordinate of the first copy along the widest direction of each block to cut."""
     key = np.zeros(len(blocks.members))
     group = np.repeat(np.arange(len(cut)), blocks.sizes)
     for geometry in reversed(labels.geometries):
@@ -182,8 +181,7 @@ def split(
 
 
 def _planned(near: list[NearPairs], variable: Indices, parts: Indices) -> float:
-    """MiB needed when every block is replaced by so many parts; `variable` (blocks,) they are
-    of."""
+    """MiB needed when every block, of a `variable` (blocks,), is replaced by so many parts."""
     pairs = sum(int((parts[each.first] * parts[each.second]).sum()) for each in near)
     sizes = np.bincount(variable, weights=parts).astype(np.int64)
     used = np.zeros((len(sizes), len(sizes)), dtype=bool)

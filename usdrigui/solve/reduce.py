@@ -1,5 +1,4 @@
-"""Sound reduction: bound whole blocks of candidates, discard what cannot be in a better layout,
-split the rest."""
+"""Sound reduction: bound blocks of candidates, discard what no better layout uses, split."""
 
 from __future__ import annotations
 
@@ -81,13 +80,11 @@ class Reduction:
         return bool(self.blocks.sizes.max(initial=1) == 1)
 
     def representatives(self, chosen: Indices) -> Indices:
-        """(variables,) the labels of least linear cost of the blocks that a solution of the problem
-        chooses."""
+        """(variables,) the labels of least linear cost of the blocks that a solution chooses."""
         return cheapest(self._labels, self.blocks)[self.problem.labels[chosen]]
 
     def done(self) -> bool:
-        """Sweep, tighten, split, as long as something is left and this gains anything; whether
-        anything is left."""
+        """Sweep, tighten, split, while that gains anything; whether anything is left."""
         budget, share = self._budget, NEAR
         while self._swept() and (not self.exact or self._thinned()):
             frustrated = self._frustrated()
@@ -110,8 +107,7 @@ class Reduction:
     # --- local search -----------------------------------------------------------------------------
 
     def _frustrated(self) -> bool:
-        """Look for a good layout of the blocks, which may be one of the labels; whether it is far
-        above the bound."""
+        """Look for a good layout of the blocks; whether it is far above the bound."""
         left = self.problem
         first = np.array([each.start + int(left.costs[each].argmin()) for each in left.slices])
         found = self._descended(left.start, self.block_set.cost[left.labels], self.pairs, first)
@@ -121,8 +117,7 @@ class Reduction:
         return found.cost - left.bound() > FRUSTRATED * (self._budget.cutoff - left.bound())
 
     def _search_likely_labels(self) -> None:
-        """Look for a good layout of the labels, held in blocks, that most likely are part of
-        one."""
+        """Look for a good layout of the labels that most likely are part of one."""
         self._searched = True
         labels, slack = self._labels, np.full(len(self._labels.cost), -np.inf)
         slack[self.blocks.members] = member_slack(labels, self.blocks, -self._lower_bounds())
@@ -139,8 +134,7 @@ class Reduction:
     def _descended(
         self, start: Indices, linear: Floats, pairs: csr_array, first: Indices
     ) -> LocalSearch:
-        """A local search of labels with known costs at the end of its descent from a first
-        layout."""
+        """A local search of labels with known costs after its descent from a first layout."""
         rows, penalty = KnownRows(pairs), self._incumbent.penalty
         found = LocalSearch(start, linear, rows, self._budget, penalty)
         found.improve_from(first)
@@ -155,8 +149,7 @@ class Reduction:
         return found
 
     def _swept(self) -> bool:
-        """Raise the bound by dual ascent and take the blocks away that it excludes; whether any are
-        left."""
+        """Raise the bound by dual ascent and take away what it excludes; whether any are left."""
         self.problem.normalize()
         left = self._reduced()
         while left and not self._budget.stopped():
@@ -237,8 +230,7 @@ class Reduction:
                 return True
 
     def _split(self, share: float) -> bool:
-        """Split blocks, and go on from the messages of those that the new ones are part of; whether
-        there is memory for more."""
+        """Split blocks and go on from the messages of their parents; whether memory allows it."""
         bounds = self._lower_bounds()
         parts = split(self._labels, self.blocks, self._near, bounds, share, self._budget)
         if parts is None:

@@ -23,8 +23,7 @@ from usdrigui.model import Flags, Floats, Indices, Singles
 EPSILON = 1e-11
 """A cost that is not above is none."""
 LARGEST_TESTED = 1200
-"""Labels whose pairs are tested, and whose matrix is swept often: tests take the cube of their
-number."""
+"""Labels whose pairs are tested and swept often: tests take the cube of their number."""
 DEAREST = 64.0
 """Cost up to which sums of two are told apart: far above any that a layout is made of."""
 
@@ -38,8 +37,7 @@ class Solution:
     bound: float
     """No layout costs less than this; the cutoff where there is none below it."""
     chosen: Indices | None
-    """(variables,) labels of the best layout found below the cutoff, as indices into the
-    problem."""
+    """(variables,) places in the problem of the labels of the best layout below the cutoff."""
     figures: Mapping[str, float]
     """For the report."""
 
@@ -97,8 +95,7 @@ def interacting(owner: Indices, pairs: csr_array) -> Flags:
 
 
 class ReducedProblem:
-    """Labels of variables, the pairs of them that are excluded, and the reparametrised costs of
-    both."""
+    """Labels of variables, excluded pairs of them, and the reparametrised costs of both."""
 
     def __init__(
         self,
@@ -151,17 +148,13 @@ class ReducedProblem:
         low = int(strip.first[at])
         return strip.costs[:, low : low + int(strip.sizes[at])]
 
-    def matrix(self) -> Floats:
-        """(n, n) pair costs above the diagonal blocks, 0 elsewhere."""
+    def both_ways(self) -> Floats:
+        """(n, n) pair costs, the same in both orders; 0 within a variable."""
         found = np.zeros((len(self.costs), len(self.costs)))
         for strip in self.tables:
             found[strip.mine, strip.columns] = strip.costs
+            found[strip.columns, strip.mine] = strip.costs.T
         return found
-
-    def both_ways(self) -> Floats:
-        """(n, n) pair costs, the same in both orders."""
-        found = self.matrix()
-        return np.asarray(found + found.T)
 
     def costs_with(self, chosen: Flags) -> Floats:
         """(n,) what every label costs in pairs with the chosen ones."""
@@ -252,8 +245,7 @@ class ReducedProblem:
     # --- reparametrisation ------------------------------------------------------------------------
 
     def normalize(self) -> None:
-        """Move the least cost of every table into the constant, and note which tables cost
-        anything."""
+        """Move the least cost of tables into the constant, and note which cost anything."""
         self.linked[:] = False
         for at, strip in enumerate(self.tables):
             if not len(strip.others):
@@ -306,8 +298,7 @@ class ReducedProblem:
     # --- tests ------------------------------------------------------------------------------------
 
     def label_lower_bounds(self) -> Floats:
-        """(n,) no layout that uses a label costs less; +inf for a label that every layout
-        excludes."""
+        """(n,) no layout that uses a label costs less; +inf for one that every layout excludes."""
         excess = self.excess()
         least = np.zeros(len(excess))
         for strip in self.tables:
@@ -338,8 +329,7 @@ class ReducedProblem:
         return found
 
     def _pair_lower_bounds(self, variable: int, excess: Floats, pairs: Floats) -> Floats:
-        """(labels, later labels) what layouts cost above the bound that use a label of one variable
-        and a later one."""
+        """(labels, later labels) what layouts that use both cost above the bound."""
         mine = self.slices[variable]
         later = slice(mine.stop, None)
         total = excess[mine, None] + excess[later] + pairs[mine, later]
@@ -352,8 +342,7 @@ class ReducedProblem:
 
 
 def reduced(problem: ReducedProblem, cutoff: float) -> ReducedProblem | None:
-    """The problem without the labels that no layout below the cutoff uses; None if one variable has
-    none left."""
+    """The problem of the labels that layouts below the cutoff may use; None if there are none."""
     while True:
         alive = problem.label_lower_bounds() < cutoff
         if not np.logical_or.reduceat(alive, problem.start[:-1]).all():

@@ -22,8 +22,7 @@ from usdrigui.solve.budget import Budget
 from usdrigui.solve.reduced_problem import ReducedProblem, Solution
 
 DIGITS = (15, 9)
-"""Of a cost that toulbar2 keeps, in all and behind the point: its costs are whole numbers of 64
-bits."""
+"""Of a cost in toulbar2, in all and behind the point: costs are whole numbers of 64 bits."""
 ROUNDED = 1e-6
 """Costs are rounded: so much is taken off its bound, more where fewer decimals are kept."""
 
@@ -47,7 +46,7 @@ def solve_by_toulbar2(
     """
     least = np.minimum.reduceat(linear, problem.start[:-1])
     spare = cutoff - float(least.sum())
-    costs = np.where(np.isinf(problem.matrix()), np.inf, pairs)
+    costs = np.where(np.isinf(problem.both_ways()), np.inf, pairs)
     above = np.minimum(linear - least[problem.owner], spare)
     figures = {"labels": len(linear)}
     answer = _asked((problem.start, above, np.minimum(costs, spare), spare), budget)
