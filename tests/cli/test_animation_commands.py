@@ -44,7 +44,7 @@ def run(capsys, *arguments, expected=0):
     return json.loads(capsys.readouterr().out)
 
 
-def test_use_and_what_moves_together_are_told(folder, capsys):
+def test_use_and_what_moves_together_are_reported(folder, capsys):
     told = run(capsys, "inspect", folder / "char.usda", "--animation", folder / "take.usda")
     found = told["characters"][0]["animation"]
     assert found["clips"] == ["take.usda/Take"]

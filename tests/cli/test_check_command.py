@@ -63,7 +63,7 @@ def test_a_control_that_is_gone_and_one_that_is_new(layer, capsys):
     assert {"LAYOUT_CONTROL_GONE", "LAYOUT_CONTROL_NEW"} <= codes(layer, capsys, expected_exit=1)
 
 
-def test_a_moved_point_is_told(layer, capsys):
+def test_a_moved_point_is_reported(layer, capsys):
     stage = Usd.Stage.Open(str(layer))
     attribute = elements(stage)[0].GetAttribute("rigUI:anchor:position")
     attribute.Set(attribute.Get() + type(attribute.Get())(0.1, 0, 0))

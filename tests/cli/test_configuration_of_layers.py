@@ -105,7 +105,7 @@ def test_a_file_of_the_assets_name_is_somebody_elses(folder, asset, capsys):
 
 
 @pytest.mark.parametrize("asset", ["char.usda", "attached/char.usda"])
-def test_a_broken_configuration_of_an_asset_is_told(folder, asset, capsys):
+def test_a_broken_configuration_of_an_asset_is_reported(folder, asset, capsys):
     (folder / asset).with_suffix(".rigui.toml").write_text("[controls.chin]\nexclud = true\n")
     assert issues(capsys, folder / asset) == (2, {"CONFIG_UNKNOWN_KEY"})
 
@@ -178,7 +178,7 @@ def test_any_name_can_stand_in_a_key(text, name):
         ("controls.brow.L.label=x", "CONFIG_UNKNOWN_KEY"),
     ],
 )
-def test_what_sets_nothing_is_told_before_the_layer_is_read(tmp_path, text, code, capsys):
+def test_what_sets_nothing_is_reported_before_the_layer_is_read(tmp_path, text, code, capsys):
     assert main(["check", str(tmp_path / "missing.usda"), "--set", text]) == 2
     assert code in capsys.readouterr().err
 

@@ -75,7 +75,7 @@ WRONG_NAMES = [
     ids=["values", "names", "both"],
 )
 @pytest.mark.parametrize("command", ["process", "inspect", "check"])
-def test_everything_that_is_wrong_in_a_configuration_is_told_at_once(command, texts, wrong, layer, capsys):
+def test_everything_that_is_wrong_in_a_configuration_is_reported_at_once(command, texts, wrong, layer, capsys):
     asset = layer.with_name("char.usda")
     (mesh, *_) = read_rigs(asset, load())[0].meshes
     files = [layer.with_name(f"{i}.toml") for i in range(len(texts))]

@@ -31,7 +31,7 @@ def test_every_visible_control_covers_something(tmp_path, capsys):
     assert f"{100 * shares['brow_L']:.0f} %" in table
 
 
-def test_what_the_configuration_sends_beside_is_said(tmp_path, capsys):
+def test_what_the_configuration_sends_beside_is_reported(tmp_path, capsys):
     character = skinned_stages.character(tmp_path / "char.usda")
     character.with_suffix(".rigui.toml").write_text('[controls.chin]\nplace = "board"\n')
     assert main(["inspect", str(character), "--json"]) == 0

@@ -116,7 +116,7 @@ def test_a_handle_fixed_on_another_is_refused(folder, capsys):
     assert told["issues"][0]["code"] == "FIXED_IMPOSSIBLE"
 
 
-def test_the_previous_layout_is_kept_and_the_diff_is_told(folder, capsys):
+def test_the_previous_layout_is_kept_and_the_diff_is_reported(folder, capsys):
     lose_control(folder / "char.usda", "half")
     told = run(capsys, "process", folder / "char.usda", "--previous", folder / "old.rigui.usda")
     found = told["characters"][0]["difference"]

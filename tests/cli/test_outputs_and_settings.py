@@ -172,7 +172,7 @@ def test_a_picture_that_cannot_be_written_leaves_layer_and_report_as_they_were(c
         (["--set", "candidates.view=1,2,3"], "CONFIG_VALUE"),
     ],
 )
-def test_what_the_command_line_gets_wrong_is_told_before_the_asset_is_read(tmp_path, options, code, capsys):
+def test_what_the_command_line_gets_wrong_is_reported_before_the_asset_is_read(tmp_path, options, code, capsys):
     main(["process", str(tmp_path / "missing.usda"), *options])
     told = capsys.readouterr().err
     assert code in told

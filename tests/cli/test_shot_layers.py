@@ -190,7 +190,7 @@ def test_a_bare_layer_is_composed_by_the_shot(folder, capsys):
 # --- refusals ----------------------------------------------------------------------------------------
 
 
-def test_nothing_new_is_said_and_adds_nothing(folder, capsys):
+def test_nothing_new_is_reported_and_adds_nothing(folder, capsys):
     out = folder / "none.rigui.usda"
     told = run(capsys, "process", folder / "char.usda", "--base", folder / "char.rigui.usda", "-o", out)
     assert [each["code"] for each in told["issues"]] == ["BASE_COMPLETE"]

@@ -41,7 +41,7 @@ def test_the_validator_finds_the_rules_by_what_is_installed():
     assert asset_validator.CATEGORY in done.stdout
 
 
-def test_a_fault_that_cannot_be_repaired_is_told(stage):
+def test_a_fault_that_cannot_be_repaired_is_reported(stage):
     shape = UsdSkel.BlendShape(stage.GetPrimAtPath("/Char/Face/s_smile"))
     shape.GetOffsetsAttr().Set(Vt.Vec3fArray(3))
     (found,) = issues(stage)
@@ -49,7 +49,7 @@ def test_a_fault_that_cannot_be_repaired_is_told(stage):
     assert not found.suggestions
 
 
-def test_a_dangling_target_is_told_and_repaired(stage):
+def test_a_dangling_target_is_reported_and_repaired(stage):
     stage.RemovePrim("/Char/Face/s_smile")
     (found,) = issues(stage)
     assert "TARGET_INVALID" in found.message

@@ -278,7 +278,7 @@ def test_refuses_a_layout_of_other_controls_at_the_same_path(folder):
     assert refusal(folder / "char.usda", folder / "ui" / "bare.usda") == "ATTACH_MISMATCH"
 
 
-def test_exchanged_arguments_are_told(folder):
+def test_exchanged_arguments_are_reported(folder):
     with pytest.raises(RigUIError, match="the asset is named first"):
         attach(folder / "ui" / "bare.usda", folder / "char.usda", Settings())
 

@@ -84,7 +84,7 @@ def test_a_picture_at_a_pose_is_the_same_from_python_and_the_command(folder):
         layout.picture(pose={"nobody": 1.0})
 
 
-def test_wrong_arguments_are_told_in_the_words_of_the_interface(folder):
+def test_wrong_arguments_are_reported_in_the_words_of_the_interface(folder):
     for take in (usdrigui.process, usdrigui.check, usdrigui.open):
         with pytest.raises(TypeError, match=r"expected a path, a Usd\.Stage or an Sdf\.Layer, not int"):
             take(3)

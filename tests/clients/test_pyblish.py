@@ -119,7 +119,7 @@ def test_assets_can_be_named_in_the_environment(asset, monkeypatch):
     assert instance.data["representations"]
 
 
-def test_one_cause_is_told_in_one_line(asset, caplog):
+def test_one_cause_is_reported_in_one_line(asset, caplog):
     spoil(asset)
     error = errors(published(asset))["ValidateRigUI"]
     lines = [record.getMessage() for record in caplog.records if record.name == "pyblish.ValidateRigUI"]

@@ -88,7 +88,7 @@ def test_without_webgl_the_page_draws_by_itself_and_says_so(without_webgl, page_
     viewer.close()
 
 
-def test_with_a_graphics_card_nothing_is_said(browser, page_path):
+def test_with_a_graphics_card_nothing_is_reported(browser, page_path):
     viewer = Viewer(browser, page_path, draw="webgl")
     assert not viewer.page.get_by_text("Drawn by the processor").is_visible()
     viewer.close()

@@ -129,7 +129,7 @@ def test_what_another_page_keyed_is_no_step_of_ones_own(tmp_path):
     assert [page["keys"] for page in after[3]] == [{one: [[3, 0.5]], two: [[5, 0.25]]}] * 2
 
 
-def test_a_conflict_is_said_and_a_key_stays_over_its_removal(tmp_path):
+def test_a_conflict_is_reported_and_a_key_stays_over_its_removal(tmp_path):
     _, rig = character(tmp_path, 1)
     one, two = rig.controls[:2]
     rounds = [

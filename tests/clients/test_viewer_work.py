@@ -115,7 +115,7 @@ def test_two_pages_on_one_character_lose_nothing_of_each_other(viewer, page_path
     assert sorted(found, key=str) == [{"brow_L": 1.0}, {"chin": 1.0}]
 
 
-def test_a_browser_that_keeps_nothing_is_told_before_work_is_lost(browser, page_path):
+def test_a_browser_that_keeps_nothing_is_reported_before_work_is_lost(browser, page_path):
     no_storage = "{ get() { throw new DOMException('no', 'SecurityError'); } }"
     viewer = Viewer(browser, page_path, script=f"Object.defineProperty(window, 'localStorage', {no_storage})")
     asked = []

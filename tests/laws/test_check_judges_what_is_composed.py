@@ -306,7 +306,7 @@ def test_every_finding_says_whose_it_is(folder, capsys):
     assert all(f"LAYOUT_CONTROL_GONE {root} sneer_L: " in said for root in roots)
 
 
-def test_a_character_without_meshes_is_told_with_what_is_not_active(folder, capsys):
+def test_a_character_without_meshes_is_reported_with_what_is_not_active(folder, capsys):
     stage = over(folder)
     deactivate_all(stage)
     for path, codes in ((saved(stage), ["LAYOUT_MESH_GONE"]), (_asset_without_meshes(folder), ["CONTROLS_MISSING"])):
@@ -331,7 +331,7 @@ def test_a_layout_that_one_character_of_two_has_switched_off_is_no_layout_that_i
     assert "rigUI = none on /Shot/B/Char" in found.message
 
 
-def test_a_mesh_that_is_gone_is_told_once_with_all_that_it_takes_along(folder):
+def test_a_mesh_that_is_gone_is_reported_once_with_all_that_it_takes_along(folder):
     found = check(saved(edited(over(folder), deactivate)), Settings()).issues
     (told,) = (each for each in found if each.severity == "error")
     elements = read_layout(folder / "char.rigui.usda")[0].elements

@@ -77,7 +77,7 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
         (r'"RigUIDrawingAPI", ', "", "error", "RigUIDrawingAPI is missing"),
     ],
 )
-def test_what_a_layer_by_hand_gets_wrong_is_told_at_its_prim(layer, old, new, severity, told):
+def test_what_a_layer_by_hand_gets_wrong_is_reported_at_its_prim(layer, old, new, severity, told):
     text, count = re.subn(old, new, EXAMPLE, count=1)
     assert count
     layer.write_text(text, encoding="utf-8")

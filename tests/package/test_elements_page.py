@@ -24,7 +24,7 @@ def test_page_and_pictures_are_there(pictures):
     assert sum(each.stat().st_size for each in pictures.FOLDER.iterdir()) < 2_000_000
 
 
-def test_what_is_amiss_is_said(pictures, monkeypatch):
+def test_what_is_amiss_is_reported(pictures, monkeypatch):
     monkeypatch.setattr(pictures, "SCENES", pictures.SCENES[1:])
     assert len(pictures.amiss()) == 2
 

@@ -1,7 +1,7 @@
 """Stages say what they read: no record of the layout that holds everything is passed around (decision 106)."""
 
 import ast
-from collections import Counter
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import pytest
@@ -97,3 +97,21 @@ def test_tests_of_the_layout_stand_in_the_folders_of_its_packages():
     folders = {path.parent.relative_to(tests) for path in tests.rglob("test_*.py")}
     assert len(folders) > 8
     assert [str(folder) for folder in folders if not (packages / folder / "__init__.py").is_file()] == []
+
+
+PAIRS = ("model", None), ("cli", "pipeline"), ("usd", "pipeline")
+"""Where two modules of one name are about one thing: its record and what makes it, a command and its steps."""
+
+
+def test_a_module_name_stands_for_one_thing():
+    rooms = defaultdict(list)
+    for path in PACKAGE.rglob("*.py"):
+        rooms[path.stem].append(path.parent.relative_to(PACKAGE).parts[:1] or ("",))
+    twice = {name: [room for (room,) in found] for name, found in rooms.items() if len(found) > 1}
+    assert {name for name, found in twice.items() if not any(one_thing(found, *pair) for pair in PAIRS)} == {
+        "__init__",
+    }
+
+
+def one_thing(rooms, first, second):
+    return len(rooms) == 2 and first in rooms and (second is None or second in rooms)

@@ -46,7 +46,7 @@ def test_every_test_of_this_run_is_in_quick_or_in_slow(request):
     assert sorted([*quick, *slow], key=items.index) == items
 
 
-def test_both_commands_are_told_and_ci_runs_the_sample():
+def test_both_commands_are_reported_and_ci_runs_the_sample():
     for page in ("README.md", "docs/reliability.md"):
         assert "--suite slow" in (ROOT / page).read_text(encoding="utf-8"), page
     assert "--suite sample" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")

@@ -316,7 +316,7 @@ def test_a_binding_in_vain_is_refused_with_its_cause(tmp_path, edit, cause, join
     assert ("Face has joint influences; " in error.issue.message) == joints_only
 
 
-def test_every_cause_of_a_binding_in_vain_is_told(tmp_path):
+def test_every_cause_of_a_binding_in_vain_is_reported(tmp_path):
     def edit(stage):
         _not_applied(stage)
         _below("")(stage)

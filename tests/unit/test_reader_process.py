@@ -479,7 +479,7 @@ def test_an_asset_of_one_file_is_parsed_once(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("referenced", [False, True])
-def test_what_usd_says_while_it_parses_is_told_once(referenced, tmp_path):
+def test_what_usd_says_while_it_parses_is_reported_once(referenced, tmp_path):
     path = head(tmp_path / "geo.usda")
     path.write_text(path.read_text() + '\ndef "Prop" {\n    double count = 99999999999999999999\n}\n')
     if referenced:

@@ -130,7 +130,7 @@ def test_a_mesh_without_skeleton_cannot_move(tmp_path):
     assert len(rig.meshes) == 2
 
 
-def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_told(tmp_path):
+def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_reported(tmp_path):
     def edit(stage):
         stage.DefinePrim("/Char/Extra")
         mesh = add_mesh(stage, "/Char/Extra/Hat", skeleton="/Char/Skel")
@@ -158,7 +158,7 @@ def test_a_mesh_with_influences_and_a_skeleton_in_vain_is_told(tmp_path):
         ),
     ],
 )
-def test_a_mesh_that_nobody_sees_is_told(tmp_path, hide, why):
+def test_a_mesh_that_nobody_sees_is_reported(tmp_path, hide, why):
     rig = edited(tmp_path, hide)
     assert [(each.code, each.path) for each in rig.issues] == [("MESH_HIDDEN", "/Char/Face")]
     assert rig.issues[0].message == f"{why}2 of its blend shapes are on no mesh that is drawn"
@@ -693,7 +693,7 @@ def test_excluding_everything_is_refused(tmp_path):
         ({"brow_R": {"maximum": 0.5}, "brow_L": {"label": "Brow"}}, [0.5, 0.5]),
     ],
 )
-def test_a_range_of_one_side_holds_for_the_other_unless_said_otherwise(said, maxima):
+def test_a_range_of_one_side_holds_for_the_other_unless_set_otherwise(said, maxima):
     channels = tuple(Channel(token, "/anim", i) for i, token in enumerate(("brow_L", "brow_R")))
     nothing = [[float("nan")] * 2] * 2
     authored = Authored(nothing, nothing, [[0.0, 1.0]] * 2, [[0.0, 1.0]] * 2)
@@ -726,7 +726,7 @@ def test_characters_without_a_layout_are_those_whose_meshes_something_moves():
 @pytest.mark.parametrize(
     ("shift", "factor", "told"), [(0.01, 1.0, False), (0.011, 1.0, True), (0, 1.002, True), (0, 1.0009, False)]
 )
-def test_joints_that_an_animation_translates_or_scales_by_more_than_a_thousandth_are_told(shift, factor, told):
+def test_joints_that_an_animation_translates_or_scales_by_more_than_a_thousandth_are_reported(shift, factor, told):
     """Of the greatest translation, which is 10."""
     local = np.tile(np.eye(4), (2, 2, 1, 1))
     local[:, 0, 3, 1] = -10.0

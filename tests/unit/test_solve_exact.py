@@ -377,7 +377,7 @@ def test_infeasible_names_the_variables() -> None:
         solve(replace(problem, variables=forced), HIGHS)
 
 
-def test_infeasible_problems_are_told_at_once_however_their_bound_is_rounded() -> None:
+def test_infeasible_problems_are_reported_at_once_however_their_bound_is_rounded() -> None:
     problem = random_problem(5000453, 6, 8)  # its bound ended one unit of rounding below what is never allowed
     assert best_of_all(problem) is None
     spent = Budget(replace(HIGHS, work_limit=10**6))

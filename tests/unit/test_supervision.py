@@ -86,7 +86,7 @@ def test_a_closing_message_counts_whatever_comes_after_it(run):
     assert printed == [("err", "read")]
 
 
-def test_what_a_death_leaves_open_is_said(run):
+def test_what_a_death_leaves_open_is_reported(run):
     outcome, _ = run(f"{WRITING}; kill -KILL $$")
     assert (outcome.written, outcome.unknown) == ((), ("out.usda",))
 

@@ -106,7 +106,7 @@ def test_several_clips_are_one_after_the_other():
     assert done.amounts[:8, column(done, "pucker")].max() == 0.0
 
 
-def test_animations_of_somebody_else_are_refused_and_strays_are_told():
+def test_animations_of_somebody_else_are_refused_and_strays_are_reported():
     with pytest.raises(RigUIError, match="CLIP_FOREIGN"):
         activity(FACE, [clip(wing=RAMP)])
     with pytest.raises(RigUIError, match="CLIP_FOREIGN"):

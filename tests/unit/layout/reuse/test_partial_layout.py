@@ -24,7 +24,7 @@ from usdrigui.settings import ControlSettings
         ({"brow_L": {"anchor": "/Root/mesh#914", "twin": "none"}}, False),
     ],
 )
-def test_fixed_anchors_stay_and_fix_the_twin_unless_said_otherwise(said, mirrored):
+def test_fixed_anchors_stay_and_fix_the_twin_unless_set_otherwise(said, mirrored):
     line = chain.lay_out(makers.face(), chain.settings(controls=said))
     elements = chain.by_name(line)
     assert elements["brow_L"].anchor.point == 914
