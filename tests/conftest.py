@@ -1,5 +1,6 @@
 """What tests of several folders share."""
 
+import functools
 import os
 import sys
 
@@ -11,6 +12,7 @@ from zygote import Forking
 
 from usdrigui.cli import main
 from usdrigui.usd import reader_process
+from usdrigui.view import sheet
 
 # Every run draws the same examples, so that a change is judged by itself; `--hypothesis-profile=default` draws others.
 settings.register_profile("same", derandomize=True)
@@ -35,6 +37,24 @@ def fresh_readers(forking, monkeypatch):
     """Readers are started as users' are."""
     if forking is not None:
         monkeypatch.setattr(forking, "on", False)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def small_pictures():
+    """Commands draw a tenth of the pixels, in a fraction of the time; what pictures look like is told where they are
+    drawn without a command."""
+    full = {name: getattr(sheet, name) for name in ("render", "film")}
+    for name, draw in full.items():
+        setattr(sheet, name, functools.partial(draw, size=(480, 320)))
+    yield
+    for name, draw in full.items():
+        setattr(sheet, name, draw)
+
+
+@pytest.fixture
+def full_pictures(monkeypatch):
+    """Commands draw pictures as users have them."""
+    monkeypatch.setattr(sheet, "render", sheet.render.func)
 
 
 @pytest.fixture(scope="module")

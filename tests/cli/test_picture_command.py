@@ -29,6 +29,7 @@ def layer(tmp_path_factory):
     return character.with_name("char.rigui.usda")
 
 
+@pytest.mark.usefixtures("full_pictures")
 def test_a_still(layer, tmp_path):
     assert main(["picture", str(layer), "-o", str(tmp_path / "out.png")]) == 0
     width, height = Image.open(tmp_path / "out.png").size

@@ -101,7 +101,8 @@ def test_what_a_death_leaves_open_is_reported(run):
         pytest.param("exec sleep 60", (STOP,), id="it does not hear"),
     ],
 )
-def test_a_request_to_stop_ends_a_worker(script, events, run):
+def test_a_request_to_stop_ends_a_worker(script, events, run, monkeypatch):
+    monkeypatch.setattr("usdrigui.supervision._PATIENCE", 0.5)
     before = time.monotonic()
     outcome, _ = run(script, *events)
     assert (outcome.death.issue.code, outcome.code) == ("INTERRUPTED", Exit.LIMIT)
