@@ -218,7 +218,7 @@ def _column(size: tuple[int, int], shown: Named, left: bool) -> list[_Name]:
         return []
     shown = sorted(shown, key=lambda each: (float(each[1].handle[1]), each[0].name))
     free = size[1] - 34.0
-    pitch = min(free / len(shown), _LARGEST + 6.0)
+    pitch = min(free / len(shown), 2.2 * _LARGEST)
     size_ = int(np.clip(pitch - 2.0, _LEAST, _LARGEST))
     types = [font(size_, element.label) for element, _ in shown]
     handles = np.array([drawn.handle[:2] for _, drawn in shown])

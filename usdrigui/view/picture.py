@@ -301,10 +301,10 @@ def _check(views: Sequence[str] | None, size: tuple[int, int]) -> None:
 
 
 def _skin(meshes: tuple[RigMesh, ...], posed: PosedLayout, colours: Complexion) -> Floats:
-    """(m, 3) finite points of the visible meshes, or of all if none is, that are drawn."""
-    seen = np.concatenate([np.full(len(mesh.points), mesh.visible) for mesh in meshes])
-    seen = (seen if seen.any() else ~seen) & ~colours.clear
-    return np.asarray(posed.points[seen & np.isfinite(posed.points).all(axis=1)])
+    """(m, 3) the points that are drawn; all finite ones if no triangle is."""
+    seen = np.unique(shading.drawn(meshes, posed.points, colours))
+    points = posed.points[seen] if len(seen) else posed.points
+    return np.asarray(points[np.isfinite(points).all(axis=1)])
 
 
 def _framed(

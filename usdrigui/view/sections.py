@@ -19,7 +19,7 @@ _SHOWN = 2
 """Elements of a side, at least, that has a close-up of its own: eyes look together."""
 _TITLES = {"interior": "inside the mouth"}
 """What parts are called that are not called by their names."""
-_TOUCHED = 0.01
+_TOUCHED = 0.1
 """Share of a control's largest displacement from which a point belongs to what it moves."""
 _QUARTERS = {"left": (0.0, 90.0, 180.0), "right": (0.0, -90.0, 180.0)}
 """Azimuths from which a hand may be looked at: the body stands in the way of the fourth."""

@@ -120,14 +120,21 @@ def body(meshes: tuple[RigMesh, ...], points: Floats, complexion: Complexion | N
     """The rig's visible meshes (all, if none is visible) at ``points`` (n, 3) in root space;
     without a complexion all is skin."""
     look = complexion or _plain(len(points))
+    corners = drawn(meshes, points, look)
+    finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
+    points = np.where(finite[:, None], points, 0.0)
+    normals = vertex_normals(points, corners, weld(points))
+    return Body(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
+
+
+def drawn(meshes: tuple[RigMesh, ...], points: Floats, look: Complexion) -> Indices:
+    """(t, 3) the triangles that `body` draws: finite, and not clear."""
     corners = mesh_triangles(meshes, visible_only=True)
     if not len(corners):
         corners = mesh_triangles(meshes)
     finite: Flags = np.asarray(np.isfinite(points).all(axis=1))
-    corners = corners[finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)]
-    points = np.where(finite[:, None], points, 0.0)
-    normals = vertex_normals(points, corners, weld(points))
-    return Body(points, corners, normals, look.colours, look.gaze, make_caster(points[corners]))
+    shown = finite[corners].all(axis=1) & ~look.clear[corners].all(axis=1)
+    return np.asarray(corners[shown], dtype=np.int64)
 
 
 def _plain(count: int) -> Complexion:
