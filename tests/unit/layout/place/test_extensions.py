@@ -72,3 +72,10 @@ def test_wrong_terms_are_refused(term, code):
     with pytest.raises(RigUIError) as refused:
         chain.problem_of(makers.face(), chain.settings(objective={"terms": (term,)}))
     assert refused.value.issue.code == code
+
+
+@pytest.mark.parametrize("answer", [[1.0, np.nan], [np.inf, 0.0], [0.5, -0.5], [1.0], [1.0, 1.0, 1.0]])
+def test_one_cost_that_is_not_finite_or_below_nothing_or_one_too_many_is_refused(answer):
+    with pytest.raises(RigUIError, match="TERM_INVALID"):
+        extensions._checked("low", answer, 2)
+    assert extensions._checked("low", [0.0, 1.5], 2).tolist() == [0.0, 1.5]
