@@ -118,7 +118,7 @@ def _trajectories(code: str) -> Trigger:
     def trigger(folder: Path, _: Any) -> Found:
         (found,) = rig.read_rigs(minimal_assets.character(folder, code), Settings())
         said = trajectory.trajectories(found, Settings().trajectories, np.zeros(len(found.controls)))
-        return 0, [asdict(each) for each in said.issues]
+        return 0, [asdict(each) for each in said.findings.issues]
 
     return trigger
 
