@@ -238,6 +238,12 @@ def test_a_problem_is_sampled_by_displacement_not_by_cost() -> None:
     assert found.labels[0] < 50
 
 
+@pytest.mark.parametrize(("share", "count"), [(0.6, 2), (0.7, 3)])
+def test_a_share_of_three_candidates_is_rounded_up(share: float, count: int) -> None:
+    (kept,) = sample([np.ones(3)], share, np.random.default_rng(0), [np.ones(3, dtype=bool)])
+    assert len(kept) == count
+
+
 def test_of_an_element_that_the_sample_passed_over_the_candidate_that_moves_is_kept() -> None:
     still_and_moving, allowed = [np.array([0.0, 1.0])] * 5, [np.ones(2, dtype=bool)] * 5
     assert np.concatenate(sample(still_and_moving, 1e-6, np.random.default_rng(0), allowed)).tolist() == [1] * 5
