@@ -15,7 +15,7 @@ from usdrigui.overlap import element_distance, pair_costs, total_cost
 from usdrigui.settings import SolveSettings
 from usdrigui.solve import label_geometry
 from usdrigui.solve.budget import Budget
-from usdrigui.solve.label_geometry import LabelSet, all_labels
+from usdrigui.solve.label_geometry import LabelGeometry, LabelSet, all_labels, pair_bounds
 from usdrigui.solve.pair_costs import near_blocks, refined
 from usdrigui.solve.partition import Blocks, bisect, block_set, blocks_of_variables, cheapest, thinned
 
@@ -203,3 +203,29 @@ def test_of_equal_candidates_the_first_is_a_label() -> None:
         for each in problem.variables
     )
     assert np.array_equal(all_labels(replace(problem, variables=doubled)).candidate, all_labels(problem).candidate)
+
+
+@pytest.mark.parametrize(
+    ("between", "slack", "excluded", "near"),
+    [
+        (1.0, 0.0, False, False),
+        (0.9, 0.0, True, True),
+        (1.6, 0.25, False, False),
+        (1.5, 0.25, False, True),
+        (0.5, 0.25, False, True),
+        (0.4, 0.25, True, True),
+    ],
+)
+def test_members_handles_may_be_nearer_than_their_centres_by_what_both_are_off(
+    between: float, slack: float, excluded: bool, near: bool
+) -> None:
+    """At a separation of 1, which itself is allowed; samples are out of reach.  Rounding is given to the bound."""
+
+    def geometry(x: float) -> LabelGeometry:
+        far, still = np.full((1, 3, 1), 100.0 * (x + 1.0)), np.zeros((1, 1))
+        return LabelGeometry(np.array([0]), far, still, np.array([[x], [0.0], [0.0]]), np.array([slack]))
+
+    problem = LayoutProblem((), Overlap(5.0, 0.1, 20.0, 0.6, 0.15), 1.0, 0.85)
+    at = np.array([0])
+    (cost,), (meets,) = pair_bounds(geometry(0.0), at, geometry(between), at, problem)
+    assert (np.isinf(cost), meets) == (excluded, near)

@@ -422,13 +422,23 @@ def test_a_gap_of_nothing_is_proved(seed: int) -> None:
     assert (found.status, found.gap < 1e-9) == ("optimal", True)
 
 
-def test_a_row_that_is_stated_is_not_stated_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """HiGHS may return a solution that violates a row a little."""
-    problem, budget = crowd(6, variables=3, candidates=10), Budget(HIGHS)
+def program_of(settings: SolveSettings) -> milp._Program:
+    problem, budget = crowd(6, variables=3, candidates=10), Budget(settings)
     labels = all_labels(problem)
     pairs = pair_costs(problem, labels, near_blocks(problem, labels, budget))
     left = ReducedProblem(labels.variable, np.arange(len(labels.cost)), labels.cost, pairs.toarray())
-    program = milp._Program(left, 0.0, budget, budget.work_left)
+    return milp._Program(left, 0.0, budget, budget.work_left)
+
+
+@pytest.mark.parametrize(("seed", "given"), [(7, 7), (2**31 - 1, 2**31 - 1), (2**31, 0), (2**62, 0), (2**40 + 9, 9)])
+def test_every_seed_is_one_that_highs_takes(seed: int, given: int) -> None:
+    """It takes 31 bits, and no more."""
+    assert program_of(replace(HIGHS, seed=seed))._highs.getOptionValue("random_seed")[1] == given
+
+
+def test_a_row_that_is_stated_is_not_stated_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """HiGHS may return a solution that violates a row a little."""
+    program = program_of(HIGHS)
     program._highs.run()
     values = program._values()
     monkeypatch.setattr(program, "_values", lambda: values)
