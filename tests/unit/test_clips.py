@@ -1,11 +1,13 @@
 """What is sampled of the animations of a file."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import skel_stages
 from pxr import Usd, UsdSkel
 
-from usdrigui.usd import clips
+from usdrigui.usd import clips, skeleton
 from usdrigui.usd.clips import read_performances
 
 
@@ -34,3 +36,19 @@ def test_a_rotation_of_any_length_turns_alike_and_one_of_none_not_at_all(length)
     turned = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]) if length else np.eye(3)
     found = clips._matrices(quarter)[0, 0]
     assert np.allclose(found, turned, atol=1e-6) or np.allclose(found, turned.T, atol=1e-6)
+
+
+@pytest.mark.parametrize(("most", "kept"), [(4, [0, 3, 6, 9]), (2, [0, 9]), (1, [0, 9]), (10, list(range(10)))])
+def test_of_a_long_animation_as_many_frames_are_kept_as_memory_allows_from_the_first_to_the_last(
+    monkeypatch, most, kept
+):
+    """A frame of two joints and three weights takes 280 bytes."""
+    monkeypatch.setattr(skeleton, "_CLIP_BYTES", 281 * most)
+    monkeypatch.setattr(skeleton, "_sampled", lambda _armatures, _joints, _channels, times, _rate: times)
+    armatures = [SimpleNamespace(times=range(0, 10, 2)), SimpleNamespace(times=range(1, 10, 2))]
+    for each in armatures:
+        each.record = SimpleNamespace(animation="/Anim")
+    times, issues = skeleton.read_clip(tuple(armatures), (None,) * 2, (None,) * 3, 24.0)
+    assert times == kept
+    assert [each.code for each in issues] == ["CLIP_THINNED"] * (most < 10)
+    assert skeleton.read_clip((SimpleNamespace(times=(5.0,)),), (), (), 24.0) == (None, ())

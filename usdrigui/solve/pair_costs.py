@@ -66,7 +66,7 @@ def refined(
     """
     ends = [each.max(initial=-1) for pairs in older for each in (pairs.first, pairs.second)]
     children = np.bincount(parent, minlength=int(max(ends, default=-1)) + 1)
-    child = np.full(len(children), -1, dtype=np.int64)
+    child = np.zeros_like(children)
     child[parent[::-1]] = np.arange(len(parent))[::-1]
     kept = children == 1
     kept[parent[~same]] = False

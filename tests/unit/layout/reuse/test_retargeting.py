@@ -223,3 +223,14 @@ def test_landmarks_that_correspond_smoothly_are_met_by_the_warp():
     source = np.random.default_rng(0).uniform(-1.0, 1.0, (40, 3))
     target = source + 0.2 * np.stack([np.sin(2.0 * source[:, 1]), source[:, 0] ** 2, 0.0 * source[:, 0]], axis=1)
     assert _warped(source, target, source) == pytest.approx(target, abs=0.02)
+
+
+def test_fewer_than_eight_landmarks_or_those_of_a_line_say_nothing(monkeypatch):
+    monkeypatch.setattr(retargeting, "_by_size", lambda *_: "by size")
+    spread, line = np.random.default_rng(3).normal(size=(8, 3)), np.outer(np.arange(8.0), [1, 2, 3])
+    for source, target in ((spread[:7], spread[:7]), (line, spread), (spread, line)):
+        monkeypatch.setattr(retargeting, "_landmarks", lambda *_, pair=(source, target): pair)
+        found = retargeting.face_map((None, None), (None, None), {})
+        assert (found.similarity, len(found.source), len(found.target)) == ("by size", 0, 0)
+    monkeypatch.setattr(retargeting, "_landmarks", lambda *_: (spread, spread))
+    assert len(retargeting.face_map((None, None), (None, None), {}).source) == 8

@@ -1,0 +1,33 @@
+"""What it costs that an element leaves the face."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from usdrigui.layout.place.problem import _off_face_cost
+from usdrigui.settings import ControlSettings, ObjectiveSettings
+
+
+@pytest.mark.parametrize(
+    ("needed", "stood", "copies", "cost"),
+    [((), False, 1, 6.0), ((), False, 2, 12.0), ((0,), False, 2, 22.0), ((0, 1), True, 1, 10.0), ((), True, 2, 0.0)],
+)
+def test_each_control_of_each_copy_that_leaves_the_face_costs_and_more_if_it_is_needed_there(
+    needed, stood, copies, cost
+):
+    """Two controls at 3 each, and 5 for one that is needed; none leaves where the board had them before."""
+    action = [SimpleNamespace(action=SimpleNamespace(is_needed=i in needed)) if i in needed else None for i in (0, 1)]
+    requests = SimpleNamespace(
+        overrides=[ControlSettings(), ControlSettings()],
+        prior=SimpleNamespace(stood_on_board=lambda _: stood),
+        meaning=lambda control: action[control],
+    )
+    group = SimpleNamespace(controls=(0, 1), copies=((0, 1),) * copies)
+    settings = ObjectiveSettings(off_face_penalty=3.0)
+    assert _off_face_cost(group, requests, settings) == pytest.approx(cost)
+    for asked in (ControlSettings(place="face"), ControlSettings(place="proxy"), ControlSettings(anchor="/M#1")):
+        requests.overrides[1] = asked
+        assert _off_face_cost(group, requests, settings) == np.inf
+    requests.overrides[1] = ControlSettings()
+    assert _off_face_cost(group, requests, ObjectiveSettings(off_face_allowed=False)) == np.inf
