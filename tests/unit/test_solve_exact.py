@@ -506,6 +506,31 @@ def test_progress_only_gets_better() -> None:
     assert {each.step for each in told} >= {"local search", "blocks"}
 
 
+def test_half_of_the_work_lowers_the_aim() -> None:
+    budget = Budget(replace(HIGHS, gap=0.0, work_limit=100))
+    budget.found("", cost=-10.0, bound=-20.0)
+    budget.spend(49)
+    budget.lower_aim()
+    assert budget.cutoff == -10.0
+    budget.spend(1)
+    budget.lower_aim()
+    assert budget.cutoff == pytest.approx(-16.0)
+    budget.found("", bound=-15.0)
+    budget.lower_aim()
+    assert (budget.limit, budget.cutoff) == ("work limit", pytest.approx(-16.0))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_a_lower_aim_is_a_bound(share: float) -> None:
+    problem = crowd(3, variables=5, candidates=12)
+    best, budget = solve(problem, HIGHS), Budget(HIGHS)
+    assert best.status == "optimal"
+    budget.aim = best.cost - share * best.in_play
+    found = solve_whole(problem, budget)
+    assert (found.status, found.closed_by) == ("stopped", "work limit")
+    assert budget.aim - 1e-9 <= found.bound <= best.cost
+
+
 def test_work_limit_is_reproducible() -> None:
     problem, settings = crowd(7, variables=10, candidates=60), SolveSettings(work_limit=40_000)
     first, second = solve(problem, settings), solve(problem, settings)

@@ -65,22 +65,25 @@ class LocalSearch:
             self._set(chosen)
             self._descend()
 
-    def search(self, tries: int) -> None:
+    def search(self, tries: int, most: float = np.inf) -> None:
         """Iterated local search: so many tries per variable from the best layout on, and again as
-        long as they help: take a few rivals out, put them back in another order, descend."""
+        long as they help and no more than `most` work is done in all: take a few rivals out, put
+        them back in another order, descend."""
         cost = np.inf
         while self.cost < cost:
             cost = self.cost
             self._set(self.chosen)
             for _ in range(tries * len(self.chosen)):
-                if self._budget.stopped() or self._budget.closed():
+                budget = self._budget
+                if budget.stopped() or budget.closed() or budget.work >= most:
                     return
                 group = self._rivals()
                 for variable in group:
                     self._place(variable, -1)
                 self._insert(self._generator.permutation(group), WORSE)
                 if self._descend() > self.cost + WORSE:
-                    self._set(self.chosen)
+                    for variable in np.flatnonzero(self._now != self.chosen):
+                        self._place(int(variable), int(self.chosen[variable]))
 
     def _rivals(self) -> Indices:
         """Variables to take out together: one that pays much, and some whose labels cost its

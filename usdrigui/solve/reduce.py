@@ -96,10 +96,11 @@ class Reduction:
                 return True
             bound = self.problem.bound()
             if not self._split(share):
-                if not self._tightened(0.0):
+                if not self._tightened():
                     return False
-                budget.reach("memory limit")
-                return True
+                if self.problem.bound() <= bound:
+                    budget.reach("memory limit")
+                    return True
             slow = self.problem.bound() - bound <= SLOW * (budget.cutoff - bound)
             share = min(1.0, 2.0 * share) if slow else NEAR
         return False
@@ -211,22 +212,24 @@ class Reduction:
         self.problem.exclude_pairs(self._budget.cutoff)
         return self._reduced()
 
-    def _tightened(self, slow: float = SLOW) -> bool:
+    def _tightened(self) -> bool:
         """Raise the bound by triplets and take away what it excludes, as long as this gains
         more than a share of what the bound misses; whether any are left."""
         while True:
             before, bound = len(self.problem.costs), self.problem.bound()
-            raise_bound(self.problem, self._budget)
+            raise_bound(self.problem, self._budget, 5 if self.exact else 3)
             if not (self._reduced() and self._excluded()):
                 return False
             if self.exact:
                 self._take_dominated()
             now, labels = self.problem.bound(), len(self.problem.costs)
             stopped = self._budget.stopped()
+            if labels > LARGEST_TESTED:
+                self._budget.lower_aim()
             if self.exact and labels > LARGEST_TESTED and now > bound and not stopped:
                 continue  # The solvers of what is left could do nothing with so many.
             few_gone = labels > (1.0 - SLOW) * before
-            if stopped or (few_gone and now - bound <= slow * (self._budget.cutoff - now)):
+            if stopped or (few_gone and now - bound <= SLOW * (self._budget.cost - now)):
                 return True
 
     def _split(self, share: float) -> bool:

@@ -9,6 +9,8 @@ T. Jaakkola, "Fixing max-product", 2007), for the triplets that raise the bound 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from usdrigui.model import Floats, Singles
@@ -29,30 +31,35 @@ AT_ONCE = 50
 PASSES = 6
 """Passes over the triplets before others are looked for; a third where labels are many, for all
 that is done on the whole matrix in each."""
+VISITS = ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1))
+"""Tables of a triplet, one after another, each given one of so many parts."""
 
 
-def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
-    """Raise the bound of a problem, in place, by its triplets and those that help it most."""
+def raise_bound(problem: ReducedProblem, budget: Budget, visits: int = len(VISITS)) -> None:
+    """Raise the bound of a problem, in place, by its triplets and those that help it most.
+
+    The first three of the `visits` raise it as far; what the others add is for the tests.
+    """
     problem.normalize()
     new = _best_triplets(problem)
     problem.messages.update((each, _no_messages(problem, each)) for each in new)
-    for _ in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
+    for turn in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
         problem.spread()
-        for triplet in problem.messages:
-            _visit(problem, triplet)
+        for first, triplet in enumerate(problem.messages, turn):
+            _visit(problem, triplet, VISITS[:visits], first if visits == 3 else 0)
         problem.normalize()
         problem.sweep()
-        budget.spend(work_of(problem))
+        budget.spend(work_of(problem, visits))
         if budget.stopped():
             break
     problem.normalize()
 
 
-def work_of(problem: ReducedProblem) -> int:
+def work_of(problem: ReducedProblem, visits: int = len(VISITS)) -> int:
     """Work that a pass over the triplets counts as."""
     sizes = np.diff(problem.start)
     cubes = sum(int(sizes[a] * sizes[b] * sizes[c]) for a, b, c in problem.messages)
-    return cubes // 300 + problem.entries // 24
+    return visits * cubes // 1500 + 200 * len(problem.messages) + problem.entries // 24
 
 
 def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Singles, Singles, Singles]:
@@ -61,17 +68,19 @@ def _no_messages(problem: ReducedProblem, triplet: Triplet) -> tuple[Singles, Si
     return ab, ac, bc
 
 
-def _visit(problem: ReducedProblem, triplet: Triplet) -> None:
-    """Give each of a triplet's tables an even part of what its pairs cost at least together with a
-    label of the third, and then all that is left of it."""
+def _visit(
+    problem: ReducedProblem, triplet: Triplet, visits: Sequence[tuple[int, int]], first: int
+) -> None:
+    """Give each of a triplet's tables, from the `first` on, an even part of what its pairs cost at
+    least together with a label of the third, and then all that is left of it."""
     a, b, c = triplet
     tables = (problem.table(a, b), problem.table(a, c), problem.table(b, c))
     before = [
         table - message for table, message in zip(tables, problem.messages[triplet], strict=True)
     ]
     left, given = [each.copy() for each in before], [np.zeros_like(each) for each in before]
-    for side, share in ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1)):
-        ab, ac, bc = left
+    for at, share in visits:
+        side, (ab, ac, bc) = (first + at) % 3, left
         one, other = ((ac, bc), (ab, bc.T), (ab.T, ac.T))[side]
         least = (least_sums(one, other) + left[side]) / share
         given[side] += least
