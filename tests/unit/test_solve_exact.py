@@ -525,7 +525,8 @@ def test_a_lower_aim_is_a_bound(share: float) -> None:
     problem = crowd(3, variables=5, candidates=12)
     best, budget = solve(problem, HIGHS), Budget(HIGHS)
     assert best.status == "optimal"
-    budget.aim = best.cost - share * best.in_play
+    least = sum(min(each.cost.min(), each.off_face_cost) for each in problem.variables)
+    budget.aim = best.cost - share * (best.cost - least)
     found = solve_whole(problem, budget)
     assert (found.status, found.closed_by) == ("stopped", "work limit")
     assert budget.aim - 1e-9 <= found.bound <= best.cost

@@ -217,7 +217,7 @@ class Reduction:
         more than a share of what the bound misses; whether any are left."""
         while True:
             before, bound = len(self.problem.costs), self.problem.bound()
-            raise_bound(self.problem, self._budget, 5 if len(self.problem.costs) <= ONE_BY_ONE else 3)
+            raise_bound(self.problem, self._budget)
             if not (self._reduced() and self._excluded()):
                 return False
             if self.exact:
