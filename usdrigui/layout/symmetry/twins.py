@@ -8,12 +8,10 @@ only where the motions leave room; the configuration has the last word.
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
+import networkx as nx
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from usdrigui.conventions.sides import has_side, hints_at_twin
 from usdrigui.errors import Faults, meant, refuse
@@ -22,13 +20,10 @@ from usdrigui.layout.motion.similarity import DisplacementFields, bidirectional
 from usdrigui.model import Flags, Floats, Indices, Motion, Rig, Singles
 from usdrigui.settings import ControlSettings
 
-Pair = tuple[int, int]
 _NAME_BONUS = 0.15
 """What a matching name adds to the agreement of two controls."""
 _NAME_FLOOR = 0.3
 """Least agreement of the motions of two controls that only their names call twins."""
-_TRIED = 12
-"""Pairs in a group up to which all matchings are tried."""
 _DIGITS = 6
 """Of an agreement: vectors in single precision leave noise from the eighth digit on."""
 
@@ -149,9 +144,9 @@ def _matched(
     """Disjoint pairs of controls (a control with itself: self-symmetric) that agree best, all at
     once.
 
-    A matching of greatest weight: a pair weighs what both of its controls agree, a control that is
-    its own mirror image is matched with a node of its own. Where weights tie, the pair whose names
-    come first is matched.
+    A matching of greatest weight (Edmonds; `networkx.max_weight_matching`): a pair weighs what both
+    of its controls agree, a control that is its own mirror image is matched with a node of its own.
+    Where weights tie, the pair whose names come first is matched.
     """
     raw = pairable(raw, motions)
     names = [rig.controls[motion.control].name for motion in motions]
@@ -166,59 +161,15 @@ def _matched(
                 score = raw[i, j] + (_NAME_BONUS if named else 0.0)
                 found[i, j] = round(1e9 * (score if i == j else 2.0 * score))
     by_name = sorted(found, key=lambda pair: sorted(names[i] for i in pair), reverse=True)
-    # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than one
-    # unit.
-    weights = {
-        (i, j if i != j else -1 - i): len(by_name) ** 2 * found[i, j] + rank
-        for rank, (i, j) in enumerate(by_name)
-    }
+    graph = nx.Graph()
+    for rank, (i, j) in enumerate(by_name):
+        # Whole numbers: the matching is exact, and the ranks of all pairs together weigh less than
+        # one unit.
+        graph.add_edge(i, j if i != j else -1 - i, weight=len(by_name) ** 2 * found[i, j] + rank)
     matched = sorted(
-        sorted(i if i >= 0 else -1 - i for i in pair) for pair in greatest_matching(weights)
+        sorted(i if i >= 0 else -1 - i for i in pair) for pair in nx.max_weight_matching(graph)
     )
     controls = [motion.control for motion in motions]
     return [
         (controls[i], controls[j], "geometry" if raw[i, j] >= least else "name") for i, j in matched
     ]
-
-
-def greatest_matching(weights: Mapping[Pair, int]) -> list[Pair]:
-    """Disjoint pairs of greatest weight in sum, of pairs of two nodes; where several weigh the
-    same, with the pair that comes first.
-
-    Those pairs of a face that share controls are few. Where they are many, networkx matches them
-    (Edmonds): loading it takes longer than all else here.
-    """
-    return [
-        pair
-        for linked in _linked(list(weights))
-        for pair in (_tried if len(linked) <= _TRIED else _edmonds)(linked, weights)
-    ]
-
-
-def _linked(pairs: Sequence[Pair]) -> list[list[Pair]]:
-    """The pairs in groups that share no node, each in the order given."""
-    nodes, ends = np.unique(np.array(pairs, dtype=np.int64).reshape(-1, 2), return_inverse=True)
-    i, j = ends.reshape(-1, 2).T
-    links = coo_array((np.ones(len(i)), (i, j)), (len(nodes), len(nodes)))
-    groups = defaultdict(list)
-    for pair, group in zip(pairs, connected_components(links)[1][i].tolist(), strict=True):
-        groups[group].append(pair)
-    return list(groups.values())
-
-
-def _tried(pairs: list[Pair], weights: Mapping[Pair, int]) -> list[Pair]:
-    """With the first pair and without: what weighs more."""
-    if not pairs:
-        return []
-    first, *rest = pairs
-    without = _tried(rest, weights)
-    chosen = [first, *_tried([each for each in rest if not set(first) & set(each)], weights)]
-    return max(chosen, without, key=lambda found: sum(weights[each] for each in found))
-
-
-def _edmonds(pairs: list[Pair], weights: Mapping[Pair, int]) -> list[Pair]:
-    import networkx as nx
-
-    graph = nx.Graph()
-    graph.add_weighted_edges_from((i, j, weights[i, j]) for i, j in pairs)
-    return list(nx.max_weight_matching(graph))
