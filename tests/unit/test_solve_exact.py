@@ -514,10 +514,10 @@ def test_half_of_the_work_lowers_the_aim() -> None:
     assert budget.cutoff == -10.0
     budget.spend(1)
     budget.lower_aim()
-    assert budget.cutoff == pytest.approx(-16.0)
-    budget.found("", bound=-15.0)
+    assert budget.cutoff == pytest.approx(-17.5)
+    budget.found("", bound=-17.0)
     budget.lower_aim()
-    assert (budget.limit, budget.cutoff) == ("work limit", pytest.approx(-16.0))
+    assert (budget.limit, budget.cutoff) == ("work limit", pytest.approx(-17.5))
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])

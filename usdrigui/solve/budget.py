@@ -11,7 +11,7 @@ import numpy as np
 from usdrigui.model import GAP_FLOOR, Step
 from usdrigui.settings import SolveSettings
 
-WITHIN_REACH = 0.4
+WITHIN_REACH = 0.25
 """Share of the way from the bound to the cutoff that half of the work may go."""
 
 

@@ -98,7 +98,7 @@ def _first_layout(
         labels = labels.of(np.flatnonzero(wanted))
         incumbent = search_among(labels)
         incumbent.improve_from(chosen)
-    incumbent.search(TRIES, budget.settings.work_limit / 3)
+    incumbent.search(TRIES, budget.settings.work_limit / 2)
     return labels, incumbent
 
 
