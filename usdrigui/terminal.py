@@ -275,6 +275,8 @@ class Screen:
                     f"  {part.name}: {part.on_it} of {len(part.controls)} controls on it, cost"
                     f" {proof.cost:.4f}, {_gap([proof])}, {_ending(proof)}"
                 )
+        for step in solution.steps if self._verbose else ():
+            self._say(f"  {step.name}: {_figures(step.figures)}")
         for which, found in character.matchings.items():
             self._matching(which, found)
         if character.difference is not None:
@@ -480,6 +482,11 @@ def _gap(solutions: Sequence[Assignment]) -> str:
     of_choice = max((each.gap_of_choice for each in solutions), default=0.0)
     of_cost = max((each.gap for each in solutions), default=0.0)
     return f"gap {of_choice:.1e} of the choice ({of_cost:.1e} of the cost)"
+
+
+def _figures(figures: Iterable[tuple[str, float]]) -> str:
+    """What a step of the solver counted and found: ``rows 130, lp bound -19.9112``."""
+    return ", ".join(f"{name.replace('_', ' ')} {value:.10g}" for name, value in figures)
 
 
 def _where(characters: Sequence[CharacterReport]) -> str:
