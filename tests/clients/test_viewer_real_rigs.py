@@ -61,14 +61,19 @@ def element_of(viewer, control):
     return next(each for each in viewer.page.evaluate("usdrigui.elements()") if control in each["controls"])
 
 
-def test_every_element_of_the_layout_is_in_the_picture(shown):
+def test_every_element_of_the_layout_is_in_the_picture_of_its_part(shown):
     viewer, _, layout, _ = shown
-    elements = viewer.page.evaluate("usdrigui.elements()")
-    width, height = viewer.page.evaluate("[usdrigui.app.view.width, usdrigui.app.view.height]")
-    assert [each["name"] for each in elements] == [each.name for each in layout.elements]
     scrolled = {each.name for each in layout.elements if each.anchor.on_board}
-    assert all(0 < each["handle"][0] < width for each in elements)
-    assert all(each["name"] in scrolled or 0 < each["handle"][1] < height for each in elements)
+    found = []
+    for part in range(max(1, viewer.page.evaluate("usdrigui.app.session.character.layout.sections.length"))):
+        viewer.page.evaluate(f"usdrigui.app.session.show({part})")
+        elements = viewer.page.evaluate("usdrigui.elements()")
+        width, height = viewer.page.evaluate("[usdrigui.app.view.width, usdrigui.app.view.height]")
+        assert all(0 < each["handle"][0] < width for each in elements)
+        assert all(each["name"] in scrolled or 0 < each["handle"][1] < height for each in elements)
+        found += [each["name"] for each in elements]
+    viewer.page.evaluate("usdrigui.app.session.show(0)")
+    assert sorted(found) == sorted(each.name for each in layout.elements)
 
 
 def test_handle_drag_sets_the_control_and_moves_the_skin(shown):
