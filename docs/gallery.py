@@ -125,10 +125,10 @@ def _result(layer: Path, judge: Path | None) -> Result:
 def _judged(layer: Path, judge: Path | None) -> str:
     if judge is None:
         return "-"
-    said = subprocess.run(
+    judged = subprocess.run(
         [sys.executable, str(judge), str(layer)], capture_output=True, text=True, check=False
     ).stdout
-    found = re.search(r"(\d+/\d+) placed|joint axes (\d+/\d+)", said)
+    found = re.search(r"(\d+/\d+) placed|joint axes (\d+/\d+)", judged)
     return next((each for each in found.groups() if each), "-") if found else "-"
 
 
@@ -149,8 +149,8 @@ def page(rows: dict[str, list[dict[str, str]]]) -> str:
         cells = [
             [each[key] for each in rows[name]] for key in ("on_character", "kept", "gap", "judged")
         ]
-        told = [" → ".join(each) for each in cells]
-        lines.append(f"| {name} | {rows[name][-1]['parts']} | {' | '.join(told)} |")
+        columns = [" → ".join(each) for each in cells]
+        lines.append(f"| {name} | {rows[name][-1]['parts']} | {' | '.join(columns)} |")
     for name in shown:
         lines += [
             "",

@@ -175,8 +175,8 @@ def _brief(found: Sdf.PropertySpec) -> str:
     text, _, unit = _flat(found.documentation).partition(" Units: ")
     text, _, space = text.partition(" Range: ")[0].partition(" Space: ")
     meaning, absent = (
-        (text[: said.start()], said[2])
-        if (said := re.search(r" (Empty|Zero|No target): (.*?)(?=\. |\.$)", text))
+        (text[: named.start()], named[2])
+        if (named := re.search(r" (Empty|Zero|No target): (.*?)(?=\. |\.$)", text))
         else (text, "")
     )
     name = found.name.removeprefix("rigUI:").replace("__INSTANCE_NAME__", "*")

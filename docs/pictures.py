@@ -140,12 +140,12 @@ def _panel(scene: Scene, panel: Panel, folder: Path) -> Image.Image:
 def _whole_config(scene: Scene, panel: Panel, asset: Path) -> str:
     """The panel's own configuration, and the exclusion of every control that the scene does not
     show."""
-    said = tomllib.loads(panel.config)
+    configured = tomllib.loads(panel.config)
     lines = [panel.config]
-    if scene.asset == SAMPLE.name and not scene.joints and "read" not in said:
+    if scene.asset == SAMPLE.name and not scene.joints and "read" not in configured:
         lines += ["[read]", 'joints = "none"']
     for name in _names(asset, scene.joints) if scene.controls else ():
-        if not any(part in name for part in scene.controls) and name not in said.get(
+        if not any(part in name for part in scene.controls) and name not in configured.get(
             "controls", {}
         ):
             lines += [f'[controls."{name}"]', "exclude = true"]

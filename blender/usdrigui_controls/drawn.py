@@ -134,8 +134,8 @@ def opposed(prim, instances):
 
 def reversed_members(prim, instances):
     """Positions of the members that mirror their counterparts with the opposite sign."""
-    told = (get(prim, f"rigUI:control:{instance}:mirrorReversed", False) for instance in instances)
-    return tuple(i for i, each in enumerate(told) if each)
+    flags = (get(prim, f"rigUI:control:{instance}:mirrorReversed", False) for instance in instances)
+    return tuple(i for i, each in enumerate(flags) if each)
 
 
 def joint_table(of, name):

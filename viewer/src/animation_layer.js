@@ -29,9 +29,9 @@ export function saidKeys(session) {
 }
 
 /** What is written of a character; keys are those of the work as a reader has them, to the digits that it says. */
-function animated(session, said) {
+function animated(session, stored) {
   const { animation } = session;
-  const work = keysFrom(said, session);
+  const work = keysFrom(stored, session);
   const written = [...new Set([...work.keys.keys(), ...work.constants.keys()])].sort((a, b) => a - b);
   const states = written.length ? statesAt(session, timesOf(animation, work), (time) => animation.at(time, work)) : [];
   return contentOf(session, written, states, animation.range(work.keys, work.span), sayKeys(session, work));
@@ -74,8 +74,8 @@ export function keysFromLayer(text, session) {
 export function worksOf(text) {
   const [work] = stringsNamed('work', text);
   if (!text.startsWith('#usda') || !work) throw new Error('This layer was not written by the viewer.');
-  const said = JSON.parse(work);
-  return (said.characters ?? [said]).map(({ root, keys = {}, standing = {}, span }) => ({ root, keys, standing, ...(span && { span }) }));
+  const stored = JSON.parse(work);
+  return (stored.characters ?? [stored]).map(({ root, keys = {}, standing = {}, span }) => ({ root, keys, standing, ...(span && { span }) }));
 }
 
 // --- states ------------------------------------------------------------------------------------------
@@ -295,7 +295,7 @@ export function quoted(text) {
 /** Values of the strings of a name in a layer, as the page or USD itself has quoted them. */
 export function stringsNamed(name, text) {
   const found = text.matchAll(new RegExp(`string ${name} = ("(?:[^"\\\\]|\\\\.)*"|'(?:[^'\\\\]|\\\\.)*')`, 'g'));
-  return [...found].map(([, said]) => said.slice(1, -1).replace(/\\(.)/g, (_, character) => (character === 'n' ? '\n' : character)));
+  return [...found].map(([, quotation]) => quotation.slice(1, -1).replace(/\\(.)/g, (_, character) => (character === 'n' ? '\n' : character)));
 }
 
 const rounded = (value) => Number(value.toPrecision(9));

@@ -46,16 +46,16 @@ export class DopeSheet {
       () => this.shows, (value) => this.show(value));
     const ways = segmented('How keys go to the next', WAYS.map((way) => [way, named(way), `${named(way)}: the picked keys, or all, and the first key of a control from now on`]),
       () => this.way, (way) => this.go(way));
-    const told = make('output', { class: 'hint' });
+    const count = make('output', { class: 'hint' });
     this.head = make('div', { class: 'dope-head' }, shows, ways,
       act('Copy', 'Copy the picked keys (Ctrl+C)', () => this.copy()),
       act('Paste', 'Paste the copied keys from this frame on (Ctrl+V)', () => this.paste()),
       act('Delete', 'Delete the picked keys (Delete)', () => this.remove()),
-      told);
+      count);
     this.head.update = () => {
       shows.update();
       ways.update();
-      told.textContent = this.counted();
+      count.textContent = this.counted();
     };
     this.head.update();
     return this.head;

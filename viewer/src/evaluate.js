@@ -116,8 +116,8 @@ export function toCsv(participant, results, answers = {}) {
     participant, each.block, each.name, i + 1, each.face, each.controls, each.seconds.toFixed(2),
     (total ? each.seconds / total : 0).toFixed(5), each.edits, each.weightError.toFixed(6), each.vertexError.toFixed(6), '', '',
   ]);
-  const said = Object.entries(answers).map(([question, answer]) => [participant, ...Array(COLUMNS.length - 3).fill(''), question, quoted(answer)]);
-  return `${[COLUMNS, ...faces, ...said].map((row) => row.join(',')).join('\n')}\n`;
+  const answered = Object.entries(answers).map(([question, answer]) => [participant, ...Array(COLUMNS.length - 3).fill(''), question, quoted(answer)]);
+  return `${[COLUMNS, ...faces, ...answered].map((row) => row.join(',')).join('\n')}\n`;
 }
 
 const quoted = (answer) => (typeof answer === 'number' ? answer : `"${answer.replace(/"/g, '""').replace(/\s+/g, ' ')}"`);

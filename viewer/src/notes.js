@@ -79,8 +79,8 @@ export function saidNote(session, { id, frame, neutral, text, done, values, sect
 }
 
 /** A note of a session from its JSON; null where it is none. */
-export function noteFrom(said, { controls }) {
-  const { id, frame, neutral, text, done, values, section, look, strokes } = said ?? {};
+export function noteFrom(stored, { controls }) {
+  const { id, frame, neutral, text, done, values, section, look, strokes } = stored ?? {};
   const isNote = typeof id === 'string' && Number.isFinite(frame) && isLook(look) && Array.isArray(strokes) && strokes.every(isStroke);
   if (!isNote) return null;
   return {
@@ -90,9 +90,9 @@ export function noteFrom(said, { controls }) {
 }
 
 /** Notes of a session from their JSON; the first of the page's `roots` takes those of characters that are not there. */
-export function notesOf(said, session, roots) {
+export function notesOf(stored, session, roots) {
   const { root } = session.character;
-  const own = said.filter((each) => each.root === root || (root === roots[0] && !roots.includes(each.root)));
+  const own = stored.filter((each) => each.root === root || (root === roots[0] && !roots.includes(each.root)));
   return joined([], own.map((each) => noteFrom(each, session)).filter(Boolean));
 }
 

@@ -305,8 +305,8 @@ export class Overlay {
 
   badgeOf({ element, handle, width }) {
     const { session } = this;
-    const told = element.inner.length || (session.levels.coarseOf(element).length && (session.hover === element || session.selection.has(element.index)));
-    return told ? [handle[0] + width / 2 + 4, handle[1] + width / 2 + 4] : null;
+    const marked = element.inner.length || (session.levels.coarseOf(element).length && (session.hover === element || session.selection.has(element.index)));
+    return marked ? [handle[0] + width / 2 + 4, handle[1] + width / 2 + 4] : null;
   }
 
   /** The element whose sign of a second level is at (x, y). */

@@ -19,13 +19,13 @@ export function posesLayer(session, poses) {
 
 function posePrim({ name, values, picture }, animations, session, taken) {
   const own = new Set();
-  const said = { name, values: valuesByName(session, values), picture };
+  const stored = { name, values: valuesByName(session, values), picture };
   return [
     `def Scope ${quoted(identifier(name, taken))} (`,
     `    displayName = ${quoted(name)}`,
     '    customData = {',
     '        dictionary usdrigui = {',
-    `            string pose = ${quoted(JSON.stringify(said))}`,
+    `            string pose = ${quoted(JSON.stringify(stored))}`,
     '        }',
     '    }',
     ')',
@@ -42,7 +42,7 @@ function posePrim({ name, values, picture }, animations, session, taken) {
 
 /** Poses from such a layer; throws an Error for people where there is none of this character. */
 export function posesFromLayer(text, session) {
-  const found = stringsNamed('pose', text).map((said) => poseFrom(JSON.parse(said), session));
+  const found = stringsNamed('pose', text).map((stored) => poseFrom(JSON.parse(stored), session));
   if (!text.startsWith('#usda') || !found.length) throw new Error('This layer holds no poses saved by the viewer.');
   const known = found.filter(Boolean);
   if (!known.length) throw new Error('No control of this character is named in the poses.');
