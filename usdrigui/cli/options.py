@@ -14,10 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 from usdrigui import worker
 from usdrigui.errors import NO_LAYOUT, Exit, RigUIError, refuse
-from usdrigui.settings.parts import ReadSettings
 
 if TYPE_CHECKING:
-    from usdrigui.settings import Settings, UnsoundSettingsError
+    from usdrigui.settings import ReadSettings, Settings, UnsoundSettingsError
 
 _BESIDE_CHAR = "CHAR.rigui.toml beside CHAR"
 _BELOW_LAYER = "LAYER.toml, or else CHAR.rigui.toml beside the CHAR below LAYER"
