@@ -8,6 +8,7 @@ import numpy as np
 
 from usdrigui.errors import refuse
 from usdrigui.layout.symmetry.front import front_of, three_quarter
+from usdrigui.layout.symmetry.mirror_plane import projected
 from usdrigui.model import (
     BaseSurface,
     Flags,
@@ -121,9 +122,8 @@ def find_views(
 def _frame(surface: BaseSurface, plane: MirrorPlane, ahead: Floats, up: Floats) -> Frame:
     """The face's frame at the middle of the character."""
     middle = surface.points.mean(axis=0) if len(surface.points) else np.zeros(3)
-    if plane.normal.any():
-        middle = middle - ((middle - plane.origin) @ plane.normal) * plane.normal
-    return Frame(middle, np.stack([np.cross(up, ahead), up, ahead]), surface.face_size)
+    axes = np.stack([np.cross(up, ahead), up, ahead])
+    return Frame(projected(middle, plane), axes, surface.face_size)
 
 
 def mostly_hidden(

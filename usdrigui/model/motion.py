@@ -133,7 +133,8 @@ class Symmetry(Record):
 
     plane: MirrorPlane
     partner: Indices
-    """(n,) nearest point to the mirror image, or -1 where none lies within the tolerance."""
+    """(n,) nearest point to the mirror image; -1 where that lies beyond the tolerance and beyond
+    three quarters of the spacing of points there."""
     twins: Indices
     """(controls,) index of the twin control; its own index if self-symmetric; -1 if neither."""
     sources: tuple[str, ...]

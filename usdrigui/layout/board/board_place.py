@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from usdrigui.layout.face import Face
+from usdrigui.layout.symmetry.mirror_plane import projected
 from usdrigui.model import Floats, Indices, MirrorPlane, Rig, Skin, Trajectories
 from usdrigui.ties import first_largest
 
@@ -13,10 +14,7 @@ from usdrigui.ties import first_largest
 def face_middle(trajectories: Trajectories, plane: MirrorPlane) -> Floats:
     """(3,) middle of the moving region, on the mirror plane where there is one."""
     points = trajectories.surface.points[_face_points(trajectories)]
-    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    if plane.normal.any():
-        middle = middle - ((middle - plane.origin) @ plane.normal) * plane.normal
-    return np.asarray(middle, dtype=np.float64)
+    return projected(0.5 * (points.min(axis=0) + points.max(axis=0)), plane)
 
 
 def silhouette(face: Face, middle: Floats, frame: Floats, half: float) -> float:

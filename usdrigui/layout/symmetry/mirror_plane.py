@@ -22,11 +22,9 @@ from usdrigui.model import (
     Flags,
     Floats,
     Indices,
-    Joint,
     MirrorPlane,
     Motion,
     Rig,
-    Skeleton,
     Symmetry,
     Trajectories,
 )
@@ -94,19 +92,16 @@ def find_symmetry(
     """
     count = len(trajectories.surface.points)
     tolerance = settings.tolerance * trajectories.surface.face_size
-    plane = None
+    plane = named = None
     if settings.enabled and trajectories.motions:
-        plane = _named_instead(
-            rig.skeletons,
-            rig.joints,
-            _find_plane(rig.up, trajectories, fields, tolerance),
-            trajectories,
-        )
+        named = plane_of_names(rig.skeletons, rig.joints)
+        found = _find_plane(rig.up, trajectories, fields, tolerance)
+        plane = _named_instead(named, found, trajectories)
     if plane is None:
         partner = np.full(count, -1, dtype=np.int64)
         origin, normal = np.zeros(3), np.zeros(3)
     else:
-        plane = _towards_left(plane, rig, trajectories)
+        plane = _towards_left(plane, named, rig, trajectories)
         partner = _partners(plane, trajectories, tolerance)
         middle = trajectories.surface.points.mean(axis=0)
         normal, origin = (
@@ -138,6 +133,11 @@ def reflected(points: Floats, plane: MirrorPlane) -> Floats:
     """(..., 3) mirror images of `points`."""
     apart = (points - plane.origin) @ plane.normal
     return np.asarray(points - 2.0 * apart[..., None] * plane.normal, dtype=np.float64)
+
+
+def projected(points: Floats, plane: MirrorPlane) -> Floats:
+    """(..., 3) nearest points of the plane; `points` themselves without one."""
+    return np.asarray(points - plane_distance(points, plane)[..., None] * plane.normal)
 
 
 def plane_distance(points: Floats, plane: MirrorPlane) -> Floats:
@@ -331,15 +331,11 @@ def _share(plane: _Plane, tree: cKDTree, sample: Floats, tolerance: float) -> fl
 
 
 def _named_instead(
-    skeletons: tuple[Skeleton, ...],
-    joints: tuple[Joint, ...],
-    found: _Plane | None,
-    trajectories: Trajectories,
+    named: tuple[Floats, float] | None, found: _Plane | None, trajectories: Trajectories
 ) -> _Plane | None:
-    """The plane that was found, or the one between the joints named left and right where it lies
+    """The plane that was found, or the one between the joints `named` left and right where it lies
     across that: a robot may be as symmetric from front to back.  Fitted to the surface where that
     hardly turns it."""
-    named = plane_of_names(skeletons, joints)
     if named is None or (found is not None and abs(float(found.normal @ named[0])) >= _AGREES):
         return found
     plane = _Plane(*named)
@@ -354,7 +350,9 @@ def _named_instead(
     return fitted if abs(float(fitted.normal @ plane.normal)) >= _HARDLY_TURNED else plane
 
 
-def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane:
+def _towards_left(
+    plane: _Plane, named: tuple[Floats, float] | None, rig: Rig, trajectories: Trajectories
+) -> _Plane:
     """The plane with its normal to the character's left.
 
     What controls of skin move faces ahead.  The skin that a joint turns lies all around it: where
@@ -363,7 +361,6 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
     """
     left = None
     if all(rig.controls[motion.control].kind == "joint" for motion in trajectories.motions):
-        named = plane_of_names(rig.skeletons, rig.joints)
         if named is not None and abs(float(named[0] @ plane.normal)) >= _AGREES:
             left = named[0]
         elif (ahead := ahead_of_head(rig, trajectories)) is not None:
@@ -378,7 +375,8 @@ def _towards_left(plane: _Plane, rig: Rig, trajectories: Trajectories) -> _Plane
 
 
 def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> Indices:
-    """For every point the place nearest to its mirror image, -1 beyond the tolerance."""
+    """For every point the place nearest to its mirror image; -1 where that lies beyond the
+    tolerance and beyond three quarters of the spacing of points there."""
     base, places = trajectories.surface.points, trajectories.surface.places
     chosen = np.flatnonzero(places == np.arange(len(base)))
     motion = total_motion(trajectories.motions, len(base)).astype(np.float64)
@@ -388,13 +386,17 @@ def _partners(plane: _Plane, trajectories: Trajectories, tolerance: float) -> In
     _, nearest = tree.query(np.hstack([plane.reflect(base[chosen]), unit * turned[chosen]]))
     partner = np.full(len(base), -1, dtype=np.int64)
     apart = np.linalg.norm(plane.reflect(base[chosen]) - base[chosen[nearest]], axis=1)
+    near: Flags = apart <= tolerance
+    far = np.flatnonzero(~near)
     # Where a mesh is coarse and not its own mirror image, the nearest place lies within its mesh.
-    near: Flags = apart <= np.maximum(tolerance, _HALF_A_CELL * _spacing(base[chosen])[nearest])
+    near[far] = apart[far] <= _HALF_A_CELL * _spacing(base[chosen], nearest[far])
     partner[chosen[near]] = chosen[nearest[near]]
     return partner[places]
 
 
-def _spacing(points: Floats) -> Floats:
-    """(n,) distance of each point from its second nearest neighbour."""
+def _spacing(points: Floats, at: Indices) -> Floats:
+    """(a,) distance of each of the points `at` from its second nearest neighbour."""
+    if not len(at):
+        return np.zeros(0)
     among = min(3, len(points))
-    return np.asarray(cKDTree(points).query(points, k=[among])[0][:, 0])
+    return np.asarray(cKDTree(points).query(points[at], k=[among])[0][:, 0])
