@@ -83,7 +83,7 @@ def progress_lines(tell: Callable[[str], None]) -> Callable[[Event], None]:
 
 
 def failure_lines(found: Issue) -> Iterator[str]:
-    """A refusal as a farm reads it: one line, with every character of the message."""
+    """A refusal as a farm reads it: one line, in which line breaks are spaces."""
     text = f"{found.code} {found.where}: {sentences(found)}"
     yield f"openjd_fail: {' '.join(text.split())}"
 

@@ -24,7 +24,7 @@ from usdrigui.view import lettering, shading
 from usdrigui.view.complexion import complexion
 from usdrigui.view.overlay import colour_of, form_of
 from usdrigui.view.sections import cut_away, main_layout, sections
-from usdrigui.view.shading import Complexion, look
+from usdrigui.view.shading import look
 from usdrigui.view.silhouette import silhouette
 
 _HANDLE = 22.0
@@ -273,29 +273,23 @@ def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     """One panel a part of a character."""
     posed = evaluate(prepare(rig, layout))
     colours = complexion(rig, main_layout(layout))
+    whole = shading.body(rig.meshes, posed.points, colours)
     if len(layout.parts) < 2:
-        return [_panel(rig, layout, posed, colours, "", labels)]
-    found = sections(layout, posed, rig.up)
-    return [
-        _panel(
-            rig,
-            each.layout,
-            each.posed,
-            cut_away(rig, each.layout, colours),
-            each.title,
-            labels,
-        )
-        for each in found
-    ]
+        return [_panel(rig, layout, posed, whole, "", labels)]
+    panels = []
+    for each in sections(layout, posed, rig.up):
+        own = cut_away(rig, each.layout, colours)
+        seen = whole if own is colours else shading.body(rig.meshes, posed.points, own)
+        panels.append(_panel(rig, each.layout, each.posed, seen, each.title, labels))
+    return panels
 
 
 def _panel(
-    rig: Rig, layout: Layout, posed: PosedLayout, colours: Complexion, title: str, labels: bool
+    rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
 ) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
     rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
-    subject = shading.body(rig.meshes, posed.points, colours)
     corners = subject.corners
     skin = posed.points[np.unique(corners)]
     low, high = _region(_spots(layout.elements, posed, plane), skin @ plane)

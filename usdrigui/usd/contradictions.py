@@ -89,9 +89,8 @@ def _tokens(stage: Usd.Stage) -> frozenset[str]:
     for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
         if schema.DRAWING in applied(prim):
             continue
-        with contextlib.suppress(
-            RigUIError
-        ):  # The character has the issue about arrays of other types.
+        # The character has the issue about arrays of other types.
+        with contextlib.suppress(RigUIError):
             if prim.IsA(UsdSkel.Animation):
                 given = UsdSkel.Animation(prim).GetBlendShapesAttr()
                 found.update(tokens(given.Get(), str(prim.GetPath()), "blendShapes"))

@@ -321,7 +321,9 @@ def _framed(
 
     ``rows`` are those of the camera; the layout's ``own`` view is broader.
     """
-    low, high = bare = _extent(layout.elements, posed, rows, skin)
+    placed = zip(layout.elements, posed.elements, strict=True)
+    tracks = [track for each, at in placed if not each.anchor.on_board for track in at.tracks]
+    low, high = bare = _extent(tracks or [skin], rows)
     middle, half = 0.5 * (low + high), 0.5 * (high - low)
     half = np.maximum(half * (1.0 + 2.0 * _MARGIN), 0.5 * _LEAST_FRAME * layout.handle_width)
     half[0] = max(half[0], (0.85 if own else 0.72) * half[1])
@@ -335,7 +337,11 @@ def _framed_board(
     elements: tuple[Element, ...], handle_width: float, posed: PosedLayout, rows: Floats
 ) -> _Framed:
     """The rectangle around the board, with room for the names to its right."""
-    low, high = _extent(elements, posed, rows)
+    placed = zip(elements, posed.elements, strict=True)
+    drawn = [at for each, at in placed if each.anchor.on_board]
+    low, high = _extent(
+        [line for at in drawn for line in (*at.tracks, at.glyph) if len(line)], rows
+    )
     pad = 1.5 * handle_width
     names = lettering.widest([each.label for each in elements if each.anchor.on_board]) + 6.0
     return _Framed(
@@ -368,20 +374,9 @@ def _around_head(
     return wide_low, wide_high
 
 
-def _extent(
-    elements: tuple[Element, ...], posed: PosedLayout, rows: Floats, skin: Floats | None = None
-) -> tuple[Floats, Floats]:
-    """Corners (2,) of the box in the view's plane around the tracks on the character, without any
-    around its `skin` (m, 3); around those of the board where no skin is given."""
-    board = skin is None
-    lines = [
-        track
-        for element, at in zip(elements, posed.elements, strict=True)
-        if element.anchor.on_board == board
-        for track in (*at.tracks, *([at.glyph] if board and len(at.glyph) else []))
-    ]
-    points = np.concatenate(lines) if lines or skin is None else skin
-    across = points @ rows[:2].T
+def _extent(lines: Sequence[Floats], rows: Floats) -> tuple[Floats, Floats]:
+    """Corners (2,) of the box in the view's plane around lines of points (k, 3)."""
+    across = np.concatenate(lines) @ rows[:2].T
     return across.min(axis=0), across.max(axis=0)
 
 
