@@ -8,7 +8,7 @@ from laid_out_again import lay_out, read
 from rig_copies import box_of, other_head, renamed, reordered, resculpted, reshaped, spelt_otherwise
 
 from usdrigui.layout.reuse.partial_layout import place_of
-from usdrigui.layout.review.difference import difference, improvements
+from usdrigui.layout.review.difference import cost_savings, difference
 from usdrigui.settings import load
 
 pytestmark = pytest.mark.real
@@ -110,7 +110,7 @@ def test_five_decisions_stand_through_ten_versions_of_a_real_rig():
             assert apart <= 0.5 * inputs.face.handle_width, name
         assert at[now["cheekPuff"]].on_board
         assert {now["mouthShrugUpper"], now["mouthShrugLower"]} in [set(each.controls) for each in layout.elements]
-        saved = improvements(inputs.face, inputs.requests, inputs.placement, found.labels)
+        saved = cost_savings(inputs.face, inputs.requests, inputs.placement, found.labels)
         told = difference(before, layout, saved, inputs.matchings["previous"])
         assert not [change for change in told.displaced if not change.why]
         before = layout

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from usdrigui.errors import Issue, explained, issue, of_character, refuse
 from usdrigui.layout.reuse import existing_layout
-from usdrigui.layout.review.difference import Difference, difference, improvements
+from usdrigui.layout.review.difference import Difference, cost_savings, difference
 from usdrigui.layout.review.shortfalls import shortfalls
 from usdrigui.model import Element, Floats, Layout, Rig
 from usdrigui.pipeline import variants
@@ -400,7 +400,7 @@ def _changes(laid: Sequence[LaidPart], previous: Layout, layout: Layout) -> Diff
     improved: dict[str, float] = {}
     for each in laid:
         inputs = each.inputs
-        improved |= improvements(
+        improved |= cost_savings(
             inputs.face, inputs.requests, inputs.placement, each.assignment.labels
         )
     return difference(previous, layout, improved, laid[0].inputs.matchings["previous"])
@@ -433,7 +433,6 @@ def _account(
         for found in shortfalls(
             each.inputs.face,
             each.layout.elements,
-            each.layout.handle_width,
             each.inputs.asked or each.inputs.settings,
         )
     )

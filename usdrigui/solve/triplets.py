@@ -37,18 +37,20 @@ VISITS = ((0, 3), (1, 2), (2, 1), (1, 1), (0, 1))
 
 def raise_bound(problem: ReducedProblem, budget: Budget) -> None:
     """Raise the bound of a problem, in place, by its triplets and those that help it most."""
-    # The first three raise it nearly as far; of few labels what the others add excludes more.
-    visits = len(VISITS) if len(problem.costs) <= 2 * LARGEST_TESTED else 3
+    few = len(problem.costs) <= 2 * LARGEST_TESTED
+    # The first three raise it nearly as far, each time from another table on; of few labels what
+    # the others add excludes more.
+    visits = VISITS if few else VISITS[:3]
     problem.normalize()
     new = _best_triplets(problem)
     problem.messages.update((each, _no_messages(problem, each)) for each in new)
     for turn in range(PASSES if len(problem.costs) <= LARGEST_TESTED else PASSES // 3):
         problem.spread()
         for first, triplet in enumerate(problem.messages, turn):
-            _visit(problem, triplet, VISITS[:visits], first if visits == 3 else 0)
+            _visit(problem, triplet, visits, 0 if few else first)
         problem.normalize()
         problem.sweep()
-        budget.spend(work_of(problem, visits))
+        budget.spend(work_of(problem, len(visits)))
         if budget.stopped():
             break
     problem.normalize()

@@ -118,7 +118,7 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     driven = {group.name: _driven(rig, group.all_controls, poses=False) for group in groups}
     for group in groups:
-        posed = _driven(rig, replace(group, images=()).all_controls, poses=True)
+        posed = _driven(rig, frozenset(group.controls), poses=True)
         members = {
             other.name for other in groups if other is not group and posed & driven[other.name]
         }
@@ -127,9 +127,9 @@ def _of_poses(rig: Rig, groups: tuple[Group, ...]) -> dict[str, set[str]]:
     return found
 
 
-def _driven(rig: Rig, all_controls: frozenset[int], *, poses: bool) -> frozenset[tuple[str, int]]:
-    """Channels and joints that the group's poses set, or that its other controls set."""
-    controls = [rig.controls[i] for i in sorted(all_controls)]
+def _driven(rig: Rig, members: frozenset[int], *, poses: bool) -> frozenset[tuple[str, int]]:
+    """Channels and joints that the poses among some controls set, or that the others set."""
+    controls = [rig.controls[i] for i in sorted(members)]
     drives = [control.drive for control in controls if (control.kind == "pose") == poses]
     channels = {("weight", int(channel)) for drive in drives for channel in drive.channels}
     return frozenset(

@@ -15,6 +15,7 @@ from scipy.spatial import ConvexHull, QhullError
 
 from usdrigui.joint_tree import Tree, one_sided
 from usdrigui.model import Flags, Floats, Indices, Rig
+from usdrigui.skinning import bound_points
 from usdrigui.surface import components, mesh_triangles
 
 _WHOLE = 0.9
@@ -74,8 +75,7 @@ def pieces_of(rig: Rig, tree: Tree, places: Indices, owners: Indices) -> Pieces:
     for start, mesh in zip(rig.starts, rig.meshes, strict=False):
         if mesh.skin is None:
             continue
-        bind = mesh.skin.geom_bind
-        bound[start : start + len(mesh.points)] = mesh.points @ bind[:3, :3] + bind[3, :3]
+        bound[start : start + len(mesh.points)] = bound_points(mesh.points, mesh.skin)[:, :3]
         local, weights, present, starts = mesh.skin.by_joint
         joints = np.repeat(present, np.diff(starts))
         np.add.at(held, (joints, of_point[start + local]), weights)

@@ -19,7 +19,6 @@ from usdrigui.layout.reuse.prior_layout import points_of_meshes, same_point
 from usdrigui.layout.symmetry.mirror_plane import reflected
 from usdrigui.levels import outer_first
 from usdrigui.model import (
-    Anchor,
     Decision,
     Element,
     Floats,
@@ -251,7 +250,7 @@ def with_decisions(
         still = [
             each
             for each in pin.decisions
-            if each != "anchor" or _place(element.anchor) == pin.anchor
+            if each != "anchor" or element.anchor.place == (pin.anchor or "board")
         ]
         decided[element.name] = decided.get(element.name, frozenset()) | frozenset(still)
     anchored = {
@@ -324,15 +323,10 @@ def _pinned(
     )
     if "anchor" not in kept:
         return replace(element, pinned=kept)
-    start, _ = points_of_meshes(rig.meshes, rig.starts)[element.anchor.mesh]
-    here = rest[start + element.anchor.point]
+    here = rest[rig.point_of(element.anchor.mesh, element.anchor.point)]
     then = np.array(before.get(element.name, (np.nan,) * 3))
     # The place that was decided stays on record while it is the same place: carrying it on adds up
     # no errors.
     near = float(np.linalg.norm(here - then)) <= _NEAR * handle_width
     x, y, z = (then if near else here).tolist()
     return replace(element, pinned=kept, pinned_position=(x, y, z))
-
-
-def _place(anchor: Anchor) -> str:
-    return "" if anchor.on_board else f"{anchor.mesh}#{anchor.point}"

@@ -1,6 +1,7 @@
 """What changed between two layouts of a character, control by control, and why as far as they tell.
 
-Pure comparison of two `Layout` records: works on layers from any tool.
+`difference` compares two `Layout` records alone, from any tool.  `cost_savings` takes the solved
+problem: how much cost each element saves by leaving its earlier place.
 """
 
 from __future__ import annotations
@@ -305,7 +306,7 @@ def _crowd(
             yield f"its place is taken by {element.name}{decided}"
 
 
-def improvements(
+def cost_savings(
     face: Face, requests: Requests, placement: PlacementProblem, labels: Indices
 ) -> dict[str, float]:
     """By element: cost at its earlier place less cost where it is, all others standing where they

@@ -17,6 +17,7 @@ from usdrigui.layout.face import Face
 from usdrigui.layout.place.problem import placement_problem
 from usdrigui.layout.place.terms import linear_cost
 from usdrigui.layout.reuse.identity import match_layout
+from usdrigui.layout.reuse.partial_layout import place_of
 from usdrigui.layout.reuse.requests import Requests
 from usdrigui.levels import inner_names, states
 from usdrigui.model import (
@@ -187,9 +188,9 @@ def _anchor_faults(
         yield issue("LAYOUT_TOPOLOGY", element.name, change)
     elif not 0 <= anchor.point < len(mesh.points):
         yield issue("LAYOUT_TOPOLOGY", element.name, f"{anchor.mesh} has no point {anchor.point}")
-    elif comparable and not anchor.on_board and _off(rig, surface, element.anchor) > _MOVED:
-        off = f"{_off(rig, surface, element.anchor):.1%} of the face"
-        yield issue("LAYOUT_ANCHOR_MOVED", element.name, f"its point lies {off} from where it was")
+    elif comparable and not anchor.on_board and (off := _off(rig, surface, anchor)) > _MOVED:
+        found = f"its point lies {off:.1%} of the face from where it was"
+        yield issue("LAYOUT_ANCHOR_MOVED", element.name, found)
 
 
 def _off(rig: Rig, surface: BaseSurface, anchor: Anchor) -> float:
@@ -423,7 +424,7 @@ def _rated(
         nearest=nearest,
         distance=distance / face.handle_width,
         improvement=max(0.0, improvement),
-        better=_place(face.rig, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
+        better=place_of(face.rig, int(choice.anchors[best, 0])) if improvement > 0.0 else "",
     )
 
 
@@ -462,8 +463,3 @@ def _kept(face: Face, choice: Choice, label: int) -> float:
             row = int(np.searchsorted(motion.points, choice.sources[label, copy]))
             shares.append(float(motion.arc_length[row]) / motion.peak)
     return min(shares)
-
-
-def _place(rig: Rig, point: int) -> str:
-    mesh, local = rig.mesh_of(point)
-    return f"{rig.meshes[mesh].path}#{local}"

@@ -10,14 +10,12 @@ from usdrigui.model import Element
 from usdrigui.settings import ObjectiveSettings, Settings
 
 
-def shortfalls(
-    face: Face, elements: tuple[Element, ...], handle_width: float, asked: Settings
-) -> tuple[Issue, ...]:
+def shortfalls(face: Face, elements: tuple[Element, ...], asked: Settings) -> tuple[Issue, ...]:
     """PLACE_KEEPS_LITTLE where a control stands where it was asked to and hardly moves there,
     HANDLES_NARROWER where handles that were asked to be wider than usual are not."""
     return (
         *_still_places(face, elements, asked),
-        *_narrow_handles(face, handle_width, asked.objective),
+        *_narrow_handles(face, asked.objective),
     )
 
 
@@ -39,8 +37,8 @@ def _still_places(face: Face, elements: tuple[Element, ...], asked: Settings) ->
                 yield issue("PLACE_KEEPS_LITTLE", key, f"{member.control} {kept}")
 
 
-def _narrow_handles(face: Face, handle_width: float, asked: ObjectiveSettings) -> Iterator[Issue]:
-    size = handle_width / max(face.trajectories.surface.face_size, 1e-300)
+def _narrow_handles(face: Face, asked: ObjectiveSettings) -> Iterator[Issue]:
+    size = face.handle_width / max(face.trajectories.surface.face_size, 1e-300)
     if asked.handle_size > max(ObjectiveSettings().handle_size, 1.001 * size):
         limit = f"{asked.max_neighbours:g} controls within four handle widths on average"
         found = f"handles of {size:.3g} instead of {asked.handle_size:g}, for no more than {limit}"

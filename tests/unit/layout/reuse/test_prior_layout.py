@@ -19,7 +19,7 @@ from usdrigui.layout.reuse.prior_layout import (
     leaving_penalties,
     prior_of_previous,
 )
-from usdrigui.layout.review.difference import difference, improvements
+from usdrigui.layout.review.difference import cost_savings, difference
 from usdrigui.settings import ControlSettings, Settings
 
 
@@ -173,7 +173,7 @@ def test_a_place_is_kept_until_leaving_it_saves_more_than_the_penalty(face, befo
     dear = lay_out(face, prior=prior_of_previous(layout.elements, face, 5.0))
     assert anchors(cheap.layout)["chin"] == anchors(before.layout)["chin"]
     assert anchors(dear.layout)["chin"] == point
-    saved = improvements(cheap.face, cheap.inputs.requests, cheap.inputs.placement, cheap.assignment.labels)
+    saved = cost_savings(cheap.face, cheap.inputs.requests, cheap.inputs.placement, cheap.assignment.labels)
     (change,) = [each for each in difference(layout, cheap.layout, saved).changes if each.control == "chin"]
     assert change.kind == "moved"
     assert change.distance > 0.0
