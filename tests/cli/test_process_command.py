@@ -162,7 +162,8 @@ def test_help_and_version_load_nothing_heavy(argument):
     code = (
         "import sys\nfrom usdrigui.cli import main\n"
         f"try:\n    main([{argument!r}])\nexcept SystemExit:\n    pass\n"
-        "print([name for name in ('pxr', 'scipy', 'highspy', 'numpy', 'usdrigui.settings') if name in sys.modules], file=sys.stderr)"
+        "heavy = ('pxr', 'scipy', 'highspy', 'numpy', 'usdrigui.settings')\n"
+        "print([name for name in heavy if name in sys.modules], file=sys.stderr)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stderr.strip() == "[]"
