@@ -275,20 +275,20 @@ def _panels(rig: Rig, layout: Layout, labels: bool) -> list[Panel]:
     colours = complexion(rig, main_layout(layout))
     whole = shading.body(rig.meshes, posed.points, colours)
     if len(layout.parts) < 2:
-        return [_panel(rig, layout, posed, whole, "", labels)]
+        return [_panel(rig.up, layout, posed, whole, "", labels)]
     panels = []
     for each in sections(layout, posed, rig.up):
         own = cut_away(rig, each.layout, colours)
         seen = whole if own is colours else shading.body(rig.meshes, posed.points, own)
-        panels.append(_panel(rig, each.layout, each.posed, seen, each.title, labels))
+        panels.append(_panel(rig.up, each.layout, each.posed, seen, each.title, labels))
     return panels
 
 
 def _panel(
-    rig: Rig, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
+    up: Floats, layout: Layout, posed: PosedLayout, subject: shading.Body, title: str, labels: bool
 ) -> Panel:
     """What is seen of a part, one handle width being `_HANDLE`."""
-    rows, scale = look(layout.view, rig.up), _HANDLE / layout.handle_width
+    rows, scale = look(layout.view, up), _HANDLE / layout.handle_width
     plane = rows[:2].T * np.array([1.0, -1.0]) * scale  # pictures have y down
     corners = subject.corners
     skin = posed.points[np.unique(corners)]
