@@ -47,10 +47,8 @@ class Posed(Record):
 def deform(rig: Rig, values: ArrayLike | None = None) -> Floats:
     """Points of all meshes in root space, (n, 3), at control `values` (controls,); None for the
     defaults."""
-    weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(
-        rig.joints, _moved_joints(_base_locals(rig.joints), moves[None])[0]
-    )
+    weights, local = channel_state(rig, values)
+    skinning = skinning_matrices(rig.joints, local)
     points = [skinned(rig, mesh, _blended(mesh, weights), skinning) for mesh in rig.meshes]
     return np.concatenate(points) if points else np.zeros((0, 3))
 
@@ -59,9 +57,7 @@ def posed(rig: Rig, values: ArrayLike | None = None) -> Posed:
     """The rig held at control `values` (controls,), or at the defaults: the starting point of
     `sweep`."""
     weights, moves = _driven(rig, values)
-    skinning = skinning_matrices(
-        rig.joints, _moved_joints(_base_locals(rig.joints), moves[None])[0]
-    )
+    skinning = skinning_matrices(rig.joints, _moved(rig, moves))
     blended = [_blended(mesh, weights) for mesh in rig.meshes]
     maps = tuple(point_maps(rig, mesh, skinning) for mesh in rig.meshes)
     points = [applied(shape, to_root) for shape, to_root in zip(blended, maps, strict=True)]
@@ -76,7 +72,7 @@ def channel_state(rig: Rig, values: ArrayLike | None = None) -> tuple[Floats, Fl
     scales are added before they are applied, so that the order of the controls does not matter.
     """
     weights, moves = _driven(rig, values)
-    return weights, _moved_joints(_base_locals(rig.joints), moves[None])[0]
+    return weights, _moved(rig, moves)
 
 
 def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indices, Singles]:
@@ -92,6 +88,19 @@ def sweep(rig: Rig, base: Posed, control: int, values: ArrayLike) -> tuple[Indic
     if len(drive.joints):
         return _sweep_joints(rig, base, drive, at, added)
     return _sweep_shapes(rig, base, drive.channels, base.weights[drive.channels] + added)
+
+
+def sweep_start(
+    rig: Rig, base: Posed, base_values: Floats | None, control: int
+) -> tuple[Posed, float]:
+    """The pose from which a control is swept, itself at its default, and its value at the base pose
+    `base` of all controls; None for the defaults."""
+    default = rig.controls[control].default
+    if base_values is None or base_values[control] == default:
+        return base, default
+    others = np.array(base_values, dtype=np.float64)
+    others[control] = default
+    return posed(rig, others), float(base_values[control])
 
 
 def knots(rig: Rig, control: int) -> Floats:
@@ -150,6 +159,12 @@ def _interpolated(keys: Floats, table: Floats, at: Floats) -> Floats:
 
 def _base_locals(joints: tuple[Joint, ...]) -> Floats:
     return np.array([joint.base for joint in joints], dtype=np.float64).reshape(-1, 4, 4)
+
+
+def _moved(rig: Rig, moves: Floats) -> Floats:
+    """Local transforms (joints, 4, 4) after `moves` (3, joints, 3)."""
+    local: Floats = _moved_joints(_base_locals(rig.joints), moves[None])[0]
+    return local
 
 
 def _moved_joints(base: Floats, moves: Floats) -> Floats:

@@ -15,6 +15,7 @@ import numpy as np
 
 from usdrigui.model import Floats, Joint, RigMesh
 from usdrigui.rotation import rotation_part
+from usdrigui.skinning import bound_points
 
 FINGERS = 3
 """Chains of a fan, at least; and joints of a finger that curl, at most."""
@@ -106,7 +107,7 @@ def _bound_skin(meshes: Sequence[RigMesh]) -> Iterator[tuple[int, Floats, Floats
     for mesh in meshes:
         if mesh.skin is None:
             continue
-        bound = mesh.points @ mesh.skin.geom_bind[:3, :3] + mesh.skin.geom_bind[3, :3]
+        bound = bound_points(mesh.points, mesh.skin)[:, :3]
         points, weights, present, starts = mesh.skin.by_joint
         for row, joint in enumerate(present.tolist()):
             part = slice(starts[row], starts[row + 1])

@@ -1,16 +1,14 @@
 """A layout at any pose: the deformed character, and every element where it then is.
 
-An element holds on to its anchor.  Its tracks follow the skin under all controls but the element's
-own; its handle lies on the deformed anchor, however its tracks are magnified.  On the board, or
-where `Element.adapt` is ``static``, an element follows joints alone (its anchor's, or the one that
-carries the face) and its handle slides along the tracks.  What stands on the board is one board and
-stays in one piece: no control of any element there moves it.  These are the rules of the written
-layer, where tracks and handles are gprims that UsdSkel deforms; better than a gprim can, tracks
-here also follow other controls of the joints that their own control turns.  numpy only.
+What carries an element and which controls its tracks ignore, `usdrigui.following` says; its handle
+lies on the deformed anchor, however its tracks are magnified, or slides along them.  The written
+layer says the same to UsdSkel, which deforms tracks and handles as gprims; better than a gprim can,
+tracks here also follow other controls of the joints that their own control turns.  numpy only.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -19,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from usdrigui.deform import Posed, channel_state, deform, posed, sweep
 from usdrigui.errors import meant, refuse
-from usdrigui.model import Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
+from usdrigui.following import Following, board_controls, following
+from usdrigui.model import Control, Element, Floats, Indices, Layout, Record, Rig, RigMesh, Singles
 from usdrigui.pose.handle_track import carried, facing, slid
 from usdrigui.pose.subset import subset
 from usdrigui.skinning import carrying_joint
@@ -63,14 +62,13 @@ class Poser(Record):
     """(elements,) each element's point in `anchors`."""
     owned: tuple[Indices, ...]
     """Per element, its controls as indices into `Rig.controls`, in member order."""
+    followings: tuple[Following, ...]
+    """Per element."""
     base: Posed
     """`anchors` at the base pose."""
     still: Rig
-    """`anchors` all on one joint, for static elements."""
+    """`anchors` all on one joint, for elements that it carries."""
     still_base: Posed
-    board: Indices
-    """Controls of the elements on the board that turn or move joints, as indices into
-    `Rig.controls`."""
 
 
 def prepare(rig: Rig, layout: Layout) -> Poser:
@@ -93,10 +91,13 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
             "the base pose has another number of controls than the character",
         )
     base, still, still_base = posed(anchors, layout.base_values), anchors, None
+    carrier = -1
     if any(element.adapt == "static" for element in layout.elements):
-        still = on_one_joint(
-            anchors, rows[[not element.anchor.on_board for element in layout.elements]]
+        carrier = carrying_joint(
+            rig, points[[not each.anchor.on_board for each in layout.elements]]
         )
+    if carrier >= 0:
+        still, _ = subset(on_one_joint(rig, carrier), points)
         still_base = posed(still, layout.base_values)
     return Poser(
         rig,
@@ -104,10 +105,10 @@ def prepare(rig: Rig, layout: Layout) -> Poser:
         anchors,
         rows,
         owned,
+        _followings(rig.controls, layout.elements, owned, carrier),
         base,
         still,
         still_base or base,
-        _board(rig, layout.elements, owned),
     )
 
 
@@ -125,9 +126,9 @@ def elements_at(poser: Poser, values: Floats) -> tuple[PosedElement, ...]:
     """The elements of `evaluate` alone: no mesh is deformed but for the anchors."""
     whole = posed(poser.anchors, values)
     still = whole if poser.still is poser.anchors else posed(poser.still, values)
-    board = _board_at(poser, whole, still, values)
+    known: dict[tuple[bool, bytes], Posed] = {}
     return tuple(
-        _element(poser, index, whole, still, board, values) for index in range(len(poser.rows))
+        _element(poser, index, whole, still, known, values) for index in range(len(poser.rows))
     )
 
 
@@ -171,17 +172,25 @@ def checked_values(rig: Rig, values: ArrayLike) -> Floats:
 
 
 def _element(
-    poser: Poser, index: int, whole: Posed, still: Posed, board: tuple[Posed, Posed], values: Floats
+    poser: Poser,
+    index: int,
+    whole: Posed,
+    still: Posed,
+    known: dict[tuple[bool, bytes], Posed],
+    values: Floats,
 ) -> PosedElement:
     element, row = poser.layout.elements[index], int(poser.rows[index])
-    static = element.adapt == "static"
+    follows = poser.followings[index]
+    rigid = follows.joint >= 0
     skin, before, at = (
-        (poser.still, poser.still_base, still) if static else (poser.anchors, poser.base, whole)
+        (poser.still, poser.still_base, still) if rigid else (poser.anchors, poser.base, whole)
     )
-    others = board[static] if element.anchor.on_board else _others(poser, skin, index, at, values)
-    base = before.points[row]
+    key = rigid, follows.held.tobytes()  # all on the board hold the same
+    if key not in known:
+        known[key] = _without(poser, skin, follows.held, at, values)
+    others, base = known[key], before.points[row]
     anchor, carry = _carried(_map(skin, before, row), _map(skin, others, row), base)
-    if not _detached(element):
+    if follows.deforms:
         anchor = others.points[row]
     tracks = tuple(carried(member.track, base, anchor, carry) for member in element.members)
     owned = poser.owned[index]
@@ -191,31 +200,31 @@ def _element(
         poser.layout.base_values[owned].tolist(),
         values[owned].tolist(),
     )
-    if not _detached(element):
+    if follows.deforms:
         handle = whole.points[row]
     glyph = np.zeros((0, 3))
     if element.glyph is not None:
         held = (
-            carry
-            if _detached(element)
-            else _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+            _carried(_map(skin, before, row), _map(skin, whole, row), base)[1]
+            if follows.deforms
+            else carry
         )
         glyph = handle + element.glyph.points @ held
     return PosedElement(tracks, handle, rest, facing(element.anchor.normal, carry), glyph)
 
 
-def _others(poser: Poser, skin: Rig, index: int, whole: Posed, values: Floats) -> Posed:
-    """The anchors on a skin with the element's own controls at the base pose and all others at
+def _without(poser: Poser, skin: Rig, held: Indices, whole: Posed, values: Floats) -> Posed:
+    """The anchors on a skin with the controls `held` at the base pose and all others at
     `values`."""
-    owned, base_values = poser.owned[index], poser.layout.base_values
-    away = owned[values[owned] != base_values[owned]]
+    base_values = poser.layout.base_values
+    away = held[values[held] != base_values[held]]
     if not len(away):
         return whole
     drives = [poser.rig.controls[j].drive for j in away.tolist()]
     channels = [channel for drive in drives for channel in drive.channels.tolist()]
     if any(len(drive.joints) for drive in drives) or len(set(channels)) < len(channels):
         without = values.copy()
-        without[owned] = base_values[owned]
+        without[held] = base_values[held]
         return posed(skin, without)
     # Shapes of different channels add up and leave the skin alone: taking them back is a few
     # additions.
@@ -240,27 +249,11 @@ def _taken_back(
     return points, offsets[0] - offsets[1]
 
 
-def _board_at(poser: Poser, whole: Posed, still: Posed, values: Floats) -> tuple[Posed, Posed]:
-    """The anchors on their own skin and on one joint as the board goes: none of its own controls
-    turns a joint."""
-    base_values = poser.layout.base_values
-    if np.array_equal(values[poser.board], base_values[poser.board]):
-        return whole, still
-    without = values.copy()
-    without[poser.board] = base_values[poser.board]
-    carried = posed(poser.anchors, without)
-    return carried, carried if poser.still is poser.anchors else posed(poser.still, without)
-
-
 def _carried(before: Floats, now: Floats, position: Floats) -> tuple[Floats, Floats]:
     """Where a position goes with its map (4, 3) alone, and the (3, 3) map of offsets from it (row
     vectors)."""
     carry = np.linalg.pinv(before[:3]) @ now[:3]
     return (position - before[3]) @ carry + now[3], carry
-
-
-def _detached(element: Element) -> bool:
-    return element.anchor.on_board or element.adapt == "static"
 
 
 def _map(anchors: Rig, at: Posed, row: int) -> Floats:
@@ -290,14 +283,17 @@ def _anchor_point(meshes: tuple[RigMesh, ...], starts: Indices, element: Element
     )
 
 
-def _board(rig: Rig, elements: tuple[Element, ...], owned: Sequence[Indices]) -> Indices:
-    """Controls of the elements on the board that drive joints."""
-    on_board = [
-        own for element, own in zip(elements, owned, strict=True) if element.anchor.on_board
-    ]
-    controls = sorted({control for own in on_board for control in own.tolist()})
-    return np.array(
-        [each for each in controls if len(rig.controls[each].drive.joints)], dtype=np.int64
+def _followings(
+    controls: tuple[Control, ...],
+    elements: tuple[Element, ...],
+    owned: Sequence[Indices],
+    carrier: int,
+) -> tuple[Following, ...]:
+    stands = [element.anchor.on_board for element in elements]
+    board = board_controls(controls, itertools.compress(owned, stands))
+    return tuple(
+        following(own, board, carrier, on_board=on_board, static=element.adapt == "static")
+        for element, own, on_board in zip(elements, owned, stands, strict=True)
     )
 
 
@@ -313,16 +309,8 @@ def _controls(names: Mapping[str, int], element: Element) -> Indices:
 # --- elements that do not deform ------------------------------------------------------------------
 
 
-def on_one_joint(rig: Rig, rows: Indices) -> Rig:
-    """The rig with all skinned meshes rigidly on the joint that carries the face, as in the written
-    layer.
-
-    The joint is `carrying_joint` of the points ``rows`` (q,); the rig comes back unchanged where it
-    has no joints or the points no skin.
-    """
-    joint = carrying_joint(rig, rows)
-    if joint < 0:
-        return rig
+def on_one_joint(rig: Rig, joint: int) -> Rig:
+    """The rig with all skinned meshes rigidly on one joint, as in the written layer."""
     return replace(rig, meshes=tuple(_rigid(mesh, joint) for mesh in rig.meshes))
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from usdrigui.deform import channel_state, posed
 from usdrigui.errors import refuse
+from usdrigui.following import board_controls, following
 from usdrigui.model import (
     Control,
     Element,
@@ -124,13 +125,8 @@ class SkinBinding:
         rows = [starts[mesh.path] + point for mesh, point in on_face]
         self._rigid = carrying_joint(rig, np.array(rows, dtype=np.int64))
         self._shapes = _shapes_of(rig, on_face, self.size)
-        on_board = [
-            member.control
-            for each in layout.elements
-            if each.anchor.on_board
-            for member in each.members
-        ]
-        self._board = _own_joints([self.control(name) for name in on_board], self.size)
+        on_board = [self._own(each) for each in layout.elements if each.anchor.on_board]
+        self._board = board_controls(rig.controls, on_board)
 
     def control(self, name: str) -> Control:
         """The rig's control of that name."""
@@ -147,15 +143,20 @@ class SkinBinding:
     def at_anchor(self, element: Element) -> AnchorBinding:
         """What carries one element."""
         mesh, point = self._anchored(element)
-        controls = [self.control(member.control) for member in element.members]
-        deforms = not element.anchor.on_board and element.adapt == "deform"
+        follows = following(
+            self._own(element),
+            self._board,
+            self._rigid,
+            on_board=element.anchor.on_board,
+            static=element.adapt == "static",
+        )
+        held = [self.rig.controls[each] for each in follows.held.tolist()]
+        deforms = follows.deforms
         skeleton = _skeleton_of(self.rig, mesh)
         influences = _influences(mesh.skin, point)
-        if element.adapt == "static" and self._rigid >= 0:
-            influences = np.array([self._rigid]), np.ones(1)
-        # The board stays in one piece: what one of its elements turns moves none of them.
-        own = _own_joints(controls, self.size) | (self._board if element.anchor.on_board else set())
-        fixed = _without(self.rig, influences, own)
+        if follows.joint >= 0:
+            influences = np.array([follows.joint]), np.ones(1)
+        fixed = _without(self.rig, influences, _own_joints(held, self.size))
         turning = fixed is not influences
         to_rest = _to_rest(self.rig, mesh)
         rest = np.append(mesh.points[point], 1.0) @ to_rest
@@ -167,10 +168,16 @@ class SkinBinding:
             ),
             track=track,
             shapes=self._shapes[mesh.path, point] if deforms else (),
-            own_channels=frozenset(int(c) for control in controls for c in control.drive.channels),
+            own_channels=frozenset(int(c) for control in held for c in control.drive.channels),
             turning=turning,
             deforms=deforms,
         )
+
+    def _own(self, element: Element) -> Indices:
+        """The controls of an element, as indices into `Rig.controls`."""
+        for member in element.members:
+            self.control(member.control)
+        return np.array([self._positions[each.control] for each in element.members], dtype=np.int64)
 
     def maps_at(self, handle: JointBinding, settings: Sequence[dict[str, float]]) -> Floats:
         """Affine maps (len(settings), 4, 3) of the handle with some controls away from the base

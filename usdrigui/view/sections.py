@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.deform import deform
+from usdrigui.deform import posed, sweep, sweep_start
 from usdrigui.model import Element, Floats, Layout, LayoutPart, Rig, Side
 from usdrigui.pose.evaluate import PosedLayout
 from usdrigui.view import directions
@@ -72,13 +72,13 @@ def cut_away(rig: Rig, layout: Layout, colours: Complexion) -> Complexion:
     if any(not element.anchor.on_board for element in layout.elements):
         return colours
     moved = np.zeros(len(colours.clear), dtype=np.bool_)
-    still = deform(rig, layout.base_values)
+    still = posed(rig, layout.base_values)
     for index, control in enumerate(rig.controls):
         if control.name in layout.controls:
-            values = np.tile(layout.base_values, (2, 1))
-            values[:, index] = control.minimum, control.maximum
-            ways = np.max([np.linalg.norm(deform(rig, each) - still, axis=1) for each in values], 0)
-            moved |= ways > _TOUCHED * np.max(ways, initial=0.0)
+            start, value = sweep_start(rig, still, layout.base_values, index)
+            points, offsets = sweep(rig, start, index, [value, control.minimum, control.maximum])
+            ways = np.linalg.norm(offsets - offsets[0], axis=2).max(axis=0)
+            moved[points[ways > _TOUCHED * np.max(ways, initial=0.0)]] = True
     return replace(colours, clear=colours.clear | ~moved) if moved.any() else colours
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdrigui.deform import Posed, knots, posed, sweep
+from usdrigui.deform import Posed, knots, posed, sweep, sweep_start
 from usdrigui.errors import Issue, issue
 from usdrigui.joint_tree import Hanging, hanging
 from usdrigui.layout.motion.coverage import NOTABLE, coverage_of_smaller
@@ -65,7 +65,7 @@ def trajectories(
     chains = hanging(rig.joints, rig.meshes)
     motions, left_off = [], []
     for index, control in enumerate(rig.controls):
-        start, value = _start(rig, base, base_values, index)
+        start, value = sweep_start(rig, base, base_values, index)
         motion = _motion(rig, chains, start, index, value, settings)
         if motion.arc_length.max(initial=0.0) > _EMPTY * size:
             motions.append(motion)
@@ -168,17 +168,6 @@ def _excluded(
         for i, control in enumerate(rig.excluded)
     )
     return tuple(motion for motion in found if motion.arc_length.max(initial=0.0) > _EMPTY * size)
-
-
-def _start(rig: Rig, base: Posed, base_values: Floats | None, index: int) -> tuple[Posed, float]:
-    """The pose from which control `index` is swept (itself at its default), and its value at the
-    base pose."""
-    default = rig.controls[index].default
-    if base_values is None or base_values[index] == default:
-        return base, default
-    others = np.array(base_values, dtype=np.float64)
-    others[index] = default
-    return posed(rig, others), float(base_values[index])
 
 
 def _motion(
