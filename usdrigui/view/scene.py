@@ -10,17 +10,18 @@ errors).
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
 import math
 import zlib
 from collections.abc import Sequence
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from usdrigui.errors import Issue, refuse
+from usdrigui.following import Following, board_controls, following
 from usdrigui.model import (
     Clip,
     Control,
@@ -37,6 +38,7 @@ from usdrigui.model import (
     Skin,
 )
 from usdrigui.pose.evaluate import evaluate, prepare
+from usdrigui.skinning import carrying_joint
 from usdrigui.surface import triangles
 from usdrigui.view.complexion import complexion
 from usdrigui.view.sections import main_layout, sections
@@ -149,7 +151,7 @@ def _identity(rig: Rig) -> str:
 def _meshes(
     body: _Body, meshes: tuple[RigMesh, ...], starts: Indices, look: Complexion
 ) -> list[Json]:
-    spans = [slice(a, b) for a, b in pairwise(starts.tolist())]
+    spans = [slice(a, b) for a, b in itertools.pairwise(starts.tolist())]
     looks = [Complexion(look.colours[span], look.gaze[span], look.clear[span]) for span in spans]
     return [_mesh(body, mesh, own) for mesh, own in zip(meshes, looks, strict=True)]
 
@@ -270,7 +272,7 @@ def _layout(rig: Rig, layout: Layout) -> Json:
         "planeOrigin": _list(layout.plane_origin),
         "planeNormal": _list(layout.plane_normal),
         "baseValues": _list(layout.base_values),
-        "elements": [_element(rig, meshes, controls, each) for each in layout.elements],
+        "elements": _elements(rig, meshes, controls, layout),
         "sections": _sections(rig, layout),
         "leftOff": [[each.control, each.stage, each.reason] for each in layout.left_off],
         "method": layout.method,
@@ -293,6 +295,36 @@ def _sections(rig: Rig, layout: Layout) -> list[Json]:
         }
         for each in sections(layout, evaluate(prepare(rig, layout)), rig.up)
     ]
+
+
+def _elements(
+    rig: Rig, meshes: dict[str, int], controls: dict[str, int], layout: Layout
+) -> list[Json]:
+    found = [_element(rig, meshes, controls, each) for each in layout.elements]
+    own = [np.array([each["control"] for each in packed["members"]]) for packed in found]
+    board = board_controls(
+        rig.controls, itertools.compress(own, (packed["onBoard"] for packed in found))
+    )
+    rows = [
+        rig.starts[packed["mesh"]] + packed["point"] for packed in found if not packed["onBoard"]
+    ]
+    carrier = carrying_joint(rig, np.array(rows, dtype=np.int64))
+    for packed, mine, element in zip(found, own, layout.elements, strict=True):
+        places = [
+            following(mine, board, carrier, on_board=on_board, static=element.adapt == "static")
+            for on_board in (False, True)
+        ]
+        packed["follows"] = {"character": _follows(places[0]), "board": _follows(places[1])}
+    return found
+
+
+def _follows(following: Following) -> Json:
+    """What carries an element where it stands, and what it ignores there."""
+    return {
+        "held": following.held.tolist(),
+        "deforms": following.deforms,
+        "joint": following.joint,
+    }
 
 
 def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element: Element) -> Json:
@@ -322,7 +354,6 @@ def _element(rig: Rig, meshes: dict[str, int], controls: dict[str, int], element
         "inner": list(element.inner),
         "category": element.category,
         "reason": element.reason,
-        "static": element.adapt == "static",
         "glyph": _glyph(element.glyph),
     }
 

@@ -83,16 +83,19 @@ export class Deformer {
 
   // --- single points ---------------------------------------------------------------------------------
 
-  /** Everything that is needed to evaluate one point often: its shapes, influences and joints. */
-  tracer(meshIndex, point) {
+  /** Everything that is needed to evaluate one point often: its shapes, influences and joints; or a joint's alone. */
+  tracer(meshIndex, point, joint = -1) {
     const mesh = this.character.meshes[meshIndex];
     const shapes = [];
     for (const shape of mesh.shapes) {
       const row = indexOf(shape.points, point);
       if (row >= 0) shapes.push({ shape, row });
     }
-    const tracer = { mesh, point, shapes, row: 0, chain: [] };
-    if (mesh.skin) {
+    const tracer = { mesh, point, shapes, row: 0, chain: [], skin: mesh.skin };
+    if (mesh.skin && joint >= 0) {
+      tracer.skin = { ...mesh.skin, joints: Uint16Array.of(joint), weights: Float64Array.of(1), rows: 1, width: 1 };
+      tracer.chain = this.skeletons.chainOf([joint]);
+    } else if (mesh.skin) {
       tracer.row = mesh.skin.rows === 1 ? 0 : point;
       const from = tracer.row * mesh.skin.width;
       const joints = mesh.skin.joints.subarray(from, from + mesh.skin.width);
@@ -121,9 +124,9 @@ export class Deformer {
   }
 
   /** Map (16) of a traced point from mesh space to root space. */
-  traceMap({ mesh, row, chain }) {
-    if (!mesh.skin) return mesh.root;
-    return this.skeletons.rowMap(mesh.skin, row, this.skeletons.skinning(this.moves, chain));
+  traceMap({ mesh, skin, row, chain }) {
+    if (!skin) return mesh.root;
+    return this.skeletons.rowMap(skin, row, this.skeletons.skinning(this.moves, chain));
   }
 
   /** Run `use` with control `index` at `value` instead of `now`; the driven state is restored exactly. */

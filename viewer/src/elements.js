@@ -1,8 +1,8 @@
-// Where every element's tracks and handle are at the current pose; mirrors usdrigui/pose/evaluate.py.
+// Where every element's tracks and handle are at the current pose.
 //
-// Tracks follow the skin under all controls but the element's own, the handle under all.  Beside the face,
-// or where an element is static, it follows the joints of its anchor alone; what stands on the board
-// stays in one piece, moved by no control of any element there.
+// What carries an element and which controls it ignores, each says itself, for the character and for the board
+// (`follows`, of usdrigui/following.py).  Here it is evaluated; tests/laws/test_page_equals_usd.py holds it to what
+// UsdSkel makes of the layer.
 
 import * as matrix from './matrix.js';
 
@@ -27,36 +27,38 @@ export class Elements {
 
   /** Everything about an element that holds as long as its anchor does. */
   prepare(element) {
-    element.tracer = this.deformer.tracer(element.mesh, element.point);
-    this.deformer.setBase(null, null);
-    this.deformer.drive(this.rest);
-    element.restMap = this.deformer.traceMap(element.tracer);
-    element.restPoint = this.deformer.trace(element.tracer, element.restMap);
+    const { deformer } = this;
+    const { held, deforms, joint } = element.follows[element.onBoard ? 'board' : 'character'];
+    const carrier = deformer.tracer(element.mesh, element.point, joint);
+    Object.assign(element, { held, deforms, carrier, tracer: deformer.tracer(element.mesh, element.point) });
+    deformer.setBase(null, null);
+    deformer.drive(this.rest);
+    element.restMap = deformer.traceMap(carrier);
+    element.restPoint = deformer.trace(carrier, element.restMap);
     element.restInverse = matrix.inverse(element.restMap);
     element.enlarged = element.members.some((member) => member.magnification !== 1);
   }
 
-  /** Move all elements to the pose of `values`; with `still` all are taken for static ones. */
+  /** Move all elements to the pose of `values`; with `still` none deforms. */
   follow(values, still = false) {
     this.deformer.drive(values);
-    this.board = this.boardControls();
-    for (const element of this.list) this.followOne(element, values, still || element.static || element.onBoard);
+    for (const element of this.list) this.followOne(element, values, still || !element.deforms);
   }
 
   followOne(element, values, detached) {
-    const { tracer, restInverse, restPoint } = element;
-    const [map, skin] = this.withoutOwn(element, values, () => {
-      const now = this.deformer.traceMap(tracer);
-      return [now, this.deformer.trace(tracer, now)];
+    const { carrier, restInverse, restPoint } = element;
+    const [map, skin] = this.without(element.held, values, () => {
+      const now = this.deformer.traceMap(carrier);
+      return [now, this.deformer.trace(carrier, now)];
     });
     const carry = restInverse ? matrix.multiply(restInverse, map) : matrix.IDENTITY;
     const anchor = detached ? matrix.transformPoint(carry, ...restPoint) : skin;
     element.tracks = element.members.map((member) => member.track.map((point) => carried(point, restPoint, carry, anchor)));
     const rests = element.members.map((member, m) => alongTrack(member.values, element.tracks[m], this.rest[member.control]));
     element.origin = rests[0];
-    element.handle = detached || element.enlarged ? this.handleAt(element, values, rests) : this.deformer.trace(tracer);
+    element.handle = detached || element.enlarged ? this.handleAt(element, values, rests) : this.deformer.trace(carrier);
     if (element.glyph) {
-      const held = detached || !restInverse ? carry : matrix.multiply(restInverse, this.deformer.traceMap(tracer));
+      const held = detached || !restInverse ? carry : matrix.multiply(restInverse, this.deformer.traceMap(carrier));
       element.outline = element.glyph.points.map((point) => carried(point, [0, 0, 0], held, element.handle));
     }
   }
@@ -82,17 +84,9 @@ export class Elements {
     );
   }
 
-  /** Controls of the elements on the board that turn or move joints. */
-  boardControls() {
-    const owned = this.list.filter((element) => element.onBoard).flatMap((element) => element.members);
-    const turning = owned.filter(({ control }) => this.deformer.controls[control].drive.joints.length);
-    return [...new Set(turning.map(({ control }) => control))];
-  }
-
-  /** Run `use` with the element's own controls at rest, beside the face all of the board's, and others as driven. */
-  withoutOwn(element, values, use) {
-    const own = element.onBoard ? this.board : element.members.map(({ control }) => control);
-    const nested = own.reduce((inner, control) => {
+  /** Run `use` with some controls at rest and all others as driven. */
+  without(held, values, use) {
+    const nested = held.reduce((inner, control) => {
       if (values[control] === this.rest[control]) return inner;
       return () => this.deformer.withControl(control, values[control], this.rest[control], inner);
     }, use);
