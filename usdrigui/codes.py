@@ -28,7 +28,7 @@ class Exit(IntEnum):
     LIMIT = 4
     """A time or memory limit was hit before there was a usable result."""
     BUG = 5
-    """A mistake of ours."""
+    """A bug of usdrigui."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,15 +64,15 @@ _CODES: dict[str, Code] = {
     ),
     "SOURCE_IS_LAYOUT": Code(
         "error",
-        "What is to be laid out is a layout layer itself, not a character.",
-        "Process the character that it sublayers; --previous keeps what the layer has.",
+        "The file is a layout layer, not a character.",
+        "Process the character that it sublayers; --previous keeps the places of this layer.",
     ),
     "SOURCE_HAS_LAYOUT": Code(
         "error",
-        "The asset brings a layout of the character in already; a second one over it would mix"
+        "The asset already composes a layout of the character; a second one over it would mix"
         " with it.",
         "To make that layout again, run `usdrigui process CHAR --bare -o` with the file named; to"
-        " keep it and add what it lacks, give that file as --base; to be rid of it, run `usdrigui"
+        " keep it and add what it lacks, give that file as --base; to remove it, run `usdrigui"
         " detach` first.",
     ),
     "SOURCE_LFS_POINTER": Code(
@@ -86,7 +86,7 @@ _CODES: dict[str, Code] = {
     ),
     "SOURCE_CRASHES_USD": Code(
         "error",
-        "USD crashed, or gave an answer without sense, while it read the asset.",
+        "USD crashed, or returned invalid data, while it read the asset.",
         "Export the asset again; if usdchecker passes on the file, please file an OpenUSD issue.",
     ),
     "SOURCE_TIME_LIMIT": Code(
@@ -131,10 +131,10 @@ _CODES: dict[str, Code] = {
     ),
     "LAYER_UNREADABLE": Code(
         "error",
-        "The asset refers to a layer that is there but that USD cannot read: damaged, of an"
+        "The asset refers to a layer that exists but that USD cannot read: damaged, of an"
         " obsolete or later crate version, or of a format without a plug-in.",
-        "Export that layer again with a USD of today, restore a sound copy, or install its"
-        " file-format plug-in; the message says what USD found.",
+        "Export that layer again with a current USD, restore an undamaged copy, or install its"
+        " file-format plug-in; the message holds USD's own error.",
     ),
     "COMPOSITION_ERROR": Code(
         "warning",
@@ -143,8 +143,8 @@ _CODES: dict[str, Code] = {
     ),
     "USD_DIAGNOSTIC": Code(
         "info",
-        "USD complained while the asset was read.",
-        "See the message; often another issue tells more.",
+        "USD gave a warning while the asset was read.",
+        "See the message; another issue often names the cause.",
     ),
     "SKELROOT_MISSING": Code(
         "error",
@@ -160,11 +160,11 @@ _CODES: dict[str, Code] = {
     ),
     "CONTROLS_MISSING": Code(
         "error",
-        "No SkelRoot has anything to control.",
-        "Mend what the message names; else add blend shapes or an animated skeleton, bind a"
-        " Skeleton (skel:skeleton) to meshes that have blend shapes but none, make joints controls"
-        " (`--set read.joints=all`, or `[joints.NAME]` in a configuration), or name poses in the"
-        " configuration.",
+        "No SkelRoot has a blend shape, joint or pose to control.",
+        "Repair the prim that the message names; else add blend shapes or an animated skeleton,"
+        " bind a Skeleton (skel:skeleton) to meshes that have blend shapes but none, make joints"
+        " controls (`--set read.joints=all`, or `[joints.NAME]` in a configuration), or name poses"
+        " in the configuration.",
     ),
     "INSTANCE": Code(
         "error",
@@ -174,20 +174,21 @@ _CODES: dict[str, Code] = {
     ),
     "VARIANT_UNKNOWN": Code(
         "error",
-        "No prim of the stage has the variant set, or the variant, that is to be selected.",
-        "Select one that is named in the message.",
+        "No prim of the stage has the variant set, or the variant, to select.",
+        "Select one that the message names.",
         Exit.USAGE,
     ),
     "VARIANT_BELOW": Code(
         "error",
-        "A layout cannot stand in the variant: its set is not on a SkelRoot or a prim above one.",
+        "A layout cannot be authored in the variant: its set is not on a SkelRoot or a prim above"
+        " one.",
         "Move the variant set to the SkelRoot or above, or lay the character out without naming"
         " this set.",
     ),
     "VARIANT_LEFT_OFF": Code(
         "info",
-        "A variant has no character to lay out, or no layout to look at.",
-        "Nothing, if it is meant to have none, as a level of detail without blend shapes.",
+        "A variant has no character to lay out, or no layout to check or compare.",
+        "Nothing, if that is intended, as for a level of detail without blend shapes.",
     ),
     "TARGETS_LENGTH": Code(
         "error",
@@ -223,10 +224,10 @@ _CODES: dict[str, Code] = {
     ),
     "SKELETON_INVALID": Code(
         "error",
-        "The Skeleton's joints, bind transforms or rest transforms are unusable, or its place"
-        " cannot be inverted.",
+        "The Skeleton's joints, bind transforms or rest transforms are unusable, or its world"
+        " transform cannot be inverted.",
         "Author one valid bind and rest transform per joint, parents before children; where the"
-        " message is about the transform of the prim named, one without a scale of 0.",
+        " message names the transform of a prim, author one without a scale of 0.",
     ),
     "ANIMATION_LENGTH": Code(
         "error",
@@ -240,28 +241,28 @@ _CODES: dict[str, Code] = {
     ),
     "PART_LEFT_OFF": Code(
         "warning",
-        "A mesh, a blend shape or a subset of faces that cannot be right is left off; the rest of"
-        " the character is laid out without it.",
-        "Mend what the message names, by its code.",
+        "An invalid mesh, blend shape or GeomSubset is left off; the rest of the character is laid"
+        " out without it.",
+        "Repair the prim that the message names, by the code in the message.",
     ),
     "MESH_UNBOUND": Code(
         "warning",
         "A mesh has blend shapes or joint influences but no Skeleton is bound to it, so that"
-        " nothing can move it.",
-        "Mend what the message names; if it names nothing, bind the mesh by skel:skeleton (a"
-        " Skeleton without joints will do for blend shapes).",
+        " USD does not deform it.",
+        "Repair the binding that the message names; if it names none, bind the mesh by"
+        " skel:skeleton (a Skeleton without joints suffices for blend shapes).",
     ),
     "MESH_HIDDEN": Code(
         "warning",
-        "A mesh is invisible or of a purpose that is not drawn, so that controls which move nothing"
-        " else are laid out on the board.",
+        "A mesh is invisible or of a purpose that is not drawn: controls that move only such meshes"
+        " go to the board.",
         "Make it visible, and of purpose default or render, if it is a part of the face; else"
         " exclude the controls.",
     ),
     "MESH_OUTSIDE": Code(
         "warning",
         "A mesh with blend shapes or joint influences lies outside every SkelRoot, where USD"
-        " deforms nothing.",
+        " does not deform meshes.",
         "Move it below the SkelRoot, or make a prim above both the SkelRoot.",
     ),
     "MESH_EMPTY": Code(
@@ -310,7 +311,7 @@ _CODES: dict[str, Code] = {
     ),
     "WEIGHTS_BEYOND_LIMITS": Code(
         "warning",
-        "An animation has weights outside the limits that it states itself.",
+        "An animation has weights outside its own authored limits.",
         "Widen the limits, or correct the animation.",
     ),
     "RANGE_INVALID": Code(
@@ -401,27 +402,27 @@ _CODES: dict[str, Code] = {
     ),
     "PREVIOUS_RENAMED": Code(
         "info",
-        "The character stands at another path than in the layout given as --previous, which is"
-        " used all the same.",
-        "Nothing, if it was renamed or moved; for the layout of another character use --like"
-        " instead.",
+        "The character has another path than in the layout given as --previous; that layout is used"
+        " all the same.",
+        "Nothing, if the character was renamed or moved; for the layout of another character use"
+        " --like instead.",
     ),
     "BASE_MISMATCH": Code(
         "error",
         "The layout given as --base is of another character.",
-        "Name the layout layer of the asset that the shot brings in.",
+        "Name the layout layer of the asset that the shot references or sublayers.",
     ),
     "BASE_APART": Code(
         "error",
-        "The shot does not bring the layout in: it has the character at another path, or another"
-        " variant than `rigUI = ui` selected.",
+        "The shot does not compose the layout given as --base: it has the character at another"
+        " path, or selects another variant than `rigUI = ui`.",
         "Let the shot reference the layout layer instead of the asset, or write that layer with"
         " --bare; select the variant `ui` of the set rigUI where another is.",
     ),
     "BASE_COMPLETE": Code(
         "info",
         "The layout given as --base has every control of the shot already; the layer adds none.",
-        "Nothing; the layer can go.",
+        "Nothing; the layer can be deleted.",
     ),
     "INTERRUPTED": Code(
         "error", "The run was stopped before there was a result.", "Run it again.", Exit.LIMIT
@@ -459,8 +460,8 @@ _CODES: dict[str, Code] = {
     ),
     "OUTPUT_STREAM": Code(
         "error",
-        "What belongs on standard output could not be written there.",
-        "Leave standard output open, and see that there is room where it leads.",
+        "The result could not be written to standard output.",
+        "Keep standard output open, and check that its target has free space.",
         Exit.FILE,
     ),
     "WORKING_DIRECTORY": Code(
@@ -503,9 +504,9 @@ _CODES: dict[str, Code] = {
     ),
     "PLACE_KEEPS_LITTLE": Code(
         "warning",
-        "A control stands where the configuration asks, and hardly moves there.",
-        "Ask for a place that it moves, or a larger `within`; `usdrigui check` tells what each"
-        " element keeps.",
+        "A control is placed where the configuration asks, and hardly moves the skin there.",
+        "Ask for a place that it moves, or a larger `within`; `usdrigui check` lists the"
+        " displacement that each element keeps.",
     ),
     "HANDLES_NARROWER": Code(
         "warning",
@@ -516,7 +517,7 @@ _CODES: dict[str, Code] = {
     # --- viewer ----------------------------------------------------------------------------------
     "VIEW_MISMATCH": Code(
         "error",
-        "The layout and the rig shown with it do not belong together, or hold broken numbers.",
+        "The layout does not fit the rig shown with it, or one of them holds NaN or infinity.",
         "Process the asset again with `usdrigui process` and view the new layer.",
     ),
     # --- schema and layer ------------------------------------------------------------------------
@@ -545,8 +546,8 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_OFF": Code(
         "error",
-        "The characters of the stage have layouts, all of which are switched off. An info of"
-        " `check`, which looks at the asset then, and of which single ones can be off.",
+        "The characters of the stage have layouts, but all of them are switched off. `check`"
+        " reports it as info, also of a single character, and checks the asset.",
         "Select `rigUI = ui` on the prims named, or give `--variant rigUI=ui`.",
     ),
     "LAYOUT_INVALID": Code(
@@ -556,7 +557,7 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_VERSION": Code(
         "error",
-        "The layout was written by a later usdrigui, in a way this one does not know.",
+        "A later usdrigui wrote the layout, in a schema version that this one does not know.",
         "Update usdrigui.",
     ),
     "SOURCE_UNREFERABLE": Code(
@@ -567,7 +568,7 @@ _CODES: dict[str, Code] = {
     ),
     # --- writing ---------------------------------------------------------------------------------
     "FILE_FULL": Code(
-        "error", "There is no room for the file.", "Free some space and run again.", Exit.FILE
+        "error", "The disk has no space for the file.", "Free space and run again.", Exit.FILE
     ),
     "FILE_READ_ONLY": Code(
         "error",
@@ -586,19 +587,19 @@ _CODES: dict[str, Code] = {
     ),
     "STUDY_RESULTS": Code(
         "error",
-        "The file holds no results of the study that can be summed.",
+        "The file holds no valid results of the study.",
         "Give each CSV file that the page saved once.",
         Exit.FILE,
     ),
     "REVIEW_LAYER": Code(
         "error",
         "The file holds no review.",
-        "Give a layer that Save review wrote on the page of this character.",
+        "Give a layer that *Save review* wrote in the page of this character.",
         Exit.FILE,
     ),
     "FILE_WRITE": Code(
         "error",
-        "The file could not be written; what was there before is untouched.",
+        "The file could not be written; its earlier content is untouched.",
         "See the message.",
         Exit.FILE,
     ),
@@ -610,7 +611,7 @@ _CODES: dict[str, Code] = {
     ),
     "FILE_VERIFY": Code(
         "error",
-        "What was written did not read back as it should; what was there before is untouched.",
+        "The written file does not read back as the same content; the earlier file is untouched.",
         "Check the disk and run again.",
         Exit.FILE,
     ),
@@ -649,7 +650,7 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_NOT_BARE": Code(
         "error",
-        "The layout brings sublayers of its own into the asset.",
+        "The layout has sublayers, which attaching would bring into the asset.",
         "Write it with `usdrigui process --bare`.",
     ),
     "ATTACH_MISMATCH": Code(
@@ -659,8 +660,8 @@ _CODES: dict[str, Code] = {
     ),
     "ATTACH_OUTSIDE": Code(
         "error",
-        "The layout refers to prims outside its SkelRoot, or stands in a variant above it, and a"
-        " payload of the SkelRoot brings neither in.",
+        "The layout refers to prims outside its SkelRoot, or is authored in a variant above it; a"
+        " payload of the SkelRoot contains neither.",
         "Attach it without `--payload`, as a sublayer.",
     ),
     "ATTACH_CONTROLS_GONE": Code(
@@ -696,7 +697,7 @@ _CODES: dict[str, Code] = {
     "BATCH_NO_REPORT": Code(
         "error",
         "The process of an asset ended without its report.",
-        "Run `usdrigui process` on the asset alone to see what it says.",
+        "Run `usdrigui process` on the asset alone to see its messages.",
         Exit.BUG,
     ),
     "BATCH_SCHEDULER": Code(
@@ -744,14 +745,14 @@ _CODES: dict[str, Code] = {
     ),
     "TERM_INVALID": Code(
         "error",
-        "A term of the objective from another package gave an answer that cannot be used.",
+        "A term of the objective from another package returned invalid costs.",
         "Correct the term, or leave it out of objective.terms.",
         Exit.USAGE,
     ),
     # --- layouts that exist -----------------------------------------------------------------------
     "ANIMATION_MISSING": Code(
         "error",
-        "The character has no animation that could be shown.",
+        "The character has no animation to show.",
         "Bind a SkelAnimation with time samples to it.",
     ),
     "CLIP_UNKNOWN_CONTROL": Code(
@@ -767,24 +768,24 @@ _CODES: dict[str, Code] = {
     "CONTROL_RENAMED": Code(
         "info",
         "A control of the earlier layout has another name now; its element stays.",
-        "Nothing, if it is the same control; name it in the configuration as it is called now.",
+        "Nothing, if it is the same control; use its present name in the configuration.",
     ),
     "CONTROL_UNSURE": Code(
         "warning",
-        "A control of the earlier layout may have another name now, but that is not sure: it counts"
-        " as gone.",
-        "If it is the same control, say so in the configuration: the name before as"
-        " `controls.NAME.rename` of the control as it is called now.",
+        "A control of the earlier layout may have another name now, but that is not sure: it is"
+        " treated as removed.",
+        "If it is the same control, set `controls.NAME.rename`, where NAME is its present name, to"
+        " the earlier name.",
     ),
     "PIN_CARRIED": Code(
         "warning",
-        "An element that a person pinned stands on other points now, at a place that is not quite"
-        " the same.",
-        "Look whether it stands where it should; else give the control an `anchor`.",
+        "An element pinned by a person is anchored to another point now, at a slightly different"
+        " place.",
+        "Check its place; if it is wrong, give the control an `anchor`.",
     ),
     "PIN_LOST": Code(
         "warning",
-        "What a person decided about an element cannot be kept on this rig.",
+        "A person's decision about an element cannot be kept on this rig.",
         "Decide again, with an `anchor` or `place` of the control.",
     ),
     "LAYOUT_MESH_GONE": Code(
@@ -797,7 +798,7 @@ _CODES: dict[str, Code] = {
         "error",
         "The mesh under an element has other points or faces than when it was laid out.",
         "Run `usdrigui process` again, with --previous to keep what can be kept; in a shot of"
-        " several characters, lay out one that still fits its layout alone (`--set"
+        " several characters, lay out only one that still fits its layout (`--set"
         " read.skel_root=PATH`).",
     ),
     "LAYOUT_ANCHOR_MOVED": Code(
@@ -808,9 +809,9 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_NONE": Code(
         "warning",
-        "A character of the stage has no layout, beside one that has.",
-        "Run `usdrigui process` on its asset and bring that layout in with it, if it is to be"
-        " animated; name the other with `read.skel_root` to look at that alone.",
+        "A character of the stage has no layout, while another has one.",
+        "Run `usdrigui process` on its asset and compose that layout with it, if it is to be"
+        " animated; name the other with `read.skel_root` to check that alone.",
     ),
     "LAYOUT_CONTROL_GONE": Code(
         "error",
@@ -825,7 +826,7 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_HANDLES_COLLIDE": Code(
         "warning",
-        "Two handles are nearer than a handle's width and cannot both be grabbed.",
+        "Two handles are nearer than a handle's width: one covers the other.",
         "Move one of them, or run `usdrigui process` again.",
     ),
     "LAYOUT_ANCHOR_HIDDEN": Code(
@@ -835,7 +836,7 @@ _CODES: dict[str, Code] = {
     ),
     "LAYOUT_BETTER_PLACE": Code(
         "info",
-        "An element would do better elsewhere.",
+        "An element would have a lower cost at another place.",
         "Set the control's `anchor` to the place named, if you agree.",
     ),
     # --- solving ---------------------------------------------------------------------------------
@@ -853,14 +854,13 @@ _CODES: dict[str, Code] = {
     ),
     "EXPLANATION_FAILED": Code(
         "warning",
-        "usdrigui made a mistake while it put into words why a layout is as it is; the layout"
-        " itself is sound.",
+        "A bug of usdrigui kept it from explaining the layout; the layout itself is valid.",
         "Please report it with the asset and the command.",
     ),
     # --- ours ------------------------------------------------------------------------------------
     "BUG": Code(
         "error",
-        "usdrigui made a mistake.",
+        "A bug of usdrigui ended the run.",
         "Please report it with the asset and the command.",
         Exit.BUG,
     ),

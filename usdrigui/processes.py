@@ -91,7 +91,7 @@ def reading_failed(end: End, reading: Reading) -> RigUIError:
             path,
             f"the reading process ended with code {end.code}: {end.last_line}",
         )
-    return refuse("SOURCE_CRASHES_USD", path, "what USD made of it cannot be understood")
+    return refuse("SOURCE_CRASHES_USD", path, "the answer of the reading process is invalid")
 
 
 def signal_name(number: int) -> str:

@@ -94,7 +94,9 @@ def read_references(layers: ReferenceLayers, settings: ReadSettings) -> Referenc
         )
     if layers.base and (layers.fixed or layers.previous or layers.like):
         raise refuse(
-            "CONFIG_VALUE", "--base", "keeps everything as it is, and goes with no other layout"
+            "CONFIG_VALUE",
+            "--base",
+            "keeps the whole layout, and cannot be combined with another layout",
         )
     clips = performances(layers.animations, settings)
     base = read_layouts_isolated(layers.base, settings) if layers.base else None
@@ -134,7 +136,7 @@ def followed(
     layout = layout_of((before,), rig)
     if layout is None:
         return references, rigs
-    renamed = issue("PREVIOUS_RENAMED", rig.root, f"stood at {before.root} in the previous layout")
+    renamed = issue("PREVIOUS_RENAMED", rig.root, f"was {before.root} in the previous layout")
     return replace(references, previous={rig.root: layout}), (
         replace(rig, issues=(*rig.issues, *of_character(rig.character, (renamed,)))),
     )
@@ -171,7 +173,7 @@ def _mismatch(previous: Mapping[str, Layout], rig: Rig) -> str:
     alike = [root for root, layout in previous.items() if _shares_controls(layout.controls, rig)]
     if alike:
         return (
-            "stands at another path than the character of the layer with its controls,"
+            "has another path than the character of the layer with its controls,"
             f" {', '.join(alike)}"
         )
     return f"shares no control with a layout of the layer, of {', '.join(previous)}"

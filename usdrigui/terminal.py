@@ -81,7 +81,9 @@ class Screen:
             if self._verbose:
                 self._seconds(report.seconds)
             else:
-                self._say("  where every control stands and why: --verbose, or --report JSON")
+                self._say(
+                    "  the place of every control and the reason: --verbose, or --report JSON"
+                )
             for line in written:
                 self._say(line)
         self._say(_closing_line(report))
@@ -170,7 +172,7 @@ class Screen:
         off = any(each.code == "LAYOUT_OFF" for each in found.issues)
         bare = "has its layouts switched off" if off else "has no layout"
         fits = (
-            (f"{bare}; the asset is sound", f"{bare}; the asset has faults")
+            (f"{bare}; the asset is valid", f"{bare}; the asset has errors")
             if found.of_asset
             else ("fits its rig", "does not fit its rig")
         )
@@ -502,7 +504,7 @@ def _ending(solution: Assignment) -> str:
     if not solution.closed_by:
         return "not proved"
     if solution.closed_by == "interrupt":
-        return "the search was interrupted and the best layout until then is kept"
+        return "the search was interrupted; its best layout is kept"
     return f"stopped by the {solution.closed_by}"
 
 

@@ -271,7 +271,7 @@ def test_renamed_controls_keep_their_elements_and_corrections(folder, capsys):
     rename_controls(folder / "char.usda")
     told = run(capsys, "check", folder / "old.rigui.usda", expected=1)
     gone = {each["path"]: each["message"] for each in told["issues"] if each["code"] == "LAYOUT_CONTROL_GONE"}
-    assert all(f"; {NEW_NAMES[name]!r} does what it did" in gone[name] for name in NEW_NAMES)
+    assert all(f"; {NEW_NAMES[name]!r} moves as it did" in gone[name] for name in NEW_NAMES)
     told = run(capsys, "process", folder / "char.usda", "--previous", corrections)
     (character,) = told["characters"]
     changes = {(each["was"], each["control"]): each for each in character["difference"]["changes"]}
@@ -293,7 +293,7 @@ def test_a_base_whose_controls_were_renamed_names_all_of_them(folder, capsys):
     told = run(capsys, "process", folder / "char.usda", *arguments, expected=1)
     assert {each["code"] for each in told["issues"]} == {"LAYOUT_CONTROL_GONE"}
     for before, after in NEW_NAMES.items():
-        assert any(f"{before!r}; {after!r} does what it did" in each["message"] for each in told["issues"])
+        assert any(f"{before!r}; {after!r} moves as it did" in each["message"] for each in told["issues"])
     assert "--previous" in told["issues"][0]["repair"]
 
 

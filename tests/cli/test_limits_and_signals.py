@@ -115,7 +115,7 @@ def test_a_signal_while_solving_gives_the_best_so_far(tmp_path, crowded, number)
     process.send_signal(number)
     said = "".join(ended(process, sent))
     assert process.returncode == 0
-    assert "the search was interrupted and the best layout until then is kept" in said
+    assert "the search was interrupted; its best layout is kept" in said
     (layout,) = read_layout(target)
     (found,) = json.loads(report.read_text())["characters"]
     assert found["solution"]["closed_by"] == layout.closed_by == "interrupt"

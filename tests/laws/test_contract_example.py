@@ -71,7 +71,7 @@ def test_values_of_the_base_pose_are_those_of_the_names_beside_them(layer):
         (r"\[\(0, -10.0787, 7.4466\)", "[(0, -10.0787, 9.9)", "warning", "by 2.45 at the base pose"),
         (r".*anchor:pointIndex.*\n", "", "error", "pointIndex is missing"),
         (r".*trackPoints.*\n", "", "error", "has not two points"),
-        (r".*control:jawOpen:blendShapes.*\n", "", "error", "it sets nothing"),
+        (r".*control:jawOpen:blendShapes.*\n", "", "error", "the control drives nothing"),
         (re.escape(SHAPES), SHAPES.replace("jawOpen", "nosuch").replace(":nosuch:", ":jawOpen:"), "error", "'nosuch'"),
         (re.escape(SHAPES), f'{SHAPES}\n{JOINTS} = ["Head"]', "error", "keys are missing"),
         (r'"RigUIDrawingAPI", ', "", "error", "RigUIDrawingAPI is missing"),

@@ -293,10 +293,10 @@ def _nowhere(stage):
 CAUSES = [
     (_not_applied, "skel:skeleton is authored on /Char/Face, but SkelBindingAPI is not applied there: apply it"),
     (_not_applied_above, "skel:skeleton is authored on /Char, but SkelBindingAPI is not applied there: apply it"),
-    (_below(""), "/Char/Geo has no type, so that UsdSkel looks at nothing below it: make it an Xform"),
-    (_below("Material"), "/Char/Geo is a Material, which is not imageable, so that UsdSkel looks at nothing below it"),
-    (_below("Mesh"), "/Char/Geo is a Mesh itself, so that UsdSkel looks at nothing below it: move the mesh out"),
-    (_astray, "skel:skeleton of /Char/Face leads to /Char/Gone, which is no active Skeleton: correct it"),
+    (_below(""), "/Char/Geo has no type, so that UsdSkel ignores all prims below it: make it an Xform"),
+    (_below("Material"), "/Char/Geo is a Material, which is not imageable, so that UsdSkel ignores all prims below it"),
+    (_below("Mesh"), "/Char/Geo is a Mesh itself, so that UsdSkel ignores all prims below it: move the mesh out"),
+    (_astray, "skel:skeleton of /Char/Face leads to /Char/Gone, which is not an active Skeleton: correct it"),
     (_nowhere, "skel:skeleton of /Char/Face has no target"),
 ]
 

@@ -58,7 +58,7 @@ def _failed(error: Exception, arguments: argparse.Namespace) -> int:
     if isinstance(error, RigUIError):
         return _refused(error, arguments)
     if isinstance(error, MemoryError):
-        return _refused(refuse("RUN_MEMORY_LIMIT", "", "there is no more memory"), arguments)
+        return _refused(refuse("RUN_MEMORY_LIMIT", "", "the machine has no free memory"), arguments)
     if isinstance(error, BrokenPipeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return int(Exit.FILE)
@@ -115,7 +115,7 @@ def parser() -> CommandLine:
         description="Automatic in-situ rig UI layouts for USD characters.",
         epilog=(
             "Exit codes: 0 done, 1 asset refused, 2 usage or configuration, 3 file, 4 limit, 5 a"
-            " bug of ours."
+            " bug of usdrigui."
         ),
     )
     parser.add_argument("--version", action="version", version=f"usdrigui {__version__}")

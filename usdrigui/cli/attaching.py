@@ -26,17 +26,15 @@ def add_attach(commands: Any) -> None:
     parser.add_argument(
         "--payload",
         action="store_true",
-        help="make the layer a payload in the variant rigUI = ui: shots that select none open"
-        " nothing of it",
+        help="make the layer a payload in the variant rigUI = ui: shots that select `none`"
+        " do not load it",
     )
 
 
 def add_detach(commands: Any) -> None:
     """Add ``detach`` to the commands."""
-    parser = command(
-        commands, "detach", _detach, "take an attached layout layer out of the asset again"
-    )
-    _add_files(parser, "the layer to take out; its file may be gone")
+    parser = command(commands, "detach", _detach, "remove an attached layout layer from the asset")
+    _add_files(parser, "the layer to remove; its file need not exist")
 
 
 def _add_files(parser: Any, layer: str) -> None:

@@ -28,9 +28,12 @@ def add_process(commands: Any) -> None:
     parser.add_argument(
         "-o", "--output", type=Path, metavar="LAYER", help="default: CHAR.rigui.usda beside CHAR"
     )
-    parser.add_argument("--dry-run", action="store_true", help="do everything but write")
+    parser.add_argument("--dry-run", action="store_true", help="run all stages, write no file")
     parser.add_argument(
-        "-v", "--verbose", action="store_true", help="print where every control stands and why"
+        "-v",
+        "--verbose",
+        action="store_true",
+        help="print the place of every control and the reason",
     )
     add_each_variant(parser, "lay out every variant of this set, each in its variant")
     parser.add_argument(
@@ -49,11 +52,11 @@ def add_process(commands: Any) -> None:
         "--base",
         type=Path,
         metavar="LAYER",
-        help="the asset's layout: only place what the shot adds",
+        help="the asset's layout: place only the controls that the shot adds",
     )
-    _add_animation(parser, "controls that these use often matter more")
+    _add_animation(parser, "controls that these animations use often weigh more")
     parser.add_argument(
-        "--report", type=Path, metavar="JSON", help="write the full account of the run"
+        "--report", type=Path, metavar="JSON", help="write the JSON report of the run"
     )
     parser.add_argument("--preview", type=Path, metavar="PNG", help="write a picture of the layout")
     parser.add_argument("--labels", action="store_true", help="name the elements in the picture")
@@ -71,7 +74,9 @@ def add_inspect(commands: Any) -> None:
     parser = command(commands, "inspect", _inspect, "list the controls without solving")
     parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument("asset", type=Path, metavar="CHAR", help=".usd, .usda, .usdc or .usdz")
-    _add_animation(parser, "tell which controls these use, and which they move together")
+    _add_animation(
+        parser, "list how much these use each control, and which controls they move together"
+    )
     parser.add_argument(
         "--like",
         type=Path,

@@ -48,15 +48,18 @@ def add_batch(commands: Any) -> None:
         metavar="SECONDS",
         help="end an asset that takes longer",
     )
-    parser.add_argument("--again", action="store_true", help="lay out even what has not changed")
+    parser.add_argument("--again", action="store_true", help="lay out unchanged assets as well")
     parser.add_argument(
-        "--summary", type=Path, metavar="JSON", help="write what became of every asset"
+        "--summary",
+        type=Path,
+        metavar="JSON",
+        help="write a JSON summary with the outcome of every asset",
     )
     parser.add_argument(
         "--sheet",
         type=Path,
         metavar="PNG",
-        help="write a contact sheet; pictures stay by the layers",
+        help="write a contact sheet; each picture is kept beside its layer",
     )
     add_settings(parser)
 
@@ -118,7 +121,7 @@ def _check_apart(jobs: Sequence[Job], read: Sequence[Path], arguments: argparse.
     files = []
     for job in jobs:
         files += [(Path(job.output), f"the layer of {job.asset}")]
-        files += [(state.state_path(job.output), f"what is remembered of {job.asset}")]
+        files += [(state.state_path(job.output), f"the batch record of {job.asset}")]
         files += [(Path(job.picture), f"the picture of {job.asset}")] if job.picture else []
     files += [(arguments.sheet, "the contact sheet")] if arguments.sheet is not None else []
     files += [(arguments.summary, "the summary")] if arguments.summary is not None else []

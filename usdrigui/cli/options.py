@@ -43,7 +43,7 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
     """The options for any setting at all, and their group; `layer` where the command takes a
     layout, not an asset."""
     group = parser.add_argument_group(
-        "settings", "docs/settings.md lists all that a configuration can say"
+        "settings", "docs/settings.md lists all settings of a configuration"
     )
     default = _BELOW_LAYER if layer else _BESIDE_CHAR
     group.add_argument(
@@ -52,7 +52,7 @@ def add_configuration(parser: Any, *, layer: bool = True) -> Any:
         action="append",
         default=[],
         metavar="TOML",
-        help=f"default: {default}, if there; of several a later one wins over an earlier",
+        help=f"default: {default}, if it exists; of several files a later one overrides an earlier",
     )
     group.add_argument(
         "--set", action="append", default=[], metavar="PART.KEY=VALUE", help=_ANY_SETTING
@@ -97,7 +97,7 @@ def add_settings(parser: Any, *, layer: bool = False) -> None:
         help="default, or paper: the paper's constants",
     )
     group.add_argument(
-        "--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a camera prim"
+        "--view", metavar="VIEW", help="front, side, AZ,EL in degrees or a Camera prim"
     )
     group.add_argument(
         "--space", choices=("object", "view"), help="space elements in 3-D or as seen from the view"
@@ -354,5 +354,5 @@ def _unquoted(word: str, text: str) -> str:
         return str(tomllib.loads(f"word = {word}")["word"])
     except tomllib.TOMLDecodeError as error:
         raise refuse(
-            "CONFIG_VALUE", "--set", f"{word} of {text!r} is no string of TOML: {error}"
+            "CONFIG_VALUE", "--set", f"{word} of {text!r} is not a TOML string: {error}"
         ) from error

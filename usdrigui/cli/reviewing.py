@@ -25,7 +25,10 @@ from usdrigui.errors import Exit
 def add_check(commands: Any) -> None:
     """Add ``check`` to the commands."""
     parser = command(
-        commands, "check", _check, "say whether a layout still fits its rig, or an asset is sound"
+        commands,
+        "check",
+        _check,
+        "check that a layout still fits its rig, or that an asset is valid",
     )
     parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument(
@@ -34,7 +37,7 @@ def add_check(commands: Any) -> None:
         metavar="LAYER",
         help="a layout layer over its character, or the character itself",
     )
-    add_each_variant(parser, "look at every variant of this set")
+    add_each_variant(parser, "check every variant of this set")
     add_settings(parser, layer=True)
 
 
@@ -44,7 +47,7 @@ def add_diff(commands: Any) -> None:
         commands,
         "diff",
         _diff,
-        "say which controls two layouts of a character place otherwise, and why",
+        "list the controls that two layouts of a character place differently, and why",
     )
     parser.set_defaults(written="")  # it only reads, whatever comes of it
     parser.add_argument("before", type=Path, metavar="BEFORE", help="a layout layer")
@@ -61,7 +64,7 @@ def add_convert(commands: Any) -> None:
         commands,
         "convert",
         _convert,
-        "write a layout layer of an earlier format in the one of today",
+        "write a layout layer of an earlier format in the current one",
     )
     parser.add_argument(
         "layer", type=Path, metavar="LAYER", help="a layer that an earlier usdrigui wrote"

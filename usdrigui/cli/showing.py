@@ -44,7 +44,7 @@ def add_view(commands: Any) -> None:
         "--live",
         type=Path,
         metavar="USDA",
-        help="keep the animation in this layer, written as it is made in the page",
+        help="keep the animation of the page in this layer, which is saved as keys are set",
     )
     parser.add_argument(
         "--review",
@@ -71,7 +71,7 @@ def add_picture(commands: Any) -> None:
         type=Path,
         required=True,
         metavar="FILE",
-        help="a .png, or a .gif that moves",
+        help="a .png, or an animated .gif",
     )
     parser.add_argument("--labels", action="store_true", help="name the elements")
     parser.add_argument(
@@ -117,7 +117,7 @@ def add_study(commands: Any) -> None:
         type=Path,
         nargs="+",
         metavar="CSV",
-        help="what the page saved, a file for each participant",
+        help="the CSV files that the page saved, one for each participant",
     )
     parser.set_defaults(light=True)
 
@@ -132,7 +132,7 @@ def _study(arguments: argparse.Namespace) -> Exit:
 
 def _add_levels(parser: Any) -> None:
     """Which level of a layout with two is shown."""
-    group = parser.add_argument_group("levels", "of a layout with coarse elements and members")
+    group = parser.add_argument_group("levels", "for a layout with coarse elements and members")
     group.add_argument(
         "--level",
         type=int,
@@ -248,7 +248,7 @@ def _flat_picker(arguments: argparse.Namespace) -> Exit:
 
     if arguments.svg is None and arguments.dwpicker is None:
         raise refuse(
-            "CONFIG_VALUE", "picker", "say what to write: --svg FILE, --dwpicker FILE or both"
+            "CONFIG_VALUE", "picker", "no output is given: --svg FILE, --dwpicker FILE or both"
         )
     loaded = pipeline.load_layer(arguments.layer, settings_of(arguments))
     behind = arguments.dwpicker and arguments.dwpicker.with_suffix(".background.png")

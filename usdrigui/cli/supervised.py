@@ -43,7 +43,7 @@ def _outcome(argv: Sequence[str], arguments: argparse.Namespace, events: Events)
         os.getcwd()  # noqa: PTH109 (the question is whether there is one)
     except OSError as error:
         return _refusal(
-            refuse("WORKING_DIRECTORY", "", f"there is none: {error.strerror}"), arguments
+            refuse("WORKING_DIRECTORY", "", f"it does not exist: {error.strerror}"), arguments
         )
     if getattr(arguments, "light", False):
         return _alone(argv)

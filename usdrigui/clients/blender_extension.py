@@ -58,5 +58,5 @@ def _sources() -> Path:
         if (folder / "blender_manifest.toml").is_file():
             return folder
     raise refuse(
-        "EXTENSION_MISSING", str(package / "blender"), "the Blender extension is not there"
+        "EXTENSION_MISSING", str(package / "blender"), "the package holds no Blender extension"
     )

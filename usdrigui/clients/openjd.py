@@ -55,7 +55,7 @@ def template(places: Sequence[tuple[Path, Path]], arguments: Sequence[str]) -> s
                 "name": "JobName",
                 "type": "STRING",
                 "default": "layouts",
-                "description": "What the job is called on the farm.",
+                "description": "Name of the job on the farm.",
             },
             {
                 "name": "Command",

@@ -26,7 +26,7 @@ QUESTIONS = {
     "easy": "without effort, 1 to 5",
     "unexpected": "unexpected results, 1 to 5",
     "cluttered": "cluttered, 1 to 5",
-    "placed": "stands where it acts, 1 to 5",
+    "placed": "placed where it acts, 1 to 5",
     "direct": "like moving the face itself, 1 to 5",
 }
 PAPER: Mapping[str, Mapping[str, float]] = {
@@ -155,7 +155,7 @@ def _rows(path: Path) -> list[Answers]:
         raise refuse("STUDY_RESULTS", str(path), f"cannot be read as results: {error}") from error
     alien = any(row["face"] and row["interface"] not in INTERFACES for row in rows)
     if not known or not rows or alien or not all(math.isfinite(each) for each in numbers):
-        raise refuse("STUDY_RESULTS", str(path), "is not what the study of the viewer saves")
+        raise refuse("STUDY_RESULTS", str(path), "is not a CSV file that the viewer's study saved")
     if len({row["participant"] for row in rows}) > 1:
         raise refuse("STUDY_RESULTS", str(path), "holds more than one participant")
     return rows

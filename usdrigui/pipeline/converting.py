@@ -71,7 +71,7 @@ def _rig_of(rigs: dict[str, Rig], layout: Layout, source: Path) -> Rig:
     LAYOUT_STALE."""
     rig = rigs.get(layout.root)
     if rig is None:
-        raise refuse("LAYOUT_STALE", layout.root, f"{source} has no such character any more")
+        raise refuse("LAYOUT_STALE", layout.root, f"{source} no longer has this character")
     unknown = sorted(layout.controls - {control.name for control in rig.controls})
     if unknown or len(layout.base_values) != len(rig.controls):
         what = (

@@ -147,8 +147,7 @@ def _loaded(layer: Path, settings: Settings) -> tuple[Loaded, tuple[Issue, ...],
     lacking = sorted(layouts.keys() - {rig.root for rig, _ in characters})
     lost = {each.character: each for each in read.lost}
     stale = tuple(
-        lost.get(root)
-        or issue("LAYOUT_STALE", root, f"{layer} has no such character any more", root)
+        lost.get(root) or issue("LAYOUT_STALE", root, f"{layer} no longer has this character", root)
         for root in lacking
     )
     files = tuple(Path(each.path) for each in read.sources)

@@ -83,7 +83,9 @@ def check_replaceable(target: Path, settings: ReadSettings, asset: Path | None =
             "FILE_TARGET", str(target), f"exists and cannot be read as a layout layer: {error}"
         ) from error
     if not existing.ours:
-        raise refuse("FILE_TARGET", str(target), "exists and is no layout layer that process wrote")
+        raise refuse(
+            "FILE_TARGET", str(target), "exists and is not a layout layer that process wrote"
+        )
     if asset is None or not existing.sublayers:
         return
     source = target.parent / existing.sublayers[0]

@@ -78,14 +78,16 @@ def check_base(
     """
     layer = Path(base.sources[0].path)
     if same_file(target, layer):
-        raise refuse("FILE_TARGET", str(target), "is the layout that is to stay as it is")
+        raise refuse(
+            "FILE_TARGET", str(target), "is the layout given as --base, which is never written"
+        )
     composed = _composes(source, layer)
     for rig in rigs:
         root = root_in_base(base.layouts, rig)
         if root != rig.root and not composed and base.source and not bare:
-            raise refuse("BASE_APART", rig.root, f"stands at {root} in {layer.name}")
+            raise refuse("BASE_APART", rig.root, f"is {root} in {layer.name}")
         if composed and rig.root not in source.composed_from:
-            message = f"does not show the layout of {layer.name}, as variants are selected"
+            message = f"does not compose the layout of {layer.name} with the variants selected"
             raise refuse("BASE_APART", rig.root, message)
 
 

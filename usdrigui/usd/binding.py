@@ -75,7 +75,7 @@ def _without_skeleton(prim: Usd.Prim) -> str:
     if skeleton and skeleton.IsActive() and skeleton.IsA(UsdSkel.Skeleton):
         return ""
     return (
-        f"{_SKELETON} of {prim.GetPath()} leads to {targets[0]}, which is no active Skeleton:"
+        f"{_SKELETON} of {prim.GetPath()} leads to {targets[0]}, which is not an active Skeleton:"
         " correct it"
     )
 
@@ -86,10 +86,10 @@ def _cut_off(above: list[Usd.Prim]) -> str:
         path, kind = prim.GetPath(), prim.GetTypeName()
         if not prim.IsA(UsdGeom.Imageable):
             what = f"is a {kind}, which is not imageable" if kind else "has no type"
-            return f"{path} {what}, so that UsdSkel looks at nothing below it: make it an Xform"
+            return f"{path} {what}, so that UsdSkel ignores all prims below it: make it an Xform"
         if prim.IsA(UsdGeom.PointBased):
             return (
-                f"{path} is a {kind} itself, so that UsdSkel looks at nothing below it: move the"
+                f"{path} is a {kind} itself, so that UsdSkel ignores all prims below it: move the"
                 " mesh out"
             )
     return ""

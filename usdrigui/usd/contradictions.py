@@ -114,7 +114,9 @@ def _of_subset(prim: Usd.Prim) -> Iterator[Issue]:
     faces = len(integers_of(subset.GetIndicesAttr()))
     handle = int(value_of(prim, schema.HANDLE, "faceCount"))
     if handle < 1:
-        yield _invalid(prim, "rigUI:handle:faceCount is missing: none of its faces is the handle")
+        yield _invalid(
+            prim, "rigUI:handle:faceCount is missing: no face of the element belongs to the handle"
+        )
     elif handle > faces:
         yield _invalid(prim, f"rigUI:handle:faceCount is {handle}, but it has {faces} faces")
     if subset.GetFamilyNameAttr().Get() != _FAMILY:
@@ -131,7 +133,9 @@ def _of_drive(prim: Usd.Prim, instance: str, character: _Character) -> Iterator[
     where = f"rigUI:control:{instance}"
     shapes, joints = strings(get("blendShapes")), strings(get("joints"))
     if not shapes and not joints:
-        yield _invalid(prim, f"{where}:blendShapes and joints are missing: it sets nothing")
+        yield _invalid(
+            prim, f"{where}:blendShapes and joints are missing: the control drives nothing"
+        )
     elif not len(get("keys")) and (len(shapes) != 1 or joints):
         yield _invalid(prim, f"{where}:keys are missing: without, it is one blend shape")
     own = {instance, str(get("name")), str(get("source"))}

@@ -235,9 +235,7 @@ def _order_faults(prim: Usd.Prim, names: list[str]) -> Iterator[Issue]:
     animated = _animated(prim)
     if sorted(animated) == sorted(names) and animated != names:
         first = next(a for a, b in zip(names, animated, strict=True) if a != b)
-        yield issue(
-            "TOKEN_ORDER", str(prim.GetPath()), f"the first to stand elsewhere is {first!r}"
-        )
+        yield issue("TOKEN_ORDER", str(prim.GetPath()), f"the first at another index is {first!r}")
 
 
 def _limits(attribute: Usd.Attribute, count: int) -> Floats | None:

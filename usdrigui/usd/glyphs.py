@@ -126,7 +126,11 @@ def _fitted(prim: Usd.Prim, points: Floats, path: str) -> Floats:
     centred = seen - 0.5 * (seen.min(axis=0) + seen.max(axis=0))
     radius = float(np.linalg.norm(centred, axis=1).max())
     if not np.isfinite(radius):
-        raise refuse("NOT_FINITE", path, "its transform or its points are beyond all measure")
+        raise refuse(
+            "NOT_FINITE",
+            path,
+            "its transform or its points are too large for floating-point numbers",
+        )
     if radius <= 1e-12 * float(np.abs(seen).max()):
         raise refuse("GLYPH_EMPTY", path, "all its points are at one place")
     return np.asarray(centred / radius, dtype=np.float64)

@@ -121,7 +121,7 @@ def relative_asset_path(source: Path, target: Path) -> str:
     )  # a link keeps its name: what it refers to lies beside it
     path = os.path.relpath(here, target.parent.resolve()).replace(os.sep, "/")
     if ":SDF_FORMAT_ARGS:" in path or "@@@" in path or any(ord(char) < 32 for char in path):
-        raise refuse("SOURCE_UNREFERABLE", str(source), "its name has a meaning of its own in USD")
+        raise refuse("SOURCE_UNREFERABLE", str(source), "its name is reserved by USD")
     return path if path.startswith("../") else f"./{path}"
 
 

@@ -81,7 +81,7 @@ def check_reachable(layer: Path, opened: Sdf.Layer, variant_path: str, root: str
     prims and variants that it refers to."""
     above = Sdf.Path(variant_path or root)
     if asset_selections(str(above.GetPrimPath().GetParentPath())):
-        raise refuse("ATTACH_OUTSIDE", str(layer), f"stands in a variant above {root}")
+        raise refuse("ATTACH_OUTSIDE", str(layer), f"is authored in a variant above {root}")
 
     def look(path: Sdf.Path) -> None:
         if path.IsTargetPath() and not path.targetPath.HasPrefix(Sdf.Path(root)):

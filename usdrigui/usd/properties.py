@@ -135,7 +135,7 @@ def read_anchor(prim: Usd.Prim) -> Anchor:
         raise refuse(
             "LAYOUT_INVALID",
             str(prim.GetPath()),
-            "stands on a mesh, but rigUI:anchor:pointIndex is missing",
+            "is anchored to a mesh, but rigUI:anchor:pointIndex is missing",
         )
     return Anchor(
         mesh=str(meshes[0]) if meshes else "",
@@ -168,7 +168,7 @@ def pinned(prim: Usd.Prim) -> dict[str, Any]:
         raise refuse(
             "LAYOUT_INVALID",
             f"{prim.GetPath()}.rigUI:element:pinned",
-            f"{unknown[0]!r} is no decision",
+            f"{unknown[0]!r} is not a kind of decision",
         )
     place = array_of(value_of(prim, schema.ELEMENT, "pinnedPosition"))
     return {
@@ -250,7 +250,7 @@ def _check_levels(scope: Usd.Prim, elements: tuple[Element, ...]) -> None:
     for element in elements:
         for name in element.inner:
             if name not in known or name in coarse:
-                what = "is coarse itself" if name in coarse else "is no element of the layout"
+                what = "is coarse itself" if name in coarse else "is not an element of the layout"
                 raise refuse(
                     "LAYOUT_INVALID",
                     str(scope.GetPath()),

@@ -134,7 +134,7 @@ def _understood(part: _Part | None, path: Path) -> _Part:
 
 
 def _garbled(path: Path) -> RigUIError:
-    return refuse("SOURCE_CRASHES_USD", str(path), "what USD made of it cannot be understood")
+    return refuse("SOURCE_CRASHES_USD", str(path), "the answer of the reading process is invalid")
 
 
 def _asked(task: Task, path: Path, settings: Settings, limits: Limits | None) -> Response:

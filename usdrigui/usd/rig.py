@@ -161,7 +161,7 @@ def _lost(stage: Usd.Stage, readings: list[_Reading]) -> tuple[Issue, ...]:
     for reading in readings:
         root = reading.rig.root
         if not reading.rig.meshes:
-            what = f"all its meshes are gone{_inactive_clause(stage, root)}"
+            what = f"none of its meshes is left{_inactive_clause(stage, root)}"
             found.append(issue("LAYOUT_MESH_GONE", root, what, root))
         elif not reading.rig.controls:
             found += of_character(root, _without_controls(stage, [reading]).issues)
@@ -233,7 +233,7 @@ def _with_layout(
 ) -> tuple[Usd.Prim, ...]:
     found = tuple(root for root in roots if str(root.GetPath()) in laid_out)
     if not found:
-        raise refuse("LAYOUT_STALE", min(laid_out), f"{path} has no such character any more")
+        raise refuse("LAYOUT_STALE", min(laid_out), f"{path} no longer has this character")
     return found
 
 

@@ -67,7 +67,7 @@ def decode(stream: Any, kind: type[_T]) -> _T:
     try:
         magic, length, total, checksum = _PREAMBLE.unpack_from(view)
         if magic != MAGIC or total != len(view) or length > total - _PREAMBLE.size:
-            raise SerializationError("the stream is cut off or is none")
+            raise SerializationError("the stream is cut off or has another format")
         header = bytes(view[_PREAMBLE.size : _PREAMBLE.size + length])
         if zlib.crc32(header) != checksum:
             raise SerializationError("the header is damaged")
@@ -107,7 +107,7 @@ def _span(entry: Any, available: int) -> tuple[np.dtype[Any], int, int]:
     code, shape, offset = entry
     dtype = np.dtype(code)
     if dtype.hasobject or any(not isinstance(size, int) or size < 0 for size in shape):
-        raise SerializationError("an array is of a kind that is never written")
+        raise SerializationError("an array has a type that is never written")
     count = 1
     for size in shape:
         count *= size
@@ -179,5 +179,7 @@ def _tuple(arguments: tuple[Any, ...], value: Any, arrays: list[Any]) -> Any:
 
 def _checked(right: bool, value: Any) -> Any:
     if not right:
-        raise SerializationError(f"{str(value)[:80]!r} is not what the record holds there")
+        raise SerializationError(
+            f"{str(value)[:80]!r} does not have the type of the record's field"
+        )
     return value

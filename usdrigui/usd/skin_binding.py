@@ -132,7 +132,7 @@ class SkinBinding:
         """The rig's control of that name."""
         if name not in self._controls:
             raise refuse(
-                "BUG", self.rig.root, f"the layout has a control {name!r} that the rig has not"
+                "BUG", self.rig.root, f"the layout has a control {name!r} that the rig lacks"
             )
         return self._controls[name]
 

@@ -112,7 +112,7 @@ def _check_file(path: Path) -> None:
         raise refuse("FILE_NOT_USD", str(path), "the file is empty")
     if ":SDF_FORMAT_ARGS:" in str(path):
         raise refuse(
-            "FILE_NAME", str(path), "USD would take what follows ':SDF_FORMAT_ARGS:' for arguments"
+            "FILE_NAME", str(path), "USD would read the text after ':SDF_FORMAT_ARGS:' as arguments"
         )
     extension = path.suffix.removeprefix(".")
     if not extension or not Sdf.FileFormat.FindByExtension(extension):

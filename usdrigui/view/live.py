@@ -48,7 +48,9 @@ class LiveFile:
             raise refuse("FILE_TARGET", str(path), f"there is no folder {path.parent}")
         if (found := self.content().text) and not is_animation(found):
             raise refuse(
-                "FILE_TARGET", str(path), "exists and is no animation layer that the viewer wrote"
+                "FILE_TARGET",
+                str(path),
+                "exists and is not an animation layer that the viewer wrote",
             )
 
     def content(self) -> Content:

@@ -85,7 +85,9 @@ def read_review(path: Path) -> str:
     if len(content) > _MOST_BYTES:
         raise refuse("REVIEW_LAYER", str(path), "is larger than 16 MB")
     if not text.startswith("#usda") or _NOTE not in text:
-        raise refuse("REVIEW_LAYER", str(path), "is not what Save review in the viewer writes")
+        raise refuse(
+            "REVIEW_LAYER", str(path), "is not a review that Save review in the viewer wrote"
+        )
     return text
 
 

@@ -57,7 +57,9 @@ def spelt_out(characters: Sequence[tuple[Rig, Layout]]) -> tuple[str, ...]:
     if not found:
         return ()
     names = " and ".join([visible(found[0]), *(["other names"] if len(found) > 1 else [])])
-    return (f"pip install 'usdrigui[fonts]' draws the letters of {names}, which are spelt out now",)
+    return (
+        f"pip install 'usdrigui[fonts]' draws the letters of {names}; they are transliterated now",
+    )
 
 
 def film_gif(characters: Sequence[tuple[Rig, Layout]], *, frames: int = 24) -> bytes:

@@ -70,7 +70,9 @@ def check_apart(files: Iterable[tuple[Path, str]]) -> None:
         place = os.path.normcase(os.path.realpath(path))
         if place in seen:
             raise refuse(
-                "FILE_TARGET", str(path), f"would be {seen[place]} and {what}; make them apart"
+                "FILE_TARGET",
+                str(path),
+                f"would be both {seen[place]} and {what}; give them different names",
             )
         seen[place] = what
 

@@ -139,7 +139,7 @@ def run_on_dask(jobs: Sequence[Job], address: str) -> Generator[Row, None, None]
     try:
         client = distributed.Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
-        raise refuse("BATCH_SCHEDULER", address, f"no scheduler answers: {error}") from error
+        raise refuse("BATCH_SCHEDULER", address, f"no dask scheduler answers: {error}") from error
     with client:
         futures = client.map(run_job, jobs, pure=False, retries=_RETRIES)
         by_key = {future.key: job for future, job in zip(futures, jobs, strict=True)}
@@ -175,5 +175,5 @@ def _plain(row: Row) -> dict[str, Any]:
 
 def _lost(job: Job, error: BaseException | None) -> Row:
     return failed(
-        job, refuse("BATCH_KILLED", "", f"the cluster gave it up: {type(error).__name__}")
+        job, refuse("BATCH_KILLED", "", f"the cluster abandoned it: {type(error).__name__}")
     )

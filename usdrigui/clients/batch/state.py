@@ -57,7 +57,7 @@ def _content(path: Path) -> bytes:
     """What a small regular file holds; raises OSError for what is none."""
     found = path.stat()
     if not stat.S_ISREG(found.st_mode) or found.st_size > _SIZE:
-        raise OSError(errno.EINVAL, "is not what a batch has written", str(path))
+        raise OSError(errno.EINVAL, "is not a record that a batch wrote", str(path))
     return path.read_bytes()
 
 

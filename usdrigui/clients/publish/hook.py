@@ -14,11 +14,11 @@ from usdrigui.settings import Settings
 from usdrigui.settings.loading import load_beside
 from usdrigui.usd.attach import write_bare
 
-TITLE = "Rig UI layout is missing, stale or bad"
+TITLE = "Rig UI layout is missing, stale or invalid"
 DESCRIPTION = """\
 ### {title}
 
-The layout layer of `{asset}` cannot be published as it is:
+The layout layer of `{asset}` cannot be published:
 
 {findings}
 

@@ -36,7 +36,7 @@ _WHOLE_FACE = "emotion"
 _WORDS = {
     "viseme": "visemes stand together",
     "emotion": "emotions stand together",
-    "identity": "changes who the character is, not its expression",
+    "identity": "changes the identity of the character, not its expression",
     "interior": "moves the inside of the mouth",
     "combination": "corrects a combination of other controls",
 }
@@ -88,7 +88,7 @@ def _family(kind: FamilyKind, members: tuple[int, ...], others: Flags, cosine: F
     if made < _MADE_BY_OTHERS:
         return Family(kind, members, True, "")
     return Family(
-        kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of what they do"
+        kind, members, False, f"{_WORDS[kind]}; other controls make {made:.0%} of their motion"
     )
 
 

@@ -250,7 +250,7 @@ def _refuse_infeasible(
             )
         if not len(choices[number].anchors):
             why = "not all of its controls can be anchored there, or its copies would collide"
-            raise refuse("FIXED_IMPOSSIBLE", name, f"cannot stand at {anchors[0]}: {why}")
+            raise refuse("FIXED_IMPOSSIBLE", name, f"cannot be anchored at {anchors[0]}: {why}")
     for place, a in enumerate(fixed):
         for b in fixed[place + 1 :]:
             one, other = problem.variables[a], problem.variables[b]

@@ -136,7 +136,7 @@ def _carried(
     apart = np.linalg.norm(rest[moved] - element.pinned_position, axis=1)
     nearest = first_smallest(apart)
     off = float(apart[nearest]) / max(width, 1e-300)
-    message = f"stands {off:.1f} handle widths from where it was pinned"
+    message = f"is {off:.1f} handle widths from where it was pinned"
     return place_of(rig, int(moved[nearest])), (
         issue("PIN_CARRIED", element.name, message) if off > _NEAR else None
     )

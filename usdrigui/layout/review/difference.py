@@ -283,7 +283,7 @@ def _unexplained(before: Layout, after: Layout) -> str:
     wider = after.handle_width / before.handle_width if before.handle_width > 0.0 else 1.0
     if abs(wider - 1.0) > _STILL:
         return f"handles are {wider:.2f} times as wide"
-    return "no reason on record: made from another motion, configuration or version"
+    return "no reason recorded: made with another motion, configuration or version"
 
 
 def _handles(elements: tuple[Element, ...], control: str) -> int:

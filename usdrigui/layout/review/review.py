@@ -167,7 +167,7 @@ def _stale(
         for member in element.members:
             if member.control not in known | along:
                 now = (
-                    f"; {renamed[member.control]!r} does what it did"
+                    f"; {renamed[member.control]!r} moves as it did"
                     if member.control in renamed
                     else ""
                 )

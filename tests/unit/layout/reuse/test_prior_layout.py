@@ -224,7 +224,7 @@ def test_every_move_between_two_layouts_has_a_reason(before):
     elsewhere, _ = at_another_place(before, "chin")
     weights = dict(before.layout.weights)
     told = {
-        "no reason on record": before.layout,
+        "no reason recorded": before.layout,
         "made with other settings: displacement_weight": replace(
             before.layout, weights=tuple((weights | {"displacement_weight": 0.5}).items())
         ),
