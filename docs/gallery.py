@@ -39,10 +39,11 @@ REMARKS: dict[str, str] = tomllib.loads((DOCS / "gallery.toml").read_text("utf-8
 """By rig, in the order of the page: what is still wrong on it, looked at by eye."""
 
 _INTRODUCTION = """\
-Real rigs by default settings, by an earlier version and by this one. *On the character* counts
-controls; *kept* is the mean displacement at the handle as a share of the control's peak; *placed*
-counts the controls (of joints: the axes) that stand where an animator expects them, by a program
-that does not know this one.
+Layouts of real rigs with default settings: by an earlier version → by this one. Each rig has its
+remaining faults listed. *On the character*: controls with an element on the character, of all;
+*kept*: mean displacement at the handle as a share of the control's peak; *gap*: proven distance of
+the cost from the optimum; *placed*: controls (of joints: axes) that are where an animator expects
+them, judged by a separate program.
 
 Sources and licences are in the `customLayerData` of each file. `ict_*`: ICT FaceKit, MIT; `mh_*`:
 MakeHuman, CC0; vitruvian: CharMorph Vitruvian, CC0; godette: Godette by SirRichard94, VRM by Lyuma,

@@ -3,7 +3,7 @@
 settings.md comes from the table of settings (usdrigui/settings/parts.py), issue-codes.md from
 usdrigui/codes.py, schema.md and the table at the end of schemas/CONTRACT.md from
 schemas/generatedSchema.usda.  With ``--check`` nothing is written
-and the exit code says whether the pages are up to date.
+and the exit code is 1 if a page is out of date.
 """
 
 from __future__ import annotations
@@ -76,15 +76,15 @@ def settings_page() -> str:
         "# Settings\n",
         NOTE,
         (
-            "Every setting can stand in `CHAR.rigui.toml` beside the asset, in files given with"
+            "Every setting may be given in `CHAR.rigui.toml` beside the asset, in files named by"
             " `--config` (of several a later one wins), or on the\ncommand line (`--set"
             " solve.gap=1e-3`, `--set controls.smile.maximum=0.5`; names with a dot in quotes:\n"
             "`--set 'controls.\"brow.L\".exclude=true'`). An environment variable"
-            " (`USDRIGUI_SOLVE_GAP=1e-3`) can say\nevery setting but those of a control, pose or"
+            " (`USDRIGUI_SOLVE_GAP=1e-3`) can set\nevery setting but those of a control, pose or"
             " joint by its name (`controls`, `poses`, `joints`).\nStrongest first: command line,"
             " configuration file, environment, preset, default. Unknown keys are"
             " errors.\n\n`check`, `view`, `picture` and `picker` of a layout need the configuration"
-            " that it was made with, as it says\nwhich controls the character has. They take the"
+            " that it was made with, as it\ndefines the controls of the character. They take the"
             " files of `--config`; without any that of the layout's\nown name (`looks/cfg.toml`"
             " for `looks/cfg.usda`), and without that `CHAR.rigui.toml` beside the asset that\nthe"
             " layout sublayers, wherever the layout lies. For an asset, by itself or with its"
@@ -139,8 +139,9 @@ def codes_page() -> str:
 def schema_page() -> str:
     """Every applied schema of a layout layer with its properties."""
     intro = (
-        "What the prims of a layout layer can say. [The contract](../schemas/CONTRACT.md) tells how"
-        " they stand\ntogether and what may change. With the folder that `usdrigui schema-path`"
+        "The properties of the prims of a layout layer. [The contract](../schemas/CONTRACT.md)"
+        " explains how they\nbelong together and how versions change. With the folder that"
+        " `usdrigui schema-path`"
         " prints in `PXR_PLUGINPATH_NAME`,\nUSD itself knows these schemas; without it every value"
         " still reads, but for fallbacks.\n"
     )
@@ -149,7 +150,7 @@ def schema_page() -> str:
 
 _MUST = {
     "layout:skeleton": ", where anything is bound",
-    "anchor:prim": " on the character; without it the element stands on the board",
+    "anchor:prim": " on the character; without it the element is on the board",
     "anchor:carrier": " on the board",
     "anchor:pointIndex": "",
     "anchor:position": "",
@@ -159,7 +160,7 @@ _MUST = {
     "control:*:skeleton": " with `joints`",
     "control:*:trackPoints": "",
 }
-"""What an element needs, with the case in which it does; `usdrigui check` tells what is missing."""
+"""What an element needs, with the case in which it does; `usdrigui check` lists missing ones."""
 
 
 def contract_page() -> str:

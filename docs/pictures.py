@@ -254,12 +254,11 @@ def page() -> str:
         "# What a layout is made of, in pictures\n",
         (
             "Every picture below is drawn by `python docs/pictures.py` from the sample character"
-            " (`sample_assets/char.usda`) with the configuration that stands below it, as `usdrigui"
+            " (`sample_assets/char.usda`) with the configuration below it, as `usdrigui"
             " process char.usda --preview picture.png --labels` would. To show one thing at a time,"
             ' the controls that a picture is not about are excluded (`[controls."x"] exclude ='
             ' true`), and joints are left out (`read.joints = "none"`) unless it is about them.'
-            " Blue is the character's left, red its right, yellow its middle, violet stands on the"
-            " board.\n"
+            " Blue is the character's left, red its right, yellow its middle, violet the board.\n"
         ),
     ]
     for scene in SCENES:
@@ -358,9 +357,9 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "board",
         "4 · Global and hidden controls on the board",
-        "What moves the whole head and what is hidden in all views stands on a board beside the"
-        " face, under a heading. On request a hidden control stands at the nearest visible place"
-        " instead.",
+        "Controls that move the whole head, or only geometry hidden in all views, are on a board"
+        " beside the face, under a heading. On request a hidden control is at the nearest"
+        " visible place instead.",
         (
             Panel("by default"),
             Panel("the tongue at its proxy", '[controls.tongueOut]\nplace = "proxy"'),
@@ -371,7 +370,7 @@ SCENES: tuple[Scene, ...] = (
     Scene(
         "exclude",
         "4 · Without an element",
-        "A helper shape that no animator should touch gets no element. Its motion still counts for"
+        "A helper shape that no animator should touch gets no element. Its motion still defines"
         " what the face is.",
         (Panel("by default"), Panel("excluded", "[controls.cheekPuff]\nexclude = true")),
         ("cheekPuff", "cheekSquint", "noseSneer", "mouthShrugLower", "browInnerUp"),

@@ -2,8 +2,8 @@
 [FOLDER]``.
 
 Runs the `usdGenSchema` that comes with usd-core (needs jinja2), names the resource plug-in, puts
-the full documentation back, of which usdGenSchema keeps the first sentences only, and says the
-ranges of the documentation as `limits`.  FOLDER is where to write; without it, beside schema.usda.
+the full documentation back, of which usdGenSchema keeps the first sentences only, and writes the
+ranges of the documentation as `limits`.  FOLDER is the output; by default that of schema.usda.
 """
 
 from __future__ import annotations
